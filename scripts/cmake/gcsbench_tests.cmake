@@ -1,0 +1,17 @@
+# Catch2 2 is header-only; its main is compiled once.
+find_package(Catch2 2.13 REQUIRED)
+include(Catch)
+
+if(NOT TARGET gcs_test_main)
+  add_library(gcs_test_main STATIC ${PROJECT_SOURCE_DIR}/solvers/tests/test_main.cpp)
+  target_link_libraries(gcs_test_main PUBLIC gcs_flags Catch2::Catch2)
+endif()
+
+# gcs_add_tests(<program> LIBRARIES <lib>… SOURCES <file>…): every TEST_CASE becomes a ctest test.
+function(gcs_add_tests program)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;SOURCES" ${ARGN})
+  add_executable(${program} ${ARG_SOURCES})
+  target_link_libraries(${program} PRIVATE gcs_test_main ${ARG_LIBRARIES})
+  target_compile_definitions(${program} PRIVATE GCSBENCH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  catch_discover_tests(${program} TEST_PREFIX "${program}: " PROPERTIES TIMEOUT 600)
+endfunction()

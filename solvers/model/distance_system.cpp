@@ -1,0 +1,114 @@
+#include "solvers/model/distance_system.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+namespace gcs {
+namespace {
+
+bool fixed_by_frame(const Scene& scene, int point, int axis) {
+  if (scene.fixed_point(point)) return true;
+  if (scene.is_anchored()) return false;
+  const Reference& reference = scene.reference();
+  if (point == reference.origin) return true;
+  if (point == reference.axis) return axis > 0;
+  return point == reference.plane && axis > 1;
+}
+
+}  // namespace
+
+DistanceSystem::DistanceSystem(const Scene& scene)
+    : dimension_(scene.dimension()),
+      point_count_(scene.point_count()),
+      unknown_(3 * static_cast<std::size_t>(scene.point_count()), -1),
+      fixed_coordinates_(Eigen::Matrix3Xd::Zero(3, scene.point_count())) {
+  for (const DistanceConstraint& c : scene.problem().constraints) edges_.push_back(c.between);
+  for (int point = 0; point < point_count_; ++point) {
+    if (const auto position = scene.fixed_point(point)) fixed_coordinates_.col(point) = *position;
+    for (int axis = 0; axis < dimension_; ++axis)
+      if (!fixed_by_frame(scene, point, axis)) unknown_[3 * point + axis] = unknowns_++;
+  }
+}
+
+Eigen::VectorXd DistanceSystem::coordinates(const Figure& figure) const {
+  Eigen::VectorXd x(unknowns_);
+  for (int i = 0; i < 3 * point_count_; ++i)
+    if (unknown_[i] >= 0) x[unknown_[i]] = figure.points.data()[i];
+  return x;
+}
+
+Figure DistanceSystem::figure(const Eigen::Ref<const Eigen::VectorXd>& x) const {
+  Figure figure;
+  figure.points = fixed_coordinates_;
+  place(x, figure.points);
+  return figure;
+}
+
+void DistanceSystem::place(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Matrix3Xd& points) const {
+  for (int i = 0; i < 3 * point_count_; ++i)
+    if (unknown_[i] >= 0) points.data()[i] = x[unknown_[i]];
+}
+
+void DistanceSystem::jacobian(const Eigen::Matrix3Xd& points, Eigen::Ref<Eigen::MatrixXd> jacobian) const {
+  jacobian.leftCols(unknowns_).setZero();
+  for (int e = 0; e < equations(); ++e) {
+    const auto [a, b] = edges_[e];
+    for (int axis = 0; axis < dimension_; ++axis) {
+      const double difference = points(axis, a) - points(axis, b);
+      if (unknown(a, axis) >= 0) jacobian(e, unknown(a, axis)) = difference;
+      if (unknown(b, axis) >= 0) jacobian(e, unknown(b, axis)) = -difference;
+    }
+  }
+}
+
+std::vector<DoubleDouble> target_squares(const Scene& scene) {
+  std::vector<DoubleDouble> squares;
+  for (int i = 0; i < scene.constraint_count(); ++i) {
+    const DistanceConstraint& constraint = scene.problem().constraints[i];
+    const double length = scene.target_lengths()[i];
+    squares.push_back(constraint.is_squared
+                          ? DoubleDouble{std::ldexp(constraint.given.value, -2 * scene.unit_exponent()), 0}
+                          : two_product(length, length));
+  }
+  return squares;
+}
+
+Refinement refine(const DistanceSystem& system, const std::vector<DoubleDouble>& squares,
+                  Eigen::VectorXd& x) {
+  constexpr int max_iterations = 12;
+  constexpr double ulp = std::numeric_limits<double>::epsilon();
+  const int m = system.equations();
+  const Eigen::VectorXd start = x;
+  Eigen::MatrixXd jacobian(m, system.unknowns());
+  Eigen::VectorXd residual(m);
+  Figure figure = system.figure(x);
+  Refinement result;
+  double previous = std::numeric_limits<double>::infinity();
+  while (result.iterations < max_iterations) {
+    system.place(x, figure.points);
+    for (int e = 0; e < m; ++e) {
+      const auto [a, b] = system.edges()[e];
+      const DoubleDouble square = squared_distance(Eigen::Vector3d(figure.points.col(a)),
+                                                   Eigen::Vector3d(figure.points.col(b)), system.dimension());
+      residual[e] = (square - squares[e]).value() / 2;
+    }
+    system.jacobian(figure.points, jacobian);
+    const Eigen::VectorXd correction = jacobian.partialPivLu().solve(residual);
+    x -= correction;
+    ++result.iterations;
+    result.last_correction = correction.norm();
+    if (!std::isfinite(result.last_correction)) break;
+    result.converged = result.last_correction <= 4 * ulp * x.cwiseAbs().maxCoeff();
+    if (result.converged || result.last_correction > previous / 2) break;
+    previous = result.last_correction;
+  }
+  // Rounding keeps an ill-conditioned solution from settling to the last bit; the size of its last correction
+  // says how far.
+  constexpr double settled = 1e-6;
+  result.converged = result.converged || result.last_correction <= settled * x.cwiseAbs().maxCoeff();
+  if (!result.converged) x = start;
+  return result;
+}
+
+}  // namespace gcs

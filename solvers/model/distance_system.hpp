@@ -1,0 +1,63 @@
+#pragma once
+/// The equations of a point distance problem in the free coordinates of its frame, [I] §2.1–2.2:
+/// f_i(x, a) = (|p_j − p_k|² − a_i²)/2, whose derivative by p_j is simply p_j − p_k. It has the same zeros,
+/// tangents and arc length as the unsquared form |p_j − p_k| − a_i.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "solvers/model/scene.hpp"
+#include "solvers/numeric/double_double.hpp"
+
+namespace gcs {
+
+class DistanceSystem {
+ public:
+  /// Precondition: no lines.
+  explicit DistanceSystem(const Scene& scene);
+
+  int dimension() const { return dimension_; }
+  int point_count() const { return point_count_; }
+  int unknowns() const { return unknowns_; }
+  int equations() const { return static_cast<int>(edges_.size()); }
+  const std::vector<std::array<int, 2>>& edges() const { return edges_; }
+  /// Index of the unknown that is coordinate `axis` of `point`, or −1 when the frame fixes it.
+  int unknown(int point, int axis) const { return unknown_[3 * point + axis]; }
+
+  /// Free coordinates of a figure that is in the frame.
+  Eigen::VectorXd coordinates(const Figure& figure) const;
+  /// The figure of these free coordinates.
+  Figure figure(const Eigen::Ref<const Eigen::VectorXd>& x) const;
+  /// Writes x into `points` (3 × point_count), which must already hold the coordinates that the frame fixes.
+  void place(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Matrix3Xd& points) const;
+
+  /// df_i/dx: row i of `jacobian` (equations × at least unknowns; columns beyond are left alone).
+  void jacobian(const Eigen::Matrix3Xd& points, Eigen::Ref<Eigen::MatrixXd> jacobian) const;
+
+ private:
+  int dimension_;
+  int point_count_;
+  int unknowns_ = 0;
+  std::vector<std::array<int, 2>> edges_;
+  std::vector<int> unknown_;
+  Eigen::Matrix3Xd fixed_coordinates_;
+};
+
+/// Outcome of Newton's method at fixed lengths.
+struct Refinement {
+  bool converged = false;
+  int iterations = 0;
+  double last_correction =
+      0;  ///< 2-norm of the last step, in the scene's unit: an estimate of the error left
+};
+
+/// a² in double-double, for every constraint at its target length, from the number that the file gives.
+std::vector<DoubleDouble> target_squares(const Scene& scene);
+
+/// Newton's method on f(x) = 0 at the given squared lengths, with residuals in double-double, so that what is
+/// left is the rounding of x itself. Stops when a correction is below 4 ulp of the largest coordinate or no
+/// longer falls. `x` is improved in place; on failure it is left as it came.
+Refinement refine(const DistanceSystem& system, const std::vector<DoubleDouble>& squares, Eigen::VectorXd& x);
+
+}  // namespace gcs

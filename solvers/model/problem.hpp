@@ -1,0 +1,95 @@
+#pragma once
+/// A point distance problem as a file states it: entities, given distances, and hints for path strategies.
+/// Nothing here is computed, and nothing here tells a solver which problem it is looking at.
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gcs {
+
+/// A number with its decimal text: the text is exact, `value` is the nearest double.
+struct Decimal {
+  double value = 0;
+  std::string text;
+};
+
+/// A line by a point on it and a direction of length 1.
+struct LinePosition {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+};
+
+/// A placement of all entities ("figure" in [I]): column i of `points` is point i; in the plane z = 0.
+struct Figure {
+  Eigen::Matrix3Xd points;
+  std::vector<LinePosition> lines;
+};
+
+/// |between[0] − between[1]| is given. Entities are numbered points first, then lines
+/// (entity e is the line e − points.size() when e ≥ points.size()). At most one of the two is a line.
+struct DistanceConstraint {
+  std::string id;
+  std::array<int, 2> between{};
+  Decimal given;  ///< the length, or its square, in the file's unit; > 0 (≥ 0 for a point–line length)
+  bool is_squared = false;
+};
+
+/// Which entities fix the frame; −1: not used. Points: origin, axis and (in space) plane.
+/// With a line: `line` is the x-axis and `height` is the point put on the z-axis.
+struct Reference {
+  int origin = -1;
+  int axis = -1;
+  int plane = -1;
+  int line = -1;
+  int height = -1;
+};
+
+/// How lengths travel from the sketch (t = 0) to the targets (t = 1): linearly, except for constraint `bent`,
+/// a(t) = −bend·t² + (a_target − a_sketch + bend)·t + a_sketch. −1: the last constraint.
+struct InterpolationChoice {
+  int bent = -1;
+  double bend = 2;  ///< in the file's unit of length
+};
+
+/// One term of a given construction plan: `place` at the given distances from the points named.
+/// A radius is a constraint (index ≥ 0) or a driving parameter (constraint −1), which is measured from a
+/// fixed copy.
+struct PlanStep {
+  struct Radius {
+    int from = -1;
+    int constraint = -1;
+    std::string driving;  ///< the driving parameter's name, empty for a constraint
+  };
+  int place = -1;
+  std::vector<Radius> from;
+};
+
+struct Problem {
+  int dimension = 3;  ///< 2 or 3
+  std::vector<std::string> points;
+  std::vector<std::string> lines;
+  std::vector<DistanceConstraint> constraints;
+  std::vector<std::optional<Eigen::Vector3d>> fixed_points;  ///< one per point
+  std::vector<std::optional<LinePosition>> fixed_lines;      ///< one per line
+  std::optional<Reference> reference;
+  std::optional<Figure> sketch;
+  InterpolationChoice interpolation;
+  std::vector<PlanStep> construction;  ///< empty: derived
+
+  bool is_point(int entity) const { return entity < static_cast<int>(points.size()); }
+  const std::string& name(int entity) const {
+    return is_point(entity) ? points[entity] : lines[entity - points.size()];
+  }
+  /// True when the file gives the entity's position. A problem without any may leave both vectors empty.
+  bool is_fixed(int entity) const {
+    const std::size_t point = static_cast<std::size_t>(entity);
+    if (is_point(entity)) return point < fixed_points.size() && fixed_points[point].has_value();
+    const std::size_t line = point - points.size();
+    return line < fixed_lines.size() && fixed_lines[line].has_value();
+  }
+};
+
+}  // namespace gcs

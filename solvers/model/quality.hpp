@@ -1,0 +1,17 @@
+#pragma once
+/// How good a figure is as a solution, judged from the figure alone.
+
+#include "solvers/model/scene.hpp"
+
+namespace gcs {
+
+/// max over the constraints of |distance − length| / max(length, scene size · 1e-3), with the distance
+/// evaluated in double-double so that the number says something about the figure and not about the
+/// evaluation. Dimensionless.
+double relative_residual(const Scene& scene, const Figure& figure);
+
+/// 2-norm condition number of the Jacobian of the distances at the figure, in the frame's free coordinates.
+/// Infinity at a singular figure. Dimensionless.
+double jacobian_condition(const Scene& scene, const Figure& figure);
+
+}  // namespace gcs

@@ -1,0 +1,130 @@
+#include "solvers/model/reflection_classes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace gcs {
+namespace {
+
+/// Numbers that are equal for two figures if and only if the figures are the same class; a small change of
+/// the figure changes each by as little.
+using Signature = std::vector<double>;
+
+Eigen::Vector3d foot(const LinePosition& line, const Eigen::Vector3d& point) {
+  return line.point + line.direction * line.direction.dot(point - line.point);
+}
+
+/// The points of the figure, then of every line the feet of the perpendiculars from all points.
+std::vector<Eigen::Vector3d> points_and_feet(const Figure& figure) {
+  std::vector<Eigen::Vector3d> result;
+  for (Eigen::Index i = 0; i < figure.points.cols(); ++i) result.push_back(figure.points.col(i));
+  for (const LinePosition& line : figure.lines) {
+    for (Eigen::Index i = 0; i < figure.points.cols(); ++i)
+      result.push_back(foot(line, figure.points.col(i)));
+  }
+  return result;
+}
+
+/// Length of the chord between two unit vectors up to sign: unlike a cosine it feels small angles.
+double chord(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+  return std::min((u - v).norm(), (u + v).norm());
+}
+
+Signature distances(const Figure& figure, double size) {
+  Signature signature;
+  const std::vector<Eigen::Vector3d> points = points_and_feet(figure);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = i + 1; j < points.size(); ++j) signature.push_back((points[i] - points[j]).norm());
+  }
+  for (std::size_t i = 0; i < figure.lines.size(); ++i) {
+    for (std::size_t j = i + 1; j < figure.lines.size(); ++j) {
+      signature.push_back(size * chord(figure.lines[i].direction, figure.lines[j].direction));
+    }
+  }
+  return signature;
+}
+
+/// Of a line the point nearest to the origin and the products u_i u_j, which no sign of u changes.
+Signature coordinates(const Figure& figure, double size) {
+  Signature signature;
+  const auto append = [&](const auto& values) {
+    signature.insert(signature.end(), values.begin(), values.end());
+  };
+  append(figure.points.reshaped());
+  for (const LinePosition& line : figure.lines) {
+    append(foot(line, Eigen::Vector3d::Zero()));
+    append((size * line.direction * line.direction.transpose()).eval().reshaped());
+  }
+  return signature;
+}
+
+bool equal(const Signature& a, const Signature& b, double tolerance) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [tolerance](double x, double y) { return std::abs(x - y) <= tolerance; });
+}
+
+/// Bounds the partial sums of the signature, to which the rounding of its total is relative.
+double magnitude(const Signature& signature) {
+  return std::accumulate(signature.begin(), signature.end(), 0.0,
+                         [](double sum, double value) { return sum + std::abs(value); });
+}
+
+/// The classes found so far, ordered by the sum of the first figure's signature: equal figures have close
+/// sums.
+class ClassIndex {
+ public:
+  explicit ClassIndex(double tolerance) : tolerance_(tolerance) {}
+
+  /// The first class that the signature equals, or −1.
+  int find(const Signature& signature) const {
+    const double sum = total(signature);
+    const double window = static_cast<double>(signature.size()) *
+                          (tolerance_ + 4 * std::numeric_limits<double>::epsilon() * magnitude(signature));
+    int found = -1;
+    const auto end = by_sum_.upper_bound(sum + window);
+    for (auto entry = by_sum_.lower_bound(sum - window); entry != end; ++entry) {
+      const auto& [number, first] = entry->second;
+      if ((found < 0 || number < found) && equal(signature, first, tolerance_)) found = number;
+    }
+    return found;
+  }
+
+  void add(int number, Signature signature) {
+    const double sum = total(signature);
+    by_sum_.emplace(sum, std::pair(number, std::move(signature)));
+  }
+
+ private:
+  static double total(const Signature& signature) {
+    return std::accumulate(signature.begin(), signature.end(), 0.0);
+  }
+
+  double tolerance_;
+  std::multimap<double, std::pair<int, Signature>> by_sum_;
+};
+
+}  // namespace
+
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance) {
+  ReflectionClasses classes;
+  ClassIndex index(tolerance * scene.size());
+  for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
+    Signature signature =
+        scene.is_anchored() ? coordinates(figures[i], scene.size()) : distances(figures[i], scene.size());
+    const bool finite = std::isfinite(magnitude(signature));  // else its sum has no place in an order
+    int found = finite ? index.find(signature) : -1;
+    if (found < 0) {
+      found = classes.count();
+      classes.first.push_back(i);
+      if (finite) index.add(found, std::move(signature));
+    }
+    classes.class_of.push_back(found);
+  }
+  return classes;
+}
+
+}  // namespace gcs

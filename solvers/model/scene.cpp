@@ -1,0 +1,248 @@
+#include "solvers/model/scene.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace gcs {
+namespace {
+
+double file_length(const DistanceConstraint& constraint) {
+  return constraint.is_squared ? std::sqrt(constraint.given.value) : constraint.given.value;
+}
+
+/// The coordinates of a fixed entity, or nothing.
+double fixed_extent(const Problem& problem) {
+  double extent = 0;
+  for (const auto& point : problem.fixed_points)
+    if (point) extent = std::max(extent, point->cwiseAbs().maxCoeff());
+  for (const auto& line : problem.fixed_lines)
+    if (line) extent = std::max(extent, line->point.cwiseAbs().maxCoeff());
+  return extent;
+}
+
+bool anything_fixed(const Problem& problem) {
+  const auto given = [](const auto& position) { return position.has_value(); };
+  return std::any_of(problem.fixed_points.begin(), problem.fixed_points.end(), given) ||
+         std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(), given);
+}
+
+int exponent_of(double length) {
+  int exponent = 0;
+  std::frexp(length, &exponent);
+  return exponent - 1;
+}
+
+Figure scaled(const Figure& figure, int exponent) {
+  const auto scale = [exponent](double x) { return std::ldexp(x, exponent); };
+  Figure result = figure;
+  result.points = figure.points.unaryExpr(scale);
+  for (LinePosition& line : result.lines) line.point = line.point.unaryExpr(scale);
+  return result;
+}
+
+bool constrained(const std::set<std::pair<int, int>>& pairs, int a, int b) {
+  return pairs.count({std::min(a, b), std::max(a, b)}) > 0;
+}
+
+std::set<std::pair<int, int>> constrained_pairs(const Problem& problem) {
+  std::set<std::pair<int, int>> pairs;
+  for (const DistanceConstraint& c : problem.constraints)
+    pairs.insert(std::minmax(c.between[0], c.between[1]));
+  return pairs;
+}
+
+Reference line_reference(const Problem& problem) {
+  Reference reference;
+  reference.line = 0;
+  const int line = static_cast<int>(problem.points.size());
+  for (const DistanceConstraint& c : problem.constraints)
+    if (c.between[0] == line || c.between[1] == line) {
+      const int point = c.between[0] == line ? c.between[1] : c.between[0];
+      if (reference.height < 0 || file_length(c) > 0) reference.height = point;
+      if (file_length(c) > 0) break;
+    }
+  return reference;
+}
+
+/// Origin, axis and (in space) plane: the first that are pairwise constrained, in the order of the
+/// constraints.
+Reference point_reference(const Problem& problem) {
+  const auto pairs = constrained_pairs(problem);
+  const int n = static_cast<int>(problem.points.size());
+  Reference fallback{0, n > 1 ? 1 : -1, problem.dimension == 3 && n > 2 ? 2 : -1};
+  for (const DistanceConstraint& c : problem.constraints) {
+    Reference candidate{c.between[0], c.between[1]};
+    if (problem.dimension == 2) return candidate;
+    for (int p = 0; p < n; ++p)
+      if (constrained(pairs, p, candidate.origin) && constrained(pairs, p, candidate.axis)) {
+        candidate.plane = p;
+        return candidate;
+      }
+  }
+  return fallback;
+}
+
+Reference default_reference(const Problem& problem) {
+  return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
+}
+
+/// Rows are the frame's axes.
+struct RigidMotion {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+};
+
+/// Right-handed axes whose first is along `x` and whose second lies in the half plane of `y`; where a
+/// direction vanishes, any that completes the frame.
+Eigen::Matrix3d axes_from(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
+  const Eigen::Vector3d first =
+      x.stableNormalized().norm() > 0 ? x.stableNormalized() : Eigen::Vector3d::UnitX();
+  Eigen::Vector3d second = (y - first * first.dot(y)).stableNormalized();
+  second = (second - first * first.dot(second)).stableNormalized();
+  if (second.norm() == 0) second = first.unitOrthogonal();
+  Eigen::Matrix3d axes;
+  axes.row(0) = first;
+  axes.row(1) = second;
+  axes.row(2) = first.cross(second);
+  return axes;
+}
+
+RigidMotion motion_to_points(const Problem& problem, const Reference& reference, const Figure& figure) {
+  RigidMotion motion;
+  motion.origin = figure.points.col(reference.origin);
+  if (reference.axis < 0) return motion;
+  const Eigen::Vector3d x = figure.points.col(reference.axis) - motion.origin;
+  Eigen::Vector3d y(-x.y(), x.x(), 0);
+  if (problem.dimension == 3)
+    y = reference.plane < 0 ? Eigen::Vector3d::UnitY()
+                            : Eigen::Vector3d(figure.points.col(reference.plane) - motion.origin);
+  motion.axes = axes_from(x, y);
+  return motion;
+}
+
+/// The line becomes the x-axis and the height point lies on the z-axis, z ≥ 0.
+RigidMotion motion_to_line(const Reference& reference, const Figure& figure) {
+  const LinePosition& line = figure.lines[reference.line];
+  RigidMotion motion;
+  motion.origin = line.point;
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  if (reference.height >= 0) {
+    const Eigen::Vector3d height = figure.points.col(reference.height);
+    motion.origin += line.direction * line.direction.dot(height - line.point);
+    up = height - motion.origin;
+  }
+  const Eigen::Matrix3d axes = axes_from(line.direction, up);
+  motion.axes.row(0) = axes.row(0);
+  motion.axes.row(1) = -axes.row(2);
+  motion.axes.row(2) = axes.row(1);
+  return motion;
+}
+
+Figure moved(const RigidMotion& motion, const Figure& figure) {
+  Figure result = figure;
+  result.points = motion.axes * (figure.points.colwise() - motion.origin);
+  for (LinePosition& line : result.lines) {
+    line.point = motion.axes * (line.point - motion.origin);
+    line.direction = motion.axes * line.direction;
+  }
+  return result;
+}
+
+/// The coordinates that the frame makes zero, exactly zero.
+void clear_frame_zeros(const Reference& reference, Figure& figure) {
+  if (reference.line >= 0) {
+    figure.lines[reference.line] = LinePosition{};
+    if (reference.height >= 0) figure.points.col(reference.height).head<2>().setZero();
+    return;
+  }
+  figure.points.col(reference.origin).setZero();
+  if (reference.axis >= 0) figure.points.col(reference.axis).tail<2>().setZero();
+  if (reference.plane >= 0) figure.points(2, reference.plane) = 0;
+}
+
+/// The point of the line nearest to the origin, and the direction whose first non-zero component is positive.
+LinePosition normalised(const LinePosition& line) {
+  LinePosition result;
+  result.direction = line.direction.stableNormalized();
+  int lead = 0;
+  while (lead < 2 && std::abs(result.direction[lead]) < 1e-9) ++lead;
+  if (result.direction[lead] < 0) result.direction = -result.direction;
+  result.point = line.point - result.direction * result.direction.dot(line.point);
+  return result;
+}
+
+/// Mirrors the figure along `axis` unless the first point that is off the mirror has a positive coordinate.
+void make_first_positive(Figure& figure, int axis, double threshold) {
+  for (Eigen::Index i = 0; i < figure.points.cols(); ++i) {
+    if (std::abs(figure.points(axis, i)) <= threshold) continue;
+    if (figure.points(axis, i) > 0) return;
+    figure.points.row(axis) *= -1;
+    for (LinePosition& line : figure.lines) {
+      line.point[axis] *= -1;
+      line.direction[axis] *= -1;
+    }
+    return;
+  }
+}
+
+}  // namespace
+
+Scene::Scene(Problem problem) : problem_(std::move(problem)), anchored_(anything_fixed(problem_)) {
+  double longest = 0;
+  for (const DistanceConstraint& c : problem_.constraints) longest = std::max(longest, file_length(c));
+  if (longest == 0) longest = fixed_extent(problem_);
+  if (longest > 0) unit_exponent_ = exponent_of(longest);
+
+  for (const DistanceConstraint& c : problem_.constraints) {
+    const int exponent = c.is_squared ? -2 * unit_exponent_ : -unit_exponent_;
+    const double given = std::ldexp(c.given.value, exponent);
+    target_lengths_.push_back(c.is_squared ? std::sqrt(given) : given);
+  }
+  size_ = std::ldexp(std::max(longest, fixed_extent(problem_)), -unit_exponent_);
+  reference_ = problem_.reference.value_or(default_reference(problem_));
+
+  if (!problem_.sketch) return;
+  sketch_ = in_frame(scaled(*problem_.sketch, -unit_exponent_));
+  const int bent = problem_.interpolation.bent >= 0 ? problem_.interpolation.bent : constraint_count() - 1;
+  for (int i = 0; i < constraint_count(); ++i) {
+    const auto [a, b] = problem_.constraints[i].between;
+    LengthPath path;
+    if (problem_.is_point(a) && problem_.is_point(b))
+      path.at_sketch = (sketch_->points.col(a) - sketch_->points.col(b)).norm();
+    path.at_target = target_lengths_[i];
+    path.bend = i == bent ? std::ldexp(problem_.interpolation.bend, -unit_exponent_) : 0;
+    length_paths_.push_back(path);
+  }
+}
+
+std::optional<Eigen::Vector3d> Scene::fixed_point(int point) const {
+  const auto index = static_cast<std::size_t>(point);
+  if (index >= problem_.fixed_points.size() || !problem_.fixed_points[index]) return std::nullopt;
+  return problem_.fixed_points[index]->unaryExpr([this](double x) { return std::ldexp(x, -unit_exponent_); });
+}
+
+Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
+  if (anchored_) return figure;
+  const RigidMotion motion =
+      reference.line >= 0 ? motion_to_line(reference, figure) : motion_to_points(problem_, reference, figure);
+  Figure result = moved(motion, figure);
+  clear_frame_zeros(reference, result);
+  return result;
+}
+
+Figure Scene::representative(const Figure& figure) const {
+  Figure result = in_frame(figure);
+  const double threshold = 1e-9 * size_;
+  if (!anchored_) {
+    if (reference_.line >= 0) make_first_positive(result, 0, threshold);
+    make_first_positive(result, reference_.line >= 0 || dimension() == 2 ? 1 : 2, threshold);
+  }
+  for (LinePosition& line : result.lines) line = normalised(line);
+  return result;
+}
+
+Figure Scene::in_file_unit(const Figure& figure) const { return scaled(figure, unit_exponent_); }
+
+}  // namespace gcs

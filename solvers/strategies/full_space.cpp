@@ -1,0 +1,64 @@
+/// Tracks S in full space, R^m × R ([I] §2.2, §7.1).
+///
+/// S is the component through the sketch of {(X, t) : |p_j − p_k| = a_i(t)}, with the lengths a_i(t) going
+/// from those of the sketch (t = 0) to the given ones (t = 1) and on, one of them bent so that t stays
+/// bounded ([I] (h2)). Where the Jacobian has full rank on it ([I] (h1)) S is a closed curve; it is followed
+/// through the folds of t until it is back at the sketch, and every crossing of t = 1 is a solution.
+///
+/// mode=fast is tracking/series_tracker.hpp on tracking/distance_curve.hpp, mode=paper is
+/// tracking/euler_newton_tracker.hpp on tracking/paper_homotopies.hpp.
+///
+/// Claims the solutions on S. Fails, and says where, when S is singular or nearly so, or too long for
+/// max_steps. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point Distance Problems by
+/// Homotopy, 2016.
+
+#include "solvers/tracking/distance_curve.hpp"
+#include "solvers/tracking/paper_homotopies.hpp"
+#include "solvers/tracking/path_options.hpp"
+#include "solvers/tracking/path_report.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr double paper_step_max = 0.1;  // [I] §7.3.1, without a plan
+
+class FullSpace final : public Strategy {
+ public:
+  explicit FullSpace(const OptionMap& options) : options_(read_path_options(options, paper_step_max)) {}
+
+  std::optional<std::string> why_unsupported(const Scene& scene) const override { return why_no_path(scene); }
+
+  SolveReport solve(const SolveRequest& request) override {
+    const TrackerContext context{request.stop, request.monitor};
+    if (options_.mode == PathMode::paper) {
+      PaperDistanceHomotopy homotopy(request.scene);
+      EulerNewtonTracker tracker(homotopy, options_.paper, context);
+      return path_report(request.scene, tracker.run(),
+                         [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
+    }
+    DistanceCurve curve(request.scene, options_.fast.order, options_.fast.tolerance);
+    SeriesTracker tracker(curve, options_.fast, context);
+    return path_report(request.scene, tracker.run(),
+                       [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+  }
+
+ private:
+  PathOptions options_;
+};
+
+}  // namespace
+
+StrategyEntry full_space_entry() {
+  StrategyEntry entry;
+  entry.name = "full-space";
+  entry.summary = "tracks the path S from the sketch in all coordinates";
+  entry.citation = "Imbach, Mathis, Schreck 2016, sections 2.2 and 7.1";
+  entry.needs_sketch = true;
+  entry.options = path_option_specs("0.1");
+  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
+    return std::make_unique<FullSpace>(options);
+  };
+  return entry;
+}
+
+}  // namespace gcs

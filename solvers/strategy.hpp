@@ -1,0 +1,110 @@
+#pragma once
+/// The whole interface of a strategy. To add one: a file solvers/strategies/my_idea.cpp that defines
+/// `StrategyEntry my_idea_entry()`, and the line gcs_add_strategy(my_idea) in solvers/CMakeLists.txt.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solvers/model/scene.hpp"
+#include "solvers/work.hpp"
+
+namespace gcs {
+
+/// All that a strategy may see.
+struct SolveRequest {
+  const Scene& scene;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::stop_token stop;        ///< asked for: return what is there with SolveStatus::stopped
+  Monitor* monitor = nullptr;  ///< may be null
+};
+
+/// What a strategy says that it found; the harness checks it.
+enum class Claim { some_real, on_path, on_path_of_core, all_real, all_complex };
+
+/// How a solve ended. Everything but `complete` comes with a reason.
+enum class SolveStatus { complete, partial, infinite, gave_up, stopped };
+
+/// One solution in the scene's own unit, in any position (the harness moves it into the frame).
+struct Candidate {
+  Figure figure;
+  int multiplicity = 1;
+};
+
+/// The path met t = 1 at candidates[candidate], going in the direction of growing t (+1) or falling t (−1).
+struct Crossing {
+  int candidate = 0;
+  int direction = 1;
+};
+
+/// One tracked path and its end.
+struct PathRecord {
+  enum class End { closed, regular, singular, at_infinity, failed, stopped };
+  End end = End::failed;
+  std::string cause;  ///< why, in words, when `end` is failed or stopped
+  double length = 0;  ///< arc length in (X, t), X in the scene's unit
+  std::vector<Crossing> crossings;
+};
+
+struct SolveReport {
+  SolveStatus status = SolveStatus::gave_up;
+  std::string reason;  ///< empty when complete
+  Claim claim = Claim::some_real;
+  std::vector<Candidate>
+      candidates;  ///< distinct points of S or solutions; the harness groups them into classes
+  std::vector<PathRecord> paths;
+  WorkCounters work;
+};
+
+/// One option: `--set name=value`.
+struct OptionSpec {
+  std::string_view name;
+  std::string default_value;
+  std::string_view allowed;  ///< "a|b|c" for a choice, otherwise a range in words: "number > 0"
+  std::string_view summary;
+};
+/// Every option of the strategy has an entry: the default where the user said nothing.
+using OptionMap = std::map<std::string, std::string, std::less<>>;
+
+/// Thrown by StrategyEntry::make for a value that is not allowed; what() names option, value and what would
+/// be right.
+class OptionError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+class Strategy {
+ public:
+  virtual ~Strategy() = default;
+  /// Why this scene is out of reach, or nullopt. A sentence for a person. Called before prepare and solve.
+  virtual std::optional<std::string> why_unsupported(const Scene& scene) const = 0;
+  /// Work that a second solve of the same graph with other lengths may reuse. Timed apart from solve.
+  virtual void prepare(const SolveRequest&) {}
+  /// Timed. May be called again with the same request and then gives the same report.
+  virtual SolveReport solve(const SolveRequest& request) = 0;
+};
+
+struct StrategyEntry {
+  std::string_view name;     ///< command-line name and table label
+  std::string_view summary;  ///< one line
+  std::string_view citation;
+  bool needs_sketch = false;
+  std::vector<OptionSpec> options;
+  std::unique_ptr<Strategy> (*make)(const OptionMap& options) = nullptr;
+};
+
+/// All strategies, in the order of solvers/CMakeLists.txt.
+std::span<const StrategyEntry> all_strategies();
+
+/// Defaults overridden by `given`. Throws OptionError for a name that the entry does not have.
+OptionMap complete_options(const StrategyEntry& entry, const OptionMap& given);
+
+}  // namespace gcs

@@ -1,0 +1,41 @@
+#pragma once
+/// When a simplified Newton iteration may stop, and when it must be refused.
+
+#include <algorithm>
+#include <limits>
+
+namespace gcs {
+
+/// Fed with the sizes of successive corrections. With the matrix frozen they fall by a constant factor, which
+/// is about the distance moved divided by the distance at which Newton would leave the path.
+class CorrectorTest {
+ public:
+  enum class Verdict { again, settled, refuse };
+
+  /// `tolerance`: the tracker's, in the unit of the coordinates.
+  explicit CorrectorTest(double tolerance) : tolerance_(tolerance) {}
+
+  Verdict judge(double correction, double size) {
+    const double noise = 64 * std::numeric_limits<double>::epsilon() * std::max(1.0, size);
+    if (!(correction <= first_limit * tolerance_)) return Verdict::refuse;
+    if (correction <= noise) return Verdict::settled;
+    if (previous_ > 0) {
+      if (correction > contraction * previous_)
+        return correction <= noise_limit * noise ? Verdict::settled : Verdict::refuse;
+      if (correction * correction <= noise * previous_) return Verdict::settled;
+    }
+    previous_ = correction;
+    return Verdict::again;
+  }
+
+ private:
+  static constexpr double first_limit =
+      100;  ///< a predictor that is worse than its error estimate by this is not trusted
+  static constexpr double contraction = 0.1;
+  static constexpr double noise_limit =
+      1e3;  ///< rounding amplified by a condition number of the Jacobian up to 1e3·64
+  double tolerance_;
+  double previous_ = 0;
+};
+
+}  // namespace gcs

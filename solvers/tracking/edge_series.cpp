@@ -1,0 +1,50 @@
+#include "solvers/tracking/edge_series.hpp"
+
+namespace gcs {
+
+LengthSeries::LengthSeries(std::vector<LengthPath> paths, int order) : paths_(std::move(paths)) {
+  const auto m = static_cast<Eigen::Index>(paths_.size());
+  for (Eigen::VectorXd* v : {&value_, &slope_, &quadratic_, &cubic_, &quartic_}) v->setZero(m);
+  for (Eigen::VectorXd* v : {&offset_, &offset2_}) v->setZero(order + 1);
+}
+
+void LengthSeries::start(double t0) {
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    const auto e = static_cast<Eigen::Index>(i);
+    const double a = paths_[i].value(t0);
+    const double b = paths_[i].slope(t0);
+    const double c = -paths_[i].bend;
+    value_[e] = a;
+    slope_[e] = a * b;
+    quadratic_[e] = b * b / 2 + a * c;
+    cubic_[e] = b * c;
+    quartic_[e] = c * c / 2;
+  }
+}
+
+void LengthSeries::known(int n, Eigen::Ref<Eigen::VectorXd> result) {
+  double square = 0;
+  for (int i = 1; i < n; ++i) square += offset_[i] * offset_[n - i];
+  double cube = 0;
+  for (int i = 2; i < n; ++i) cube += offset2_[i] * offset_[n - i];
+  double fourth = 0;
+  for (int i = 2; i < n - 1; ++i) fourth += offset2_[i] * offset2_[n - i];
+  offset2_[n] = square;
+  result = quadratic_ * square + cubic_ * cube + quartic_ * fourth;
+}
+
+EdgeSeries::EdgeSeries(Eigen::Index edges, int dimension, int order)
+    : dimension_(dimension), differences_(edges, (order + 1) * dimension) {}
+
+void EdgeSeries::resize(Eigen::Index edges) { differences_.resize(edges, differences_.cols()); }
+
+void EdgeSeries::half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result) const {
+  result.setZero();
+  for (int i = 1; 2 * i <= n; ++i) {
+    const double weight = 2 * i == n ? 0.5 : 1.0;
+    for (int axis = 0; axis < dimension_; ++axis)
+      result.array() += weight * difference(i, axis).array() * difference(n - i, axis).array();
+  }
+}
+
+}  // namespace gcs

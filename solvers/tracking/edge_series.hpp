@@ -1,0 +1,55 @@
+#pragma once
+/// The part of the distance equations' Taylor series that every tracker of S shares. With points and t as
+/// series in s, the n-th coefficient of (|p_a − p_b|² − a(t)²)/2 is
+///   (p_a − p_b)_0 · (p_a − p_b)_n − a·a'(t_0)·t_n + constant_n,
+/// linear in the n-th coefficients; constant_n depends on lower ones only.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solvers/model/interpolation.hpp"
+
+namespace gcs {
+
+/// Series of a(t(s))²/2 for all lengths. [I] Definition 1 makes a(t) a polynomial of degree at most two.
+class LengthSeries {
+ public:
+  LengthSeries(std::vector<LengthPath> paths, int order);
+
+  /// Expands about t0. Afterwards value(i) = a_i(t0), slope(i) = a_i·a_i'(t0).
+  void start(double t0);
+  double value(Eigen::Index i) const { return value_[i]; }
+  double slope(Eigen::Index i) const { return slope_[i]; }
+  const std::vector<LengthPath>& paths() const { return paths_; }
+
+  /// To be called for n = 1, 2, … once t_n is known.
+  void set(int n, double t_n) { offset_[n] = t_n; }
+  /// The n-th coefficient of a_i²/2 without the term slope(i)·t_n. Precondition: set up to n − 1.
+  void known(int n, Eigen::Ref<Eigen::VectorXd> result);
+
+ private:
+  std::vector<LengthPath> paths_;
+  Eigen::VectorXd value_, slope_, quadratic_, cubic_, quartic_;  // a²/2 in powers of t − t0
+  Eigen::VectorXd offset_, offset2_;                             // series of t − t0 and (t − t0)²
+};
+
+/// Differences of the end points of all edges as series, one array per order and axis so that loops run over
+/// edges.
+class EdgeSeries {
+ public:
+  EdgeSeries(Eigen::Index edges, int dimension, int order);
+
+  void resize(Eigen::Index edges);
+  Eigen::Index edges() const { return differences_.rows(); }
+  /// The n-th coefficients of (p_a − p_b) along `axis`, one per edge.
+  auto difference(int n, int axis) { return differences_.col(n * dimension_ + axis); }
+  auto difference(int n, int axis) const { return differences_.col(n * dimension_ + axis); }
+  /// ½ Σ_{i=1}^{n−1} d_i·d_{n−i} for every edge.
+  void half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result) const;
+
+ private:
+  int dimension_;
+  Eigen::MatrixXd differences_;
+};
+
+}  // namespace gcs

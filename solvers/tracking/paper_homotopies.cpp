@@ -1,0 +1,195 @@
+#include "solvers/tracking/paper_homotopies.hpp"
+
+#include <cmath>
+
+namespace gcs {
+
+PaperDistanceHomotopy::PaperDistanceHomotopy(const Scene& scene)
+    : unit_(std::ldexp(1.0, scene.unit_exponent())),
+      system_(scene),
+      lengths_(scene.length_paths()),
+      sketch_(*scene.sketch()),
+      points_(unit_ * sketch_.points) {}
+
+Eigen::VectorXd PaperDistanceHomotopy::start() const {
+  Eigen::VectorXd y(system_.unknowns() + 1);
+  y << unit_ * system_.coordinates(sketch_), 0.0;
+  return y;
+}
+
+bool PaperDistanceHomotopy::residual(const Eigen::VectorXd& y, Eigen::VectorXd& f) {
+  ++work_.evaluations;
+  const double t = y[system_.unknowns()];
+  system_.place(y.head(system_.unknowns()), points_);
+  for (int e = 0; e < system_.equations(); ++e) {
+    const auto [a, b] = system_.edges()[e];
+    f[e] = (points_.col(a) - points_.col(b)).norm() - unit_ * lengths_[e].value(t);
+  }
+  return true;
+}
+
+bool PaperDistanceHomotopy::jacobian(const Eigen::VectorXd& y, const Eigen::VectorXd& f,
+                                     Eigen::MatrixXd& jacobian) {
+  ++work_.jacobians;
+  shifted_ = y;
+  shifted_residual_.resize(f.size());
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    shifted_[i] = y[i] + difference_step(y[i]);
+    residual(shifted_, shifted_residual_);
+    jacobian.col(i) = (shifted_residual_ - f) / (shifted_[i] - y[i]);
+    shifted_[i] = y[i];
+  }
+  return true;
+}
+
+Figure PaperDistanceHomotopy::figure(const Eigen::VectorXd& coordinates) const {
+  return system_.figure(coordinates.head(system_.unknowns()) / unit_);
+}
+
+PaperPlanHomotopy::PaperPlanHomotopy(const Scene& scene, Plan plan, const Figure& sketch,
+                                     const ExchangeRule& rule, bool swap)
+    : unit_(std::ldexp(1.0, scene.unit_exponent())),
+      dimension_(scene.dimension()),
+      lengths_(scene.length_paths()),
+      plan_(std::move(plan)),
+      rule_(rule),
+      swap_(swap),
+      sketch_(unit_ * sketch.points),
+      points_(sketch_),
+      shifted_points_(sketch_) {
+  for (const DistanceConstraint& c : scene.problem().constraints) ends_.push_back(c.between);
+  for (Instruction& instruction : plan_.instructions())
+    for (Sphere& sphere : instruction.spheres) sphere.reference *= unit_;
+}
+
+void PaperPlanHomotopy::find_branch(const Eigen::Matrix3Xd& points) {
+  for (Instruction& instruction : plan_.instructions()) instruction.side = side_of(instruction, points);
+}
+
+Eigen::VectorXd PaperPlanHomotopy::parameters(const Eigen::Matrix3Xd& points, double t) const {
+  Eigen::VectorXd y(plan_.driving_parameters() + 1);
+  Eigen::Index j = 0;
+  for (const Instruction& instruction : plan_.instructions())
+    for (int i = 0; i < instruction.count; ++i)
+      if (instruction.spheres[i].is_driven())
+        y[j++] = (points.col(instruction.place) - instruction.spheres[i].reference).norm();
+  y[j] = t;
+  return y;
+}
+
+Eigen::VectorXd PaperPlanHomotopy::start() {
+  if (swap_ && needs_change(plan_, rule_, sketch_) && change_plan(plan_, rule_, sketch_))
+    ++work_.plan_changes;
+  find_branch(sketch_);
+  return parameters(sketch_, 0);
+}
+
+bool PaperPlanHomotopy::evaluate(const Eigen::VectorXd& y, std::size_t first, Eigen::Matrix3Xd& points) {
+  ++(first == 0 ? work_.evaluations : work_.partial_evaluations);
+  const double t = y[y.size() - 1];
+  const auto radius = [&](const Sphere& sphere, int j) {
+    return sphere.is_driven() ? y[j] : unit_ * lengths_[sphere.constraint].value(t);
+  };
+  return evaluate_plan(plan_, first, radius, points);
+}
+
+void PaperPlanHomotopy::removed_residual(const Eigen::Matrix3Xd& points, double t, Eigen::VectorXd& f) const {
+  for (std::size_t r = 0; r < plan_.removed().size(); ++r) {
+    const int c = plan_.removed()[r];
+    const auto [a, b] = ends_[c];
+    f[static_cast<Eigen::Index>(r)] = (points.col(a) - points.col(b)).norm() - unit_ * lengths_[c].value(t);
+  }
+}
+
+bool PaperPlanHomotopy::residual(const Eigen::VectorXd& y, Eigen::VectorXd& f) {
+  if (!evaluate(y, 0, points_)) return false;
+  removed_residual(points_, y[y.size() - 1], f);
+  return true;
+}
+
+/// Precondition: points_ is the figure at y, as residual(y) left it.
+bool PaperPlanHomotopy::jacobian(const Eigen::VectorXd& y, const Eigen::VectorXd& f,
+                                 Eigen::MatrixXd& jacobian) {
+  ++work_.jacobians;
+  Eigen::VectorXd shifted = y;
+  shifted_residual_.resize(f.size());
+  std::size_t first = plan_.instructions().size();
+  for (Eigen::Index j = y.size() - 1; j-- > 0;) {
+    while (plan_.driven_before(first) > j) --first;
+    // A boundary of the domain may lie on one side.
+    for (const double direction : {1.0, -1.0}) {
+      shifted[j] = y[j] + direction * difference_step(y[j]);
+      shifted_points_ = points_;
+      if (evaluate(shifted, first, shifted_points_)) break;
+      if (direction < 0) return false;
+    }
+    removed_residual(shifted_points_, y[y.size() - 1], shifted_residual_);
+    jacobian.col(j) = (shifted_residual_ - f) / (shifted[j] - y[j]);
+    shifted[j] = y[j];
+  }
+  const Eigen::Index t = y.size() - 1;
+  for (const double direction : {1.0, -1.0}) {
+    shifted[t] = y[t] + direction * difference_step(y[t]);
+    if (evaluate(shifted, 0, shifted_points_)) break;
+    if (direction < 0) return false;
+  }
+  removed_residual(shifted_points_, shifted[t], shifted_residual_);
+  jacobian.col(t) = (shifted_residual_ - f) / (shifted[t] - y[t]);
+  return true;
+}
+
+Eigen::VectorXd PaperPlanHomotopy::figure_coordinates(const Eigen::VectorXd& y) {
+  shifted_points_ = points_;
+  evaluate(y, 0, shifted_points_);
+  Eigen::VectorXd coordinates(dimension_ * shifted_points_.cols() + 1);
+  coordinates << Eigen::MatrixXd(shifted_points_.topRows(dimension_)).reshaped(), y[y.size() - 1];
+  return coordinates;
+}
+
+Figure PaperPlanHomotopy::figure(const Eigen::VectorXd& coordinates) const {
+  Figure figure;
+  figure.points = sketch_;
+  figure.points.topRows(dimension_) =
+      coordinates.head(coordinates.size() - 1).reshaped(dimension_, sketch_.cols());
+  figure.points /= unit_;
+  return figure;
+}
+
+bool PaperPlanHomotopy::after_step(const Eigen::VectorXd& before, Eigen::VectorXd& y,
+                                   Eigen::VectorXd& tangent) {
+  driving_sum_ += plan_.driving_parameters();
+  work_.mean_driving_parameters = driving_sum_ / static_cast<double>(work_.iterations);
+  work_.max_driving_parameters =
+      std::max(work_.max_driving_parameters.value_or(0), plan_.driving_parameters());
+  if (!swap_) return false;
+  evaluate(y, 0, points_);
+  if (!needs_change(plan_, rule_, points_)) return false;
+  shifted_points_ = points_;
+  evaluate(before, 0, shifted_points_);
+  if (!change_plan(plan_, rule_, points_)) return false;
+  ++work_.plan_changes;
+  find_branch(points_);
+  const double t_before = before[before.size() - 1];
+  y = parameters(points_, y[y.size() - 1]);
+  tangent = (y - parameters(shifted_points_, t_before)).normalized();
+  return true;
+}
+
+bool PaperPlanHomotopy::try_other_branch(const Eigen::VectorXd& y) {
+  if (swap_ || !evaluate(y, 0, points_)) return false;
+  double nearest = rule_.alpha;
+  bool found = false;
+  for (std::size_t k = 0; k < plan_.instructions().size(); ++k) {
+    const double distance = boundary_distance(plan_.instructions()[k], rule_, points_);
+    if (distance > nearest) continue;
+    nearest = distance;
+    flipped_ = k;
+    found = true;
+  }
+  if (found) plan_.instructions()[flipped_].side *= -1;
+  return found;
+}
+
+void PaperPlanHomotopy::take_back_branch() { plan_.instructions()[flipped_].side *= -1; }
+
+}  // namespace gcs

@@ -1,0 +1,79 @@
+#pragma once
+/// The two homotopies of [I] as published, in the file's unit and with unsquared distances: H of §2.2 in all
+/// coordinates, and H_R of §3.2 in the driving parameters of a plan. Both differentiate numerically.
+
+#include "solvers/construction/exchange.hpp"
+#include "solvers/model/distance_system.hpp"
+#include "solvers/tracking/euler_newton_tracker.hpp"
+
+namespace gcs {
+
+/// H(X, t) = |p_j − p_k| − a_i(t) in R^m × R.
+class PaperDistanceHomotopy {
+ public:
+  explicit PaperDistanceHomotopy(const Scene& scene);
+
+  Eigen::VectorXd start() const;
+  bool residual(const Eigen::VectorXd& y, Eigen::VectorXd& f);
+  bool jacobian(const Eigen::VectorXd& y, const Eigen::VectorXd& f, Eigen::MatrixXd& jacobian);
+  Eigen::VectorXd figure_coordinates(const Eigen::VectorXd& y) const { return y; }
+  bool after_step(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&) { return false; }
+  bool try_other_branch(const Eigen::VectorXd&) { return false; }
+  void take_back_branch() {}
+  WorkCounters& work() { return work_; }
+  /// The figure, in the scene's unit, of coordinates that figure_coordinates gave.
+  Figure figure(const Eigen::VectorXd& coordinates) const;
+
+ private:
+  double unit_;  ///< the scene's unit in the file's
+  DistanceSystem system_;
+  std::vector<LengthPath> lengths_;  ///< in the scene's unit
+  Figure sketch_;
+  Eigen::Matrix3Xd points_;
+  Eigen::VectorXd shifted_, shifted_residual_;
+  WorkCounters work_;
+};
+
+/// [b]H_R(A+, t) in R^d × R, with the plan changed by Algorithm 2 after a step (§4), the direction carried
+/// over by ϕ'∘ϕ (§7.1; applied to both ends of the last step, since ϕ's derivative is worst just where the
+/// plan has to be changed), and derivatives by re-evaluating the plan from the instruction that introduces a
+/// parameter (§7.2).
+class PaperPlanHomotopy {
+ public:
+  /// `plan` and `sketch` in the plan's frame and the scene's unit. `swap` false: instead of changing the
+  /// plan, a failed correction within α of a boundary configuration is tried again on the other branch of the
+  /// nearest instruction.
+  PaperPlanHomotopy(const Scene& scene, Plan plan, const Figure& sketch, const ExchangeRule& rule, bool swap);
+
+  Eigen::VectorXd start();
+  bool residual(const Eigen::VectorXd& y, Eigen::VectorXd& f);
+  bool jacobian(const Eigen::VectorXd& y, const Eigen::VectorXd& f, Eigen::MatrixXd& jacobian);
+  Eigen::VectorXd figure_coordinates(const Eigen::VectorXd& y);
+  bool after_step(const Eigen::VectorXd& before, Eigen::VectorXd& y, Eigen::VectorXd& tangent);
+  bool try_other_branch(const Eigen::VectorXd& y);
+  void take_back_branch();
+  WorkCounters& work() { return work_; }
+  Figure figure(const Eigen::VectorXd& coordinates) const;
+
+ private:
+  bool evaluate(const Eigen::VectorXd& y, std::size_t first, Eigen::Matrix3Xd& points);
+  void removed_residual(const Eigen::Matrix3Xd& points, double t, Eigen::VectorXd& f) const;
+  /// ϕ': the driving parameters and t of a figure.
+  Eigen::VectorXd parameters(const Eigen::Matrix3Xd& points, double t) const;
+  void find_branch(const Eigen::Matrix3Xd& points);
+
+  double unit_;
+  int dimension_;
+  std::vector<std::array<int, 2>> ends_;
+  std::vector<LengthPath> lengths_;
+  Plan plan_;
+  ExchangeRule rule_;
+  bool swap_;
+  Eigen::Matrix3Xd sketch_, points_, shifted_points_;
+  Eigen::VectorXd shifted_residual_;
+  std::size_t flipped_ = 0;  ///< the instruction whose branch was changed last
+  WorkCounters work_;
+  double driving_sum_ = 0;
+};
+
+}  // namespace gcs

@@ -1,0 +1,38 @@
+#include "solvers/tracking/path_options.hpp"
+
+namespace gcs {
+
+std::vector<OptionSpec> path_option_specs(std::string_view paper_step_max) {
+  const SeriesTrackerOptions defaults;
+  return {
+      {"mode", "fast", "fast|paper", "fast: Taylor series in arc length; paper: Euler-Newton as published"},
+      {"step_max", "auto", "auto, or a number from 1e-6 to 1e6",
+       paper_step_max == "0.1"
+           ? "largest step; auto: 1 (fast, in units of the scene), 0.1 (paper, in the file's unit)"
+           : "largest step; auto: 1 (fast, in units of the scene), 0.05 (paper, in the file's unit)"},
+      {"step_min", "1e-10", "a number from 1e-15 to 1", "below this step the tracker gives up"},
+      {"max_steps", std::to_string(defaults.max_steps), "a whole number from 1 to 1000000000",
+       "the tracker gives up after so many steps"},
+      {"orientation", "forward", "forward|backward", "leave the sketch towards growing or falling t"},
+      {"order", std::to_string(defaults.order), "a whole number from 4 to 40", "order of the series (fast)"},
+      {"tolerance", "1e-9", "a number from 1e-14 to 1e-2", "size of the last terms of the series (fast)"},
+  };
+}
+
+PathOptions read_path_options(const OptionMap& options, double paper_step_max) {
+  PathOptions path;
+  path.mode = choice_option(options, "mode", "fast|paper") == 0 ? PathMode::fast : PathMode::paper;
+  if (options.find("step_max")->second == "auto")
+    path.paper.step_max = paper_step_max;
+  else
+    path.fast.step_max = path.paper.step_max = number_option(options, "step_max", 1e-6, 1e6);
+  path.fast.step_min = path.paper.step_min = number_option(options, "step_min", 1e-15, 1);
+  path.fast.max_steps = path.paper.max_steps = integer_option(options, "max_steps", 1, 1'000'000'000);
+  path.fast.orientation = path.paper.orientation =
+      choice_option(options, "orientation", "forward|backward") == 0 ? 1 : -1;
+  path.fast.order = static_cast<int>(integer_option(options, "order", 4, 40));
+  path.fast.tolerance = number_option(options, "tolerance", 1e-14, 1e-2);
+  return path;
+}
+
+}  // namespace gcs

@@ -1,0 +1,27 @@
+#pragma once
+/// The options that full-space and rcp share, and their reading.
+
+#include <string>
+#include <vector>
+
+#include "solvers/options.hpp"
+#include "solvers/tracking/euler_newton_tracker.hpp"
+#include "solvers/tracking/series_tracker.hpp"
+
+namespace gcs {
+
+enum class PathMode { fast, paper };
+
+struct PathOptions {
+  PathMode mode = PathMode::fast;
+  SeriesTrackerOptions fast;
+  EulerNewtonOptions paper;
+};
+
+/// `paper_step_max`: what [I] states for δmax, in words of the option's text.
+std::vector<OptionSpec> path_option_specs(std::string_view paper_step_max);
+
+/// Throws OptionError.
+PathOptions read_path_options(const OptionMap& options, double paper_step_max);
+
+}  // namespace gcs

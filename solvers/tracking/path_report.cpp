@@ -1,0 +1,70 @@
+#include "solvers/tracking/path_report.hpp"
+
+#include "solvers/model/distance_system.hpp"
+
+namespace gcs {
+namespace {
+
+/// A crossing found by a tracker is good to about 1e-6 of the scene; further away Newton may have gone
+/// elsewhere.
+constexpr double largest_refinement = 1e-3;
+
+PathRecord::End record_end(TrackedPath::End end) {
+  switch (end) {
+    case TrackedPath::End::closed:
+      return PathRecord::End::closed;
+    case TrackedPath::End::stopped:
+      return PathRecord::End::stopped;
+    case TrackedPath::End::failed:
+      break;
+  }
+  return PathRecord::End::failed;
+}
+
+SolveStatus report_status(TrackedPath::End end) {
+  switch (end) {
+    case TrackedPath::End::closed:
+      return SolveStatus::complete;
+    case TrackedPath::End::stopped:
+      return SolveStatus::stopped;
+    case TrackedPath::End::failed:
+      break;
+  }
+  return SolveStatus::gave_up;
+}
+
+}  // namespace
+
+std::optional<std::string> why_no_path(const Scene& scene) {
+  if (scene.has_lines()) return "the path S is defined for points only, and the scene has lines";
+  if (!scene.sketch()) return "a path strategy starts from a sketch, and the instance has none";
+  return std::nullopt;
+}
+
+SolveReport path_report(const Scene& scene, TrackedPath path,
+                        const std::function<Figure(const Eigen::VectorXd&)>& figure_of) {
+  const DistanceSystem system(scene);
+  const std::vector<DoubleDouble> squares = target_squares(scene);
+  SolveReport report;
+  report.claim = Claim::on_path;
+  report.status = report_status(path.end);
+  report.reason = path.cause;
+  report.work = path.work;
+  PathRecord record{record_end(path.end), path.cause, path.length, {}};
+  for (const PathCrossing& crossing : path.crossings) {
+    Eigen::VectorXd x = system.coordinates(scene.in_frame(figure_of(crossing.point)));
+    const Eigen::VectorXd before = x;
+    const Refinement refinement = refine(system, squares, x);
+    report.work.newton_iterations += refinement.iterations;
+    if (!refinement.converged || (x - before).norm() > largest_refinement * scene.size()) {
+      report.status = report.status == SolveStatus::complete ? SolveStatus::partial : report.status;
+      report.reason = "a crossing of t = 1 did not refine to a solution";
+    }
+    record.crossings.push_back({static_cast<int>(report.candidates.size()), crossing.direction});
+    report.candidates.push_back({system.figure(x), 1});
+  }
+  report.paths.push_back(std::move(record));
+  return report;
+}
+
+}  // namespace gcs

@@ -1,0 +1,22 @@
+#pragma once
+/// From a tracked path to a strategy's report; the same for every tracker of S.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "solvers/strategy.hpp"
+#include "solvers/tracking/tracked_path.hpp"
+
+namespace gcs {
+
+/// Why S cannot be tracked in this scene (lines, no sketch), or nothing.
+std::optional<std::string> why_no_path(const Scene& scene);
+
+/// Refines every crossing of t = 1 to full accuracy in the frame's coordinates and records it in path order.
+/// `figure_of`: the figure, in the scene's unit and any position, of a crossing's point. A crossing that does
+/// not refine, or moves further than the tracker's accuracy explains, makes the report partial and says so.
+SolveReport path_report(const Scene& scene, TrackedPath path,
+                        const std::function<Figure(const Eigen::VectorXd&)>& figure_of);
+
+}  // namespace gcs

@@ -1,0 +1,299 @@
+#include "solvers/tracking/plan_curve.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "solvers/tracking/corrector.hpp"
+
+namespace gcs {
+namespace {
+
+/// Without swapping, a step may pass a boundary configuration but not end this close to one: the derivatives
+/// of the plan, and with them the rounding of its series, grow like 1/γ.
+constexpr double nearest_boundary = 1e-3;
+
+/// Inverse of the leading block, zero elsewhere.
+Eigen::Matrix3d leading_inverse(const Eigen::Matrix3d& normals, int count) {
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  if (count == 1) inverse(0, 0) = 1 / normals(0, 0);
+  if (count == 2) inverse.topLeftCorner<2, 2>() = normals.topLeftCorner<2, 2>().inverse();
+  if (count == 3) inverse = normals.inverse();
+  return inverse;
+}
+
+}  // namespace
+
+PlanCurve::PlanCurve(const Scene& scene, Plan plan, Figure sketch, const PlanCurveOptions& options)
+    : dimension_(scene.dimension()),
+      point_count_(scene.point_count()),
+      coordinates_(static_cast<Eigen::Index>(scene.dimension()) * scene.point_count() + 1),
+      options_(options),
+      lengths_(scene.length_paths(), options.order),
+      edges_(scene.constraint_count(), scene.dimension(), options.order),
+      plan_(std::move(plan)),
+      sketch_(std::move(sketch)),
+      points_(sketch_.points) {
+  for (const DistanceConstraint& c : scene.problem().constraints) ends_.push_back(c.between);
+  known_.setZero(scene.constraint_count());
+  configure();
+}
+
+/// Sizes and index tables that follow from the plan.
+void PlanCurve::configure() {
+  driven_place_.clear();
+  for (const Instruction& instruction : plan_.instructions())
+    for (int i = 0; i < instruction.count; ++i)
+      if (instruction.spheres[i].is_driven()) driven_place_.push_back(instruction.place);
+  const Eigen::Index d = plan_.driving_parameters();
+  normals_.assign(plan_.instructions().size(), Eigen::Matrix3d::Zero());
+  inverse_.assign(plan_.instructions().size(), Eigen::Matrix3d::Zero());
+  parameters_.setZero(d + 1);
+  residual_.setZero(d);
+  right_side_.setZero(d + 1);
+  change_.setZero(d + 1);
+  bordered_.setZero(d + 1, d + 1);
+  bordered_inverse_.setZero(d + 1, d + 1);
+  sensitivity_.setZero(coordinates_, d + 1);
+  sensitivity_(coordinates_ - 1, 0) = 1;
+  edges_.resize(static_cast<Eigen::Index>(ends_.size()) + d);
+  half_convolution_.setZero(edges_.edges());
+}
+
+Figure PlanCurve::figure(const Eigen::VectorXd& y) const {
+  Figure figure = sketch_;
+  figure.points.topRows(dimension_) = Eigen::Map<const Eigen::MatrixXd>(y.data(), dimension_, point_count_);
+  return figure;
+}
+
+void PlanCurve::read_parameters(const Eigen::Matrix3Xd& points, double t) {
+  parameters_[0] = t;
+  Eigen::Index j = 0;
+  for (Instruction& instruction : plan_.instructions()) {
+    instruction.side = side_of(instruction, points);
+    for (int i = 0; i < instruction.count; ++i)
+      if (instruction.spheres[i].is_driven())
+        parameters_[++j] =
+            (points.col(instruction.place) - instruction.spheres[i].reference).squaredNorm() / 2;
+  }
+}
+
+bool PlanCurve::evaluate() {
+  ++work_.evaluations;
+  const auto radius = [this](const Sphere& sphere, int j) {
+    return sphere.is_driven() ? std::sqrt(2 * parameters_[j + 1])
+                              : lengths_.paths()[sphere.constraint].value(parameters_[0]);
+  };
+  return evaluate_plan(plan_, 0, radius, points_);
+}
+
+void PlanCurve::residual(Eigen::Ref<Eigen::VectorXd> f) const {
+  for (std::size_t r = 0; r < plan_.removed().size(); ++r) {
+    const int c = plan_.removed()[r];
+    const auto [a, b] = ends_[c];
+    const double length = lengths_.paths()[c].value(parameters_[0]);
+    f[static_cast<Eigen::Index>(r)] = ((points_.col(a) - points_.col(b)).squaredNorm() - length * length) / 2;
+  }
+}
+
+void PlanCurve::differentiate() {
+  ++work_.jacobians;
+  const double t = parameters_[0];
+  const auto slope = [&](int c) { return lengths_.paths()[c].value(t) * lengths_.paths()[c].slope(t); };
+  for (std::size_t k = 0; k < plan_.instructions().size(); ++k) {
+    const Instruction& instruction = plan_.instructions()[k];
+    int driven = plan_.driven_before(k);
+    const Eigen::Index active = plan_.driven_before(k + 1) + 1;
+    Eigen::Matrix3d& normals = normals_[k];
+    for (int i = 0; i < instruction.count; ++i)
+      normals.row(i) = points_.col(instruction.place) - center_of(instruction.spheres[i], points_);
+    inverse_[k] = leading_inverse(normals, instruction.count);
+
+    for (int axis = 0; axis < instruction.count; ++axis)
+      sensitivity_.row(row(instruction.place, axis)).head(active).setZero();
+    for (int i = 0; i < instruction.count; ++i) {
+      const Sphere& sphere = instruction.spheres[i];
+      auto right = change_.head(active);
+      right.setZero();
+      if (sphere.is_driven()) {
+        right[++driven] = 1;
+      } else {
+        right[0] = slope(sphere.constraint);
+        for (int axis = 0; axis < dimension_; ++axis)
+          right += normals(i, axis) * sensitivity_.row(row(sphere.center, axis)).head(active).transpose();
+      }
+      for (int axis = 0; axis < instruction.count; ++axis)
+        sensitivity_.row(row(instruction.place, axis)).head(active) +=
+            inverse_[k](axis, i) * right.transpose();
+    }
+  }
+  for (std::size_t r = 0; r < plan_.removed().size(); ++r) {
+    const int c = plan_.removed()[r];
+    const auto [a, b] = ends_[c];
+    auto gradient = bordered_.row(static_cast<Eigen::Index>(r));
+    gradient.setZero();
+    gradient[0] = -slope(c);
+    for (int axis = 0; axis < dimension_; ++axis)
+      gradient += (points_(axis, a) - points_(axis, b)) *
+                  (sensitivity_.row(row(a, axis)) - sensitivity_.row(row(b, axis)));
+  }
+}
+
+void PlanCurve::border_and_invert(const Eigen::VectorXd& tangent) {
+  bordered_.bottomRows<1>() = tangent.transpose() * sensitivity_;
+  bordered_inverse_ = bordered_.partialPivLu().inverse();
+  ++work_.factorisations;
+}
+
+/// Applies Algorithm 2 to the figure in points_ where it is due, and reads branch and parameters off it.
+void PlanCurve::maintain(double t) {
+  if (options_.swap && needs_change(plan_, options_.exchange, points_)) {
+    Plan before = plan_;
+    if (change_plan(plan_, options_.exchange, points_)) {
+      previous_plan_ = std::move(before);
+      ++work_.plan_changes;
+      configure();
+    }
+  }
+  read_parameters(points_, t);
+}
+
+bool PlanCurve::too_near() const {
+  return !options_.swap && boundary_distance(plan_, options_.exchange, points_) < nearest_boundary;
+}
+
+void PlanCurve::accept() {
+  previous_plan_.reset();
+  const int d = plan_.driving_parameters();
+  driving_sum_ += d;
+  work_.max_driving_parameters = std::max(work_.max_driving_parameters.value_or(0), d);
+  work_.mean_driving_parameters = driving_sum_ / static_cast<double>(work_.iterations + 1);
+}
+
+void PlanCurve::reject() {
+  if (!previous_plan_) return;
+  plan_ = std::move(*previous_plan_);
+  previous_plan_.reset();
+  --work_.plan_changes;
+  configure();
+}
+
+bool PlanCurve::start(int orientation, ArcSeries& series) {
+  maintain(0);
+  previous_plan_.reset();
+  if (!evaluate()) return false;
+  differentiate();
+  const Eigen::Index d = plan_.driving_parameters();
+  Eigen::VectorXd direction = Eigen::VectorXd::Unit(1, 0);
+  if (d > 0) {
+    const Eigen::FullPivLU<Eigen::MatrixXd> full(bordered_.topRows(d));
+    ++work_.factorisations;
+    if (full.rank() < d) return false;
+    direction = full.kernel().col(0);
+  }
+  Eigen::VectorXd tangent = (sensitivity_ * direction).normalized();
+  if (tangent[coordinates_ - 1] * orientation < 0) tangent = -tangent;
+  border_and_invert(tangent);
+  Eigen::VectorXd y(coordinates_);
+  y << Eigen::Map<const Eigen::VectorXd>(Eigen::MatrixXd(points_.topRows(dimension_)).data(),
+                                         coordinates_ - 1),
+      0.0;
+  expand(y, series);
+  return true;
+}
+
+double PlanCurve::move_size(const Eigen::VectorXd& change) const { return (sensitivity_ * change).norm(); }
+
+bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) {
+  auto figure = Eigen::Map<Eigen::MatrixXd>(y.data(), dimension_, point_count_);
+  points_.topRows(dimension_) = figure;
+  if (too_near()) return false;
+  maintain(y[coordinates_ - 1]);
+  CorrectorTest test(options_.tolerance);
+  for (bool first = true, settled = false;; first = false) {
+    if (!evaluate()) return false;
+    if (settled) break;
+    residual(residual_);
+    if (first) {
+      differentiate();
+      border_and_invert(tangent);
+    }
+    change_.noalias() = bordered_inverse_.leftCols(residual_.size()) * residual_;
+    parameters_ -= change_;
+    ++work_.newton_iterations;
+    const CorrectorTest::Verdict verdict = test.judge(move_size(change_), y.norm());
+    if (verdict == CorrectorTest::Verdict::refuse) return false;
+    settled = verdict == CorrectorTest::Verdict::settled;
+  }
+  figure = points_.topRows(dimension_);
+  y[coordinates_ - 1] = parameters_[0];
+  expand(y, series);
+  return true;
+}
+
+void PlanCurve::set_differences(int n, const ArcSeries& series) {
+  const auto coefficient = series.coefficient(n);
+  lengths_.set(n, coefficient[coordinates_ - 1]);
+  const auto constraints = static_cast<Eigen::Index>(ends_.size());
+  for (int axis = 0; axis < dimension_; ++axis) {
+    auto difference = edges_.difference(n, axis);
+    for (Eigen::Index e = 0; e < constraints; ++e)
+      difference[e] = coefficient[row(ends_[e][0], axis)] - coefficient[row(ends_[e][1], axis)];
+    for (std::size_t j = 0; j < driven_place_.size(); ++j)
+      difference[constraints + static_cast<Eigen::Index>(j)] = coefficient[row(driven_place_[j], axis)];
+  }
+}
+
+/// The n-th coefficients of all points as if the parameters had none, then the parameters' from the removed
+/// constraints.
+void PlanCurve::sweep(int n, ArcSeries& series) {
+  auto coefficient = series.coefficient(n);
+  coefficient.setZero();
+  const auto constraints = static_cast<Eigen::Index>(ends_.size());
+  for (std::size_t k = 0; k < plan_.instructions().size(); ++k) {
+    const Instruction& instruction = plan_.instructions()[k];
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    int driven = plan_.driven_before(k);
+    for (int i = 0; i < instruction.count; ++i) {
+      const Sphere& sphere = instruction.spheres[i];
+      if (sphere.is_driven()) {
+        right[i] = -half_convolution_[constraints + driven++];
+        continue;
+      }
+      right[i] = known_[sphere.constraint] - half_convolution_[sphere.constraint];
+      for (int axis = 0; axis < dimension_; ++axis)
+        right[i] += normals_[k](i, axis) * coefficient[row(sphere.center, axis)];
+    }
+    const Eigen::Vector3d point = inverse_[k] * right;
+    for (int axis = 0; axis < instruction.count; ++axis)
+      coefficient[row(instruction.place, axis)] = point[axis];
+  }
+  const Eigen::Index d = plan_.driving_parameters();
+  for (Eigen::Index r = 0; r < d; ++r) {
+    const int c = plan_.removed()[static_cast<std::size_t>(r)];
+    const auto [a, b] = ends_[c];
+    double value = half_convolution_[c] - known_[c];
+    for (int axis = 0; axis < dimension_; ++axis)
+      value +=
+          (points_(axis, a) - points_(axis, b)) * (coefficient[row(a, axis)] - coefficient[row(b, axis)]);
+    right_side_[r] = -value;
+  }
+  right_side_[d] = series.arc_length_term(n) - series.coefficient(1).dot(coefficient);
+  change_.noalias() = bordered_inverse_ * right_side_;
+  coefficient.noalias() += sensitivity_ * change_;
+}
+
+void PlanCurve::expand(const Eigen::VectorXd& y, ArcSeries& series) {
+  lengths_.start(y[coordinates_ - 1]);
+  series.coefficient(0) = y;
+  series.coefficient(1).noalias() = sensitivity_ * bordered_inverse_.rightCols<1>();
+  series.coefficient(1) /= series.coefficient(1).norm();
+  set_differences(1, series);
+  for (int n = 2; n <= series.order(); ++n) {
+    lengths_.known(n, known_);
+    edges_.half_convolution(n, half_convolution_);
+    sweep(n, series);
+    if (n < series.order()) set_differences(n, series);
+  }
+}
+
+}  // namespace gcs

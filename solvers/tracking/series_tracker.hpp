@@ -1,0 +1,199 @@
+#pragma once
+/// The fast tracker of S: one Taylor polynomial in arc length per step.
+///
+/// Predictor. The equations are quadratic, so the Taylor coefficients of the curve cost one factorisation and
+/// one pair of triangular solves each. The arc length parameter has no singularity at folds of t, and on a
+/// circle it has none at all, which is why steps are long. The step is that at which the last two terms fall
+/// below the tolerance: it shrinks in proportion to the distance of the nearest complex singularity, hence
+/// with the distance of another arc that bends towards this one.
+///
+/// Corrector. Simplified Newton in the hyperplane through the predicted point normal to the tangent, with the
+/// same factorisation that gives the next polynomial. Its contraction measures the distance at which Newton
+/// would leave the path; a step whose corrections do not contract, or that needs more than a few tolerances
+/// of correction, is halved.
+///
+/// No step jumps: the polynomial at the new point, evaluated one step backwards, must meet the old point.
+/// Both ends of a step then agree on the arc between them. This is a strong test, not a proof.
+///
+/// It fails (with a named cause) where S is singular, or passes a singularity closer than the smallest step.
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <utility>
+
+#include "solvers/numeric/polynomial_roots.hpp"
+#include "solvers/tracking/arc_series.hpp"
+#include "solvers/tracking/tracked_path.hpp"
+
+namespace gcs {
+
+/// A curve in coordinates whose last one is t.
+template <class C>
+concept SeriesCurve = requires(C curve, int orientation, Eigen::VectorXd& y, const Eigen::VectorXd& tangent,
+                               ArcSeries& series) {
+  /// Number of coordinates, t included.
+  { curve.coordinates() } -> std::convertible_to<Eigen::Index>;
+  /// The series at the start, going towards growing t (orientation +1) or falling t; false where S is
+  /// singular.
+  { curve.start(orientation, series) } -> std::same_as<bool>;
+  /// Corrects the predicted point y in the hyperplane normal to the tangent and expands there; false when the
+  /// corrector does not settle.
+  { curve.advance(y, tangent, series) } -> std::same_as<bool>;
+  /// The last advance is taken, or taken back.
+  curve.accept();
+  curve.reject();
+  /// Counters kept by the curve itself.
+  { curve.work() } -> std::same_as<WorkCounters&>;
+};
+
+struct SeriesTrackerOptions {
+  int order = 16;
+  double tolerance = 1e-9;  ///< size of the last terms kept, in the scene's unit
+  double step_max = 1;      ///< arc length in (X, t)
+  double step_min = 1e-10;
+  std::int64_t max_steps = 1'000'000;
+  int orientation = 1;
+};
+
+/// Backward evaluation must meet the old point within this fraction of the step. A jump misses it by the
+/// distance of the arcs, while a series that is good to 1e-9 one way is good to about 1e-5 the other (its
+/// disc may be smaller by the step).
+inline constexpr double backward_agreement = 1e-3;
+
+/// The path is closed when it passes the start this close (relative to the size of (X, t)), in the same
+/// direction.
+inline constexpr double closing_distance = 1e-6;
+
+template <SeriesCurve Curve>
+class SeriesTracker {
+ public:
+  SeriesTracker(Curve& curve, const SeriesTrackerOptions& options, const TrackerContext& context)
+      : curve_(curve),
+        options_(options),
+        context_(context),
+        here_(curve.coordinates(), options.order),
+        there_(curve.coordinates(), options.order) {}
+
+  /// Follows the curve from its start until it is back there.
+  TrackedPath run() {
+    if (!curve_.start(options_.orientation, here_))
+      return finish(TrackedPath::End::failed,
+                    "the Jacobian is singular at the sketch: hypothesis (h1) fails there");
+    start_ = here_.coefficient(0);
+    start_tangent_ = here_.coefficient(1);
+    while (curve_.work().iterations < options_.max_steps) {
+      if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
+      if (!step()) return finish(TrackedPath::End::failed, too_small());
+      const double closing = closing_length();
+      record_crossings(closing > 0 ? closing : step_);
+      path_.length += closing > 0 ? closing : step_;
+      if (closing > 0) return finish(TrackedPath::End::closed, "");
+      std::swap(here_, there_);
+      report_progress();
+    }
+    return finish(TrackedPath::End::failed, "max_steps reached before the path closed");
+  }
+
+ private:
+  bool step() {
+    WorkCounters& work = curve_.work();
+    step_ = std::min(options_.step_max, here_.step_for(options_.tolerance));
+    for (; step_ >= options_.step_min; step_ /= 2) {
+      here_.evaluate(step_, predicted_);
+      here_.tangent(step_, tangent_);
+      if (curve_.advance(predicted_, tangent_, there_) && agrees_backwards()) {
+        curve_.accept();
+        ++work.iterations;
+        work.smallest_step = std::min(work.smallest_step.value_or(step_), step_);
+        return true;
+      }
+      curve_.reject();
+      ++work.rejected_steps;
+    }
+    return false;
+  }
+
+  bool agrees_backwards() {
+    there_.evaluate(-step_, scratch_);
+    scratch_ -= here_.coefficient(0);
+    return scratch_.norm() <= backward_agreement * step_ && there_.coefficient(1).dot(tangent_) > 0;
+  }
+
+  /// Where on this step the path is back at the start with the same tangent; 0: nowhere.
+  double closing_length() {
+    const double near = 2 * step_;
+    if ((here_.coefficient(0) - start_).norm() > near && (there_.coefficient(0) - start_).norm() > near)
+      return 0;
+    const bool first = curve_.work().iterations == 1;
+    std::vector<double> offset(static_cast<std::size_t>(options_.order) + 1);
+    for (int n = 0; n <= options_.order; ++n)
+      offset[static_cast<std::size_t>(n)] = start_tangent_.dot(here_.coefficient(n));
+    offset[0] = first ? 0 : start_tangent_.dot(here_.coefficient(0) - start_);
+    const double slack =
+        1 + 1e-3;  // the end of this polynomial and the start of the next differ by the tolerance
+    for (double s : real_roots(offset, slack * step_)) {
+      here_.evaluate(s, predicted_);
+      here_.tangent(s, tangent_);
+      const double distance = (predicted_ - start_).norm();
+      if (distance <= closing_distance * (1 + start_.norm()) && tangent_.dot(start_tangent_) > 0.5 &&
+          !(first && s < step_ / 2))
+        return s;
+    }
+    return 0;
+  }
+
+  void record_crossings(double end) {
+    const Eigen::Index t = here_.coefficients().rows() - 1;
+    std::vector<double> above(static_cast<std::size_t>(options_.order) + 1);
+    for (int n = 0; n <= options_.order; ++n)
+      above[static_cast<std::size_t>(n)] = here_.coefficients()(t, n) - (n == 0 ? 1 : 0);
+    std::vector<double> roots = real_roots(above, end);
+    // The corrector moves the end by less than the tolerance; that must neither lose nor double a crossing.
+    const bool starts_above = above[0] >= 0;
+    const bool ends_above = (end < step_ ? start_[t] : there_.coefficient(0)[t]) >= 1;
+    const bool odd = starts_above != ends_above;
+    if (odd != (roots.size() % 2 == 1)) {
+      const double rest = std::abs(there_.coefficient(0)[t] - 1);
+      if (!roots.empty() && roots.back() > end * (1 - 1e-3))
+        roots.pop_back();
+      else
+        roots.push_back(std::abs(above[0]) < rest ? 0 : end);
+      std::sort(roots.begin(), roots.end());
+    }
+    bool is_above = starts_above;
+    for (double s : roots) {
+      here_.evaluate(s, predicted_);
+      path_.crossings.push_back({predicted_, is_above ? -1 : 1});
+      is_above = !is_above;
+    }
+  }
+
+  std::string too_small() const {
+    return "the step fell below step_min near t = " +
+           std::to_string(here_.coefficients()(here_.coefficients().rows() - 1, 0)) +
+           ": S is singular there or nearly so (hypothesis h1)";
+  }
+
+  void report_progress() {
+    if (context_.monitor && curve_.work().iterations % 256 == 0) context_.monitor->progress("tracking S", -1);
+  }
+
+  TrackedPath finish(TrackedPath::End end, std::string cause) {
+    path_.end = end;
+    path_.cause = std::move(cause);
+    path_.work = curve_.work();
+    return std::move(path_);
+  }
+
+  Curve& curve_;
+  SeriesTrackerOptions options_;
+  TrackerContext context_;
+  ArcSeries here_, there_;
+  double step_ = 0;
+  Eigen::VectorXd start_, start_tangent_, predicted_, tangent_, scratch_;
+  TrackedPath path_;
+};
+
+}  // namespace gcs

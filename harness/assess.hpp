@@ -1,0 +1,64 @@
+#pragma once
+/// Turns what a strategy reports into a result that can be compared, in the same way for every strategy:
+/// classes, residuals, counts and checks. A strategy never scores itself.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solvers/strategy.hpp"
+
+namespace gcs {
+
+/// One reflection class.
+struct AssessedSolution {
+  Figure figure;  ///< the class's representative in the instance's frame and the file's unit of length
+  bool real = true;
+  int multiplicity = 1;
+  double residual = 0;                ///< relative_residual of the representative
+  double condition = 0;               ///< jacobian_condition; infinity at a singular solution
+  std::optional<double> error_bound;  ///< rigorous, in the file's unit; empty: not certified
+  bool certified = false;
+};
+
+/// A crossing of t = 1: an index into the solutions, or empty when that solution was left out of the list.
+struct AssessedCrossing {
+  std::optional<int> solution;
+  int direction = 1;
+};
+
+/// Counts of gcsbench-result/1; empty: the strategy does not determine it.
+struct Counts {
+  std::optional<std::uint64_t> real_up_to_reflection;
+  std::optional<std::uint64_t> complex_up_to_reflection;
+  std::optional<std::uint64_t> generic;
+  std::optional<std::uint64_t> on_path;
+  std::optional<std::uint64_t> paths;
+  std::optional<std::uint64_t> at_infinity;
+  std::optional<std::uint64_t> singular;
+  std::optional<std::uint64_t> failed_paths;
+  std::optional<std::uint64_t> certified;
+};
+
+/// Something that must hold in a correct report and does not.
+struct FailedCheck {
+  std::string name;  ///< a fixed word: residual, parity, repeated, malformed
+  std::string what;  ///< one sentence for a person
+};
+
+struct Assessment {
+  std::vector<AssessedSolution> solutions;  ///< real ones first, then in a fixed order
+  std::vector<AssessedCrossing> crossings;  ///< in the order met
+  Counts counts;
+  std::vector<FailedCheck> failed_checks;
+};
+
+/// Assesses a report of any strategy; the report may be wrong in every way. Deterministic. Never throws for a
+/// bad report: what is malformed is left out and becomes a failed check.
+Assessment assess(const Scene& scene, const SolveReport& report);
+
+/// Keeps the first `limit` solutions. Counts of solutions follow the list; crossings keep their place.
+void keep_first(Assessment& assessment, std::size_t limit);
+
+}  // namespace gcs

@@ -1,0 +1,41 @@
+#pragma once
+/// Writes a file all at once or not at all.
+
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+
+namespace gcs {
+
+/// A place that cannot be written. what(): "FILE: cannot be written: cause".
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file that will be written later. Creating one proves that the place can be written, before hours of
+/// work; a file that is there already keeps its content until commit().
+class AtomicFile {
+ public:
+  /// Throws OutputError when `target` cannot be written.
+  explicit AtomicFile(const std::filesystem::path& target);
+  /// Without commit(): leaves everything as it was.
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Replaces the target's content by `text`. Call once. Throws OutputError when that fails; then nothing has
+  /// changed.
+  void commit(std::string_view text);
+
+ private:
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path named_;   ///< as the user named it, for messages
+  std::filesystem::path target_;  ///< with links followed
+  std::filesystem::path
+      written_;  ///< a new file beside the target, or the target when that is no regular file
+  int descriptor_ = -1;
+};
+
+}  // namespace gcs

@@ -1,0 +1,198 @@
+/// gcsbench solve: one strategy on one instance.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/atomic_file.hpp"
+#include "harness/commands.hpp"
+#include "harness/environment.hpp"
+#include "harness/instance_io.hpp"
+#include "harness/progress_line.hpp"
+#include "harness/result_io.hpp"
+#include "harness/solve_run.hpp"
+#include "harness/solve_summary.hpp"
+#include "harness/stop_conditions.hpp"
+#include "harness/strategy_choice.hpp"
+
+namespace gcs {
+
+namespace {
+
+struct SolveArguments {
+  std::string instance;
+  std::string strategy;
+  std::vector<std::string> settings;
+  std::string out;        ///< empty: no file; "-": standard output
+  std::string solutions;  ///< "real", "all", or empty: whatever the strategy finds
+  std::string resume;
+  bool certify = false;
+  RunLimits limits;
+};
+
+/// What the contract of the command line names and this version cannot do: said, never ignored.
+std::optional<std::string> why_unavailable(const SolveArguments& arguments) {
+  if (arguments.strategy.starts_with("exec:"))
+    return "external programs as strategies are not available in this version";
+  if (arguments.certify) return "--certify: certificates are not available in this version";
+  if (!arguments.resume.empty()) return "--resume: resuming a solve is not available in this version";
+  if (arguments.solutions == "all")
+    return "--solutions all: complex solutions are not available in this version, every strategy finds real "
+           "ones";
+  return std::nullopt;
+}
+
+void complain(const std::string& message) {
+  std::cout.flush();
+  std::cerr << "gcsbench: " << message << '\n';
+}
+
+void complain_about(const SolveRun& run) {
+  for (const FailedCheck& check : run.assessment.failed_checks)
+    complain(fmt::format("check failed: {}: {}", check.name, check.what));
+  if (run.status != RunStatus::complete)
+    complain(fmt::format("{}: {}: {}", run.strategy, word(run.status), run.reason));
+}
+
+ExitCode exit_code(const SolveRun& run) {
+  switch (run.status) {
+    case RunStatus::interrupted:
+      return ExitCode::interrupted;
+    case RunStatus::unsupported:
+    case RunStatus::gave_up:
+    case RunStatus::timed_out:
+      return ExitCode::not_solved;
+    case RunStatus::complete:
+    case RunStatus::partial:
+    case RunStatus::infinite:
+      break;
+  }
+  return run.assessment.failed_checks.empty() ? ExitCode::done : ExitCode::check_failed;
+}
+
+/// Standard output gets the JSON when it was asked for there, else the summary of what was run.
+void print_answer(const SolveArguments& arguments, const Instance& instance, const SolveRun& run,
+                  std::optional<AtomicFile>& file) {
+  const std::string result =
+      arguments.out.empty() ? "" : result_text(instance, run, capture_environment(run.threads));
+  if (arguments.out == "-") {
+    std::cout << result;
+    return;
+  }
+  if (file) file->commit(result);
+  if (run.status != RunStatus::unsupported) std::cout << solve_summary(instance, run);
+}
+
+ExitCode solve(const SolveArguments& arguments, bool quiet) {
+  if (const auto reason = why_unavailable(arguments)) {
+    complain(*reason);
+    return ExitCode::not_solved;
+  }
+  const StrategyEntry& entry = find_strategy(arguments.strategy);
+  const OptionMap options = parse_settings(entry, arguments.settings);
+  const Instance instance = load_instance(arguments.instance);
+  std::optional<AtomicFile> file;
+  if (!arguments.out.empty() && arguments.out != "-") file.emplace(arguments.out);
+
+  catch_interrupts();
+  const Scene scene(instance.problem);
+  const SolveRun run = [&] {
+    ProgressLine progress(!quiet);
+    return run_strategy(entry, options, scene, arguments.limits, &progress);
+  }();
+  print_answer(arguments, instance, run, file);
+  complain_about(run);
+  return exit_code(run);
+}
+
+/// The options of every strategy, for --help.
+std::string settings_help() {
+  std::string text = "Options for --set:\n";
+  for (const StrategyEntry& entry : all_strategies()) {
+    text += fmt::format("  {}: {}\n", entry.name, entry.summary);
+    for (const OptionSpec& option : entry.options)
+      text += fmt::format("    {}={}  ({}) {}\n", option.name, option.default_value, option.allowed,
+                          option.summary);
+  }
+  return text +
+         "\nExamples:\n"
+         "  gcsbench solve disulfide --strategy rcp\n"
+         "  gcsbench solve ./my.json --strategy full-space --time-limit 60 --out result.json\n"
+         "  gcsbench solve octahedron --strategy rcp --out - | python3 -m json.tool\n";
+}
+
+/// CLI11 takes -1 and what is beyond 64 bits for the largest number there is.
+std::string seed_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool ok = error == std::errc() && end == text.data() + text.size();
+  return ok ? "" : "expected a whole number from 0 to 18446744073709551615, not " + text;
+}
+
+/// CLI11's own check lets "nan" through.
+std::string positive_and_finite(const std::string& text) {
+  double value = 0;
+  const bool ok = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
+  return ok ? "" : "expected a number of seconds > 0, not " + text;
+}
+
+void add_options(CLI::App& command, SolveArguments& arguments) {
+  command
+      .add_option("INSTANCE", arguments.instance,
+                  "A file, - for standard input, or the id of a shipped instance")
+      ->required();
+  command
+      .add_option("--strategy", arguments.strategy, "Name of the strategy (see `gcsbench list strategies`)")
+      ->type_name("NAME")
+      ->required();
+  command.add_option("--set", arguments.settings, "An option of the strategy; may be repeated")
+      ->type_name("OPTION=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--out", arguments.out,
+                  "Write the result as JSON; - is standard output, which then holds it alone")
+      ->type_name("FILE");
+  command.add_option("--seed", arguments.limits.seed, "Seed of everything random")
+      ->check(seed_number)
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--threads", arguments.limits.threads, "Threads that the strategy may use")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--time-limit", arguments.limits.time_limit_s, "Time after which the solve is stopped")
+      ->type_name("SECONDS")
+      ->check(positive_and_finite);
+  command.add_option("--max-solutions", arguments.limits.max_solutions, "List at most so many solutions")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  command.add_option("--solutions", arguments.solutions, "Which solutions: real or all")
+      ->check(CLI::IsMember({"real", "all"}));
+  command.add_flag("--certify", arguments.certify, "Prove every solution (not available in this version)");
+  command
+      .add_option("--resume", arguments.resume,
+                  "Go on from an earlier result (not available in this version)")
+      ->type_name("FILE");
+  command.footer(settings_help);
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<SolveArguments>();
+  CLI::App* command = app.add_subcommand("solve", "Solve one instance with one strategy");
+  add_options(*command, *arguments);
+  command->callback([&invocation, arguments] {
+    invocation.action = [&invocation, arguments] { return solve(*arguments, invocation.quiet); };
+  });
+}
+
+}  // namespace gcs

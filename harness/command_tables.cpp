@@ -1,0 +1,107 @@
+/// gcsbench tables: measures and prints the published tables beside this program's figures.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "harness/commands.hpp"
+#include "harness/progress_line.hpp"
+#include "harness/stop_conditions.hpp"
+#include "harness/table_output.hpp"
+#include "harness/table_run.hpp"
+
+namespace gcs {
+
+namespace {
+
+constexpr const char* everything = "all";
+
+std::vector<std::string> table_names() {
+  std::vector<std::string> names;
+  for (const TableKind& kind : table_kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+/// "all", or nothing, stands for every table.
+void expand_names(std::vector<std::string>& names) {
+  const bool all = names.empty() || std::find(names.begin(), names.end(), everything) != names.end();
+  if (all) names = table_names();
+}
+
+/// The defaults of every strategy are held to the answer; variants are experiments, whose failures are
+/// findings.
+ExitCode exit_code(const RunRecord& run) {
+  if (interrupted()) return ExitCode::interrupted;
+  if (run.cells.empty()) return ExitCode::not_solved;
+  const auto any_default = [&](auto holds) {
+    return std::any_of(run.cells.begin(), run.cells.end(),
+                       [&](const CellRecord& cell) { return cell.spec.given.empty() && holds(cell); });
+  };
+  if (any_default([](const CellRecord& cell) { return !cell.difference.empty(); }))
+    return ExitCode::check_failed;
+  if (any_default([](const CellRecord& cell) { return !cell.is_right(); })) return ExitCode::not_solved;
+  return ExitCode::done;
+}
+
+ExitCode tables(TableRequest request, bool quiet) {
+  expand_names(request.tables);
+  const Publication paper = load_publication("imbach-mathis-schreck-2016");
+  catch_interrupts();
+  const RunRecord run = [&] {
+    ProgressLine progress(!quiet);
+    return run_tables(request, paper, progress);
+  }();
+  const TableSet set = build_tables(run, paper);
+  if (request.out) write_tables(set, *request.out, table_formats());
+  std::cout << shown_on_terminal(set);
+  return exit_code(run);
+}
+
+std::string names_help() {
+  std::string text = "Tables:\n";
+  for (const TableKind& kind : table_kinds()) text += fmt::format("  {:14} {}\n", kind.name, kind.summary);
+  return text + fmt::format("  {:14} all of them (the default)\n", everything) +
+         "\nA wrong answer gets no time. The exit code is 1 when a strategy with its default options is "
+         "wrong, and 3 "
+         "when one has no answer; other options are experiments.\n"
+         "\nExamples:\n"
+         "  gcsbench tables table1\n"
+         "  gcsbench tables all --out results/runs/today\n"
+         "  gcsbench tables table2 --instances disulfide,k33 --repetitions 20\n";
+}
+
+void add_options(CLI::App& command, TableRequest& request) {
+  std::vector<std::string> names = table_names();
+  names.emplace_back(everything);
+  command.add_option("NAME", request.tables, "Which tables; see below")->check(CLI::IsMember(names));
+  command
+      .add_option("--repetitions", request.repetitions,
+                  "Runs of every cell; default: as time allows, at least 3")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--instances", request.instances, "Columns: ids or files, separated by commas")
+      ->delimiter(',');
+  command.add_option("--strategies", request.strategies, "Only these strategies, separated by commas")
+      ->delimiter(',');
+  command.add_option("--out", request.out, "Folder for run.json and the tables as Markdown, CSV and LaTeX");
+  command.add_flag("--full", request.full, "No limits of time (otherwise 20 s a solve, 25 minutes in all)");
+  command.add_flag("--resume", request.resume, "Keep the finished cells of the run in --out");
+  command.footer(names_help);
+}
+
+}  // namespace
+
+void add_tables_command(CLI::App& app, Invocation& invocation) {
+  const auto request = std::make_shared<TableRequest>();
+  CLI::App* command = app.add_subcommand("tables", "Measure and print the published tables beside ours");
+  add_options(*command, *request);
+  command->callback([&invocation, request] {
+    invocation.action = [&invocation, request] { return tables(*request, invocation.quiet); };
+  });
+}
+
+}  // namespace gcs

@@ -1,0 +1,22 @@
+#pragma once
+/// Where and with what a result was computed.
+
+#include <string>
+
+namespace gcs {
+
+struct Environment {
+  std::string cpu;       ///< model name, "unknown" where the system does not say
+  std::string compiler;  ///< name and version
+  std::string flags;     ///< those that change the generated code
+  std::string commit;    ///< hash of the source, "+dirty" appended when it was edited, "unknown" outside git
+  int threads = 1;       ///< threads that the strategy was allowed
+};
+
+/// The environment of this process; `threads` is passed on.
+Environment capture_environment(int threads);
+
+/// The version of the program, "1.2.3".
+std::string program_version();
+
+}  // namespace gcs

@@ -1,0 +1,111 @@
+/// The program gcsbench: parses the command line, runs one subcommand, maps every outcome to an exit code.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "harness/atomic_file.hpp"
+#include "harness/commands.hpp"
+#include "harness/environment.hpp"
+#include "harness/json_document.hpp"
+#include "harness/nearest_name.hpp"
+#include "solvers/strategy.hpp"
+
+namespace {
+
+using gcs::ExitCode;
+
+void add_commands(CLI::App& app, gcs::Invocation& invocation) {
+  app.add_flag("--quiet", invocation.quiet, "No progress and no remarks on standard error");
+  app.set_version_flag("--version", std::string("gcsbench ") + gcs::program_version());
+  app.require_subcommand(0, 1);  // that there is one is checked afterwards, with a better message
+  app.fallthrough();             // inherited by the subcommands: `gcsbench solve … --quiet`
+  gcs::add_list_command(app, invocation);
+  gcs::add_describe_command(app, invocation);
+  gcs::add_solve_command(app, invocation);
+  gcs::add_tables_command(app, invocation);
+  gcs::add_report_command(app, invocation);
+}
+
+ExitCode fail(const std::string& message) {
+  std::cout.flush();
+  std::cerr << "gcsbench: " << message << '\n';
+  return ExitCode::bad_input;
+}
+
+/// The usage of the subcommand that was named, or of the program.
+std::string usage(const CLI::App& app) {
+  const auto named = app.get_subcommands();
+  const CLI::App* command = named.empty() ? &app : named.back();
+  const std::string name = named.empty() ? "gcsbench" : "gcsbench " + command->get_name();
+  return CLI::Formatter().make_usage(command, name) + "Run `" + name + " --help` for more.";
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+/// What is wrong when no command was recognised.
+std::string no_command(const CLI::App& app) {
+  const auto names = command_names(app);
+  const auto words = app.remaining();
+  if (words.empty()) return "expected a command: " + gcs::quoted_list(names);
+  if (words.front().starts_with('-')) return "there is no option " + words.front();
+  return fmt::format("there is no command '{}'; did you mean '{}'?", words.front(),
+                     gcs::nearest_name(words.front(), names));
+}
+
+/// The library's own exit codes are not ours: help and version are done, everything else is bad input.
+ExitCode after_parse_error(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) {
+    app.exit(error);
+    return ExitCode::done;
+  }
+  const bool lacks_command =
+      error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && app.get_subcommands().empty();
+  return fail((lacks_command ? no_command(app) : error.what()) + "\n" + usage(app));
+}
+
+ExitCode run(const CLI::App& app, const gcs::Invocation& invocation) {
+  try {
+    if (!invocation.action) throw gcs::UsageError(no_command(app));
+    return invocation.action();
+  } catch (const gcs::UsageError& error) {
+    return fail(error.what() + std::string("\n") + usage(app));
+  } catch (const gcs::InputError& error) {
+    return fail(error.what());
+  } catch (const gcs::OutputError& error) {
+    return fail(error.what());
+  } catch (const gcs::OptionError& error) {
+    return fail(error.what());
+  } catch (const std::exception& error) {
+    fail(fmt::format("internal error: {}", error.what()));
+    return ExitCode::not_solved;
+  }
+}
+
+ExitCode parse_and_run(int argc, char** argv) {
+  CLI::App app("Benchmarks for geometric constraint solving", "gcsbench");
+  gcs::Invocation invocation;
+  add_commands(app, invocation);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return after_parse_error(app, error);
+  }
+  return run(app, invocation);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ExitCode code = parse_and_run(argc, argv);
+  if (!std::cout.flush()) code = fail("standard output cannot be written");
+  return static_cast<int>(code);
+}

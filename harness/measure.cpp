@@ -1,0 +1,203 @@
+#include "harness/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "harness/agreement.hpp"
+#include "harness/solve_run.hpp"
+#include "harness/stop_conditions.hpp"
+
+namespace gcs {
+namespace {
+
+/// Below three no median is worth its name; above two hundred the interval hardly narrows.
+constexpr int fewest_repetitions = 3;
+constexpr int most_repetitions = 201;
+
+using Clock = std::chrono::steady_clock;
+
+/// How much time is left for everything.
+class TimeLeft {
+ public:
+  explicit TimeLeft(const MeasureSettings& settings)
+      : start_(Clock::now()), total_s_(settings.total_limit_s), cell_s_(settings.cell_limit_s) {}
+
+  bool none() const { return total_s_ && remaining_s() <= 0; }
+
+  /// The limit of the next solve.
+  std::optional<double> for_one_solve() const {
+    if (!total_s_) return cell_s_;
+    return std::min(cell_s_.value_or(remaining_s()), remaining_s());
+  }
+
+ private:
+  double remaining_s() const {
+    return *total_s_ - std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+
+  Clock::time_point start_;
+  std::optional<double> total_s_;
+  std::optional<double> cell_s_;
+};
+
+/// A cell on its way: its record, and what one solve costs.
+struct Work {
+  const MeasureTask* task;
+  CellRecord record;
+  double cost_s = 0;
+  int planned = 0;  ///< repetitions
+};
+
+bool is_finished(const CellRecord& cell) {
+  if (cell.is_right()) return cell.repetitions.size() >= fewest_repetitions;
+  return cell.status != RunStatus::interrupted && cell.status != RunStatus::timed_out;
+}
+
+SolveRun solve_once(const MeasureTask& task, const MeasureSettings& settings, const TimeLeft& left) {
+  RunLimits limits;
+  limits.seed = settings.seed;
+  limits.threads = settings.threads;
+  limits.time_limit_s = left.for_one_solve();
+  return run_strategy(*task.entry, task.spec.given, *task.scene, limits);
+}
+
+double largest_residual(const Assessment& assessment) {
+  double largest = 0;
+  for (const AssessedSolution& solution : assessment.solutions)
+    largest = std::max(largest, solution.residual);
+  return largest;
+}
+
+CellRecord record_of(const CellSpec& spec, const SolveRun& run) {
+  CellRecord record{spec, run.options,           run.status, run.reason,
+                    "",   run.assessment.counts, run.work,   largest_residual(run.assessment),
+                    {}};
+  for (const FailedCheck& check : run.assessment.failed_checks) {
+    record.difference += (record.difference.empty() ? "" : " ") + check.what;
+  }
+  return record;
+}
+
+CellRecord not_run(const CellSpec& spec) {
+  CellRecord record;
+  record.spec = spec;
+  record.status = RunStatus::timed_out;
+  record.reason = "not run: the time for the whole measurement is used up";
+  return record;
+}
+
+Work warm_up(const MeasureTask& task, const MeasureSettings& settings, const TimeLeft& left) {
+  if (left.none()) return {&task, not_run(task.spec)};
+  const SolveRun run = solve_once(task, settings, left);
+  return {&task, record_of(task.spec, run), run.timing.prepare_s + run.timing.wall_s};
+}
+
+/// Why a repetition is not the same answer as the warm-up; empty: it is.
+std::string changed_answer(const CellRecord& first, const SolveRun& run) {
+  if (run.status != first.status)
+    return fmt::format("A repetition ended as '{}': {}", word(run.status), run.reason);
+  if (run.assessment.counts.on_path != first.counts.on_path || run.work.iterations != first.work.iterations) {
+    return "A repetition with the same seed gave another answer.";
+  }
+  return "";
+}
+
+void repeat(Work& work, const MeasureSettings& settings, const TimeLeft& left) {
+  const SolveRun run = solve_once(*work.task, settings, left);
+  if (run.status == RunStatus::interrupted || run.status == RunStatus::timed_out) return;
+  work.record.difference = changed_answer(work.record, run);
+  if (work.record.is_right()) {
+    work.record.repetitions.push_back({run.timing.prepare_s, run.timing.wall_s, run.timing.cpu_s});
+  } else {
+    work.record.repetitions.clear();
+  }
+}
+
+/// Shares the budget out equally, cheapest cells first: what they cannot use goes to the dearer ones.
+void plan_repetitions(std::vector<Work>& cells, const MeasureSettings& settings) {
+  std::vector<Work*> open;
+  for (Work& work : cells) {
+    if (work.record.is_right() && work.record.repetitions.empty()) open.push_back(&work);
+  }
+  std::sort(open.begin(), open.end(), [](const Work* a, const Work* b) { return a->cost_s < b->cost_s; });
+  double budget_s = settings.budget_s;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const double affordable =
+        budget_s / static_cast<double>(open.size() - i) / std::max(open[i]->cost_s, 1e-9);
+    const double bounded = std::clamp<double>(affordable, fewest_repetitions, most_repetitions);
+    open[i]->planned = settings.repetitions.value_or(static_cast<int>(bounded));
+    budget_s = std::max(0.0, budget_s - open[i]->planned * open[i]->cost_s);
+  }
+}
+
+/// True when a cell with `planned` of `rounds` repetitions takes its turn: turns are spread evenly over the
+/// rounds.
+bool has_turn(int planned, int round, int rounds) {
+  const auto through = [&](int r) { return static_cast<std::int64_t>(r) * planned / rounds; };
+  return through(round + 1) > through(round);
+}
+
+std::vector<CellRecord> records_of(const std::vector<Work>& cells) {
+  std::vector<CellRecord> records;
+  records.reserve(cells.size());
+  for (const Work& work : cells) records.push_back(work.record);
+  return records;
+}
+
+/// Progress as ProgressLine wants it.
+double share(std::size_t done, std::size_t all) {
+  return static_cast<double>(done) / static_cast<double>(all);
+}
+
+std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
+                              const std::vector<CellRecord>& known, const TimeLeft& left, Monitor& progress,
+                              const MeasureCheckpoint& checkpoint) {
+  std::vector<Work> cells;
+  for (const MeasureTask& task : tasks) {
+    if (interrupted()) break;
+    const auto earlier = std::find_if(known.begin(), known.end(), [&](const CellRecord& c) {
+      return c.spec == task.spec && is_finished(c);
+    });
+    if (earlier != known.end()) {
+      cells.push_back({&task, *earlier});
+      continue;
+    }
+    progress.progress(task.spec.instance + ", " + task.spec.strategy, share(cells.size(), tasks.size()));
+    cells.push_back(warm_up(task, settings, left));
+    checkpoint(records_of(cells));
+  }
+  return cells;
+}
+
+void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const TimeLeft& left,
+                Monitor& progress, const MeasureCheckpoint& checkpoint) {
+  plan_repetitions(cells, settings);
+  int rounds = 0;
+  for (const Work& work : cells) rounds = std::max(rounds, work.planned);
+  for (int round = 0; round < rounds; ++round) {
+    progress.progress("repetitions", share(round, rounds));
+    for (Work& work : cells) {
+      if (interrupted() || left.none()) return;
+      if (work.record.is_right() && has_turn(work.planned, round, rounds)) repeat(work, settings, left);
+    }
+    checkpoint(records_of(cells));
+  }
+}
+
+}  // namespace
+
+std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
+                                const std::vector<CellRecord>& known, Monitor& progress,
+                                const MeasureCheckpoint& checkpoint) {
+  const TimeLeft left(settings);
+  std::vector<Work> cells = warm_up_all(tasks, settings, known, left, progress, checkpoint);
+  std::vector<CellRecord> judged = records_of(cells);
+  note_differences(judged, settings.expected);
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i].record = judged[i];
+  repeat_all(cells, settings, left, progress, checkpoint);
+  return records_of(cells);
+}
+
+}  // namespace gcs

@@ -1,0 +1,44 @@
+#pragma once
+/// Measures cells fairly: every answer is assessed before anything is timed, a wrong answer gets no time, and
+/// repetitions of all cells are interleaved, so that a slow minute of the machine touches all of them alike.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harness/agreement.hpp"
+#include "harness/run_record.hpp"
+#include "solvers/strategy.hpp"
+
+namespace gcs {
+
+/// One cell to measure. `entry` and `scene` outlive the measurement.
+struct MeasureTask {
+  CellSpec spec;
+  const StrategyEntry* entry = nullptr;
+  const Scene* scene = nullptr;
+};
+
+struct MeasureSettings {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::optional<int> repetitions;              ///< empty: as many as `budget_s` allows, between 3 and 201
+  double budget_s = 90;                        ///< for all repetitions of all cells together
+  std::optional<double> cell_limit_s = 20;     ///< for one solve
+  std::optional<double> total_limit_s = 1500;  ///< for everything; cells that are left are not run
+  ExpectedCounts expected;
+};
+
+/// Receives the cells as they stand, after every warm-up and every round, to be stored.
+using MeasureCheckpoint = std::function<void(const std::vector<CellRecord>& cells)>;
+
+/// Measures all tasks, in their order. `known` holds cells of an earlier run of the same program: those that
+/// are finished are kept as they are. After an interrupt (see stop_conditions.hpp) what is there is returned.
+std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
+                                const std::vector<CellRecord>& known, Monitor& progress,
+                                const MeasureCheckpoint& checkpoint);
+
+}  // namespace gcs

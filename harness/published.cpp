@@ -1,0 +1,80 @@
+#include "harness/published.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "harness/json_document.hpp"
+
+namespace gcs {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* format_name = "gcsbench-published/1";
+
+PrintedFigure figure_of(const Json& json) {
+  PrintedFigure figure;
+  json.at("place").get_to(figure.place);
+  json.at("row").get_to(figure.row);
+  json.at("instance").get_to(figure.instance);
+  json.at("value").get_to(figure.value);
+  json.at("printed").get_to(figure.printed);
+  figure.by = json.value("by", "");
+  figure.convention = json.value("convention", "");
+  figure.remark = json.value("remark", "");
+  if (json.contains("correction")) {
+    const Json& correction = json["correction"];
+    figure.correction =
+        Correction{correction.at("reason").get<std::string>(), correction.at("source").get<std::string>()};
+  }
+  return figure;
+}
+
+Publication publication_of(const Json& json) {
+  Publication publication;
+  json.at("source").get_to(publication.source);
+  json.at("citation").get_to(publication.citation);
+  json.at("machine").get_to(publication.machine);
+  json.at("instances").get_to(publication.instance_remarks);
+  for (const Json& figure : json.at("figures")) publication.figures.push_back(figure_of(figure));
+  return publication;
+}
+
+}  // namespace
+
+const PrintedFigure* Publication::find(const std::string& place, const std::string& row,
+                                       const std::string& instance, const std::string& by) const {
+  const auto found = std::find_if(figures.begin(), figures.end(), [&](const PrintedFigure& f) {
+    return f.place == place && f.row == row && f.instance == instance && f.by == by;
+  });
+  return found == figures.end() ? nullptr : &*found;
+}
+
+Publication parse_publication(const std::string& text, const std::string& file) {
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != format_name) {
+      throw InputError(file, "/format", "the format is not the one of published figures",
+                       std::string("give a file of format ") + format_name);
+    }
+    return publication_of(json);
+  } catch (const Json::exception& error) {
+    throw InputError(file, "", error.what(), "compare with the other files in results/published");
+  }
+}
+
+Publication load_publication(const std::string& source) {
+  const std::filesystem::path below = std::filesystem::path("results") / "published" / (source + ".json");
+  const std::filesystem::path built = std::filesystem::path(GCSBENCH_SOURCE_DIR) / below;
+  const std::filesystem::path& file = std::filesystem::exists(below) ? below : built;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file.string(), "", "cannot be read", "run the program in the source folder");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return parse_publication(text.str(), file.string());
+}
+
+}  // namespace gcs

@@ -1,0 +1,16 @@
+#pragma once
+/// Writes gcsbench-result/1.
+
+#include <string>
+
+#include "harness/environment.hpp"
+#include "harness/instance_io.hpp"
+#include "harness/solve_run.hpp"
+
+namespace gcs {
+
+/// The result as JSON text that ends in a newline: one top-level member a line, one solution a line. What
+/// does not apply is null; so is an infinite condition. The instance keeps the decimal text of its numbers.
+std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment);
+
+}  // namespace gcs

@@ -1,0 +1,229 @@
+#include "harness/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+
+#include "harness/json_document.hpp"
+
+namespace gcs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view format_name = "gcsbench-run/1";
+
+constexpr std::array all_statuses{RunStatus::complete,    RunStatus::partial, RunStatus::infinite,
+                                  RunStatus::unsupported, RunStatus::gave_up, RunStatus::interrupted,
+                                  RunStatus::timed_out};
+
+RunStatus status_of(const std::string& text) {
+  const auto* const found =
+      std::find_if(all_statuses.begin(), all_statuses.end(), [&](RunStatus s) { return word(s) == text; });
+  if (found == all_statuses.end()) throw std::invalid_argument("unknown status '" + text + "'");
+  return *found;
+}
+
+// Reading and writing visit the members through one list of names each, so that they cannot disagree.
+
+template <typename Record, typename Visit>
+void visit_counts(Record& counts, Visit visit) {
+  visit("real_up_to_reflection", counts.real_up_to_reflection);
+  visit("complex_up_to_reflection", counts.complex_up_to_reflection);
+  visit("generic", counts.generic);
+  visit("on_path", counts.on_path);
+  visit("paths", counts.paths);
+  visit("at_infinity", counts.at_infinity);
+  visit("singular", counts.singular);
+  visit("failed_paths", counts.failed_paths);
+  visit("certified", counts.certified);
+}
+
+template <typename Record, typename Visit>
+void visit_work(Record& work, Visit visit) {
+  visit("iterations", work.iterations);
+  visit("rejected_steps", work.rejected_steps);
+  visit("newton_iterations", work.newton_iterations);
+  visit("evaluations", work.evaluations);
+  visit("partial_evaluations", work.partial_evaluations);
+  visit("jacobians", work.jacobians);
+  visit("factorisations", work.factorisations);
+  visit("plan_changes", work.plan_changes);
+  visit("smallest_step", work.smallest_step);
+  visit("mean_driving_parameters", work.mean_driving_parameters);
+  visit("max_driving_parameters", work.max_driving_parameters);
+}
+
+template <typename Record, typename Visit>
+void visit_repetition(Record& repetition, Visit visit) {
+  visit("prepare_s", repetition.prepare_s);
+  visit("solve_s", repetition.solve_s);
+  visit("cpu_s", repetition.cpu_s);
+}
+
+template <typename Record, typename Visit>
+void visit_environment(Record& environment, Visit visit) {
+  visit("cpu", environment.cpu);
+  visit("compiler", environment.compiler);
+  visit("flags", environment.flags);
+  visit("commit", environment.commit);
+  visit("threads", environment.threads);
+}
+
+template <typename Record, typename Visit>
+void visit_instance(Record& instance, Visit visit) {
+  visit("id", instance.id);
+  visit("origin", instance.origin);
+  visit("fingerprint", instance.fingerprint);
+  visit("equations", instance.equations);
+}
+
+/// Writes one member; an empty optional is null.
+struct Writer {
+  Json& json;
+
+  template <typename T>
+  void operator()(const char* name, const T& value) const {
+    json[name] = value;
+  }
+  template <typename T>
+  void operator()(const char* name, const std::optional<T>& value) const {
+    json[name] = value ? Json(*value) : Json(nullptr);
+  }
+};
+
+struct Reader {
+  const Json& json;
+
+  template <typename T>
+  void operator()(const char* name, T& value) const {
+    value = json.at(name).get<T>();
+  }
+  template <typename T>
+  void operator()(const char* name, std::optional<T>& value) const {
+    const Json& member = json.at(name);
+    value = member.is_null() ? std::nullopt : std::optional<T>(member.get<T>());
+  }
+};
+
+Json object_of(const OptionMap& options) {
+  Json json = Json::object();
+  for (const auto& [name, value] : options) json[name] = value;
+  return json;
+}
+
+OptionMap options_of(const Json& json) {
+  OptionMap options;
+  for (const auto& [name, value] : json.items()) options[name] = value.get<std::string>();
+  return options;
+}
+
+Json cell_json(const CellRecord& cell) {
+  Json json{{"instance", cell.spec.instance},
+            {"strategy", cell.spec.strategy},
+            {"given", object_of(cell.spec.given)},
+            {"options", object_of(cell.options)},
+            {"status", word(cell.status)},
+            {"reason", cell.reason},
+            {"difference", cell.difference},
+            {"residual", cell.residual},
+            {"counts", Json::object()},
+            {"work", Json::object()},
+            {"repetitions", Json::array()}};
+  visit_counts(cell.counts, Writer{json["counts"]});
+  visit_work(cell.work, Writer{json["work"]});
+  for (const Repetition& repetition : cell.repetitions) {
+    visit_repetition(repetition, Writer{json["repetitions"].emplace_back(Json::object())});
+  }
+  return json;
+}
+
+CellRecord cell_of(const Json& json) {
+  CellRecord cell;
+  const Reader read{json};
+  read("instance", cell.spec.instance);
+  read("strategy", cell.spec.strategy);
+  read("reason", cell.reason);
+  read("difference", cell.difference);
+  read("residual", cell.residual);
+  cell.spec.given = options_of(json.at("given"));
+  cell.options = options_of(json.at("options"));
+  cell.status = status_of(json.at("status").get<std::string>());
+  visit_counts(cell.counts, Reader{json.at("counts")});
+  visit_work(cell.work, Reader{json.at("work")});
+  for (const Json& entry : json.at("repetitions"))
+    visit_repetition(cell.repetitions.emplace_back(), Reader{entry});
+  return cell;
+}
+
+Json record_json(const RunRecord& record) {
+  Json json{{"format", format_name},   {"started", record.started},     {"seed", record.seed},
+            {"tables", record.tables}, {"environment", Json::object()}, {"instances", Json::array()},
+            {"cells", Json::array()}};
+  visit_environment(record.environment, Writer{json["environment"]});
+  for (const MeasuredInstance& instance : record.instances) {
+    visit_instance(instance, Writer{json["instances"].emplace_back(Json::object())});
+  }
+  for (const CellRecord& cell : record.cells) json["cells"].push_back(cell_json(cell));
+  return json;
+}
+
+RunRecord record_of(const Json& json) {
+  RunRecord record;
+  const Reader read{json};
+  read("started", record.started);
+  read("seed", record.seed);
+  read("tables", record.tables);
+  visit_environment(record.environment, Reader{json.at("environment")});
+  for (const Json& entry : json.at("instances"))
+    visit_instance(record.instances.emplace_back(), Reader{entry});
+  for (const Json& entry : json.at("cells")) record.cells.push_back(cell_of(entry));
+  return record;
+}
+
+void require_format(const Json& json, const std::string& file) {
+  const bool has_format = json.is_object() && json.contains("format") && json["format"].is_string();
+  const std::string found = has_format ? json["format"].get<std::string>() : "none";
+  if (found == format_name) return;
+  throw InputError(file, "/format", fmt::format("the format is {}", found),
+                   fmt::format("give a run.json of format {}", format_name));
+}
+
+}  // namespace
+
+const CellRecord* RunRecord::find(const CellSpec& spec) const {
+  const auto found =
+      std::find_if(cells.begin(), cells.end(), [&](const CellRecord& c) { return c.spec == spec; });
+  return found == cells.end() ? nullptr : &*found;
+}
+
+std::string to_json_text(const RunRecord& record) { return record_json(record).dump(1) + "\n"; }
+
+RunRecord parse_run_record(const std::string& text, const std::string& file) {
+  try {
+    const Json json = Json::parse(text);
+    require_format(json, file);
+    return record_of(json);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file, "", error.what(), "give a run.json as `gcsbench tables --out` writes it");
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file, "", error.what(), "give a run.json as `gcsbench tables --out` writes it");
+  }
+}
+
+RunRecord load_run_record(const std::filesystem::path& run) {
+  const std::filesystem::path file = std::filesystem::is_directory(run) ? run / "run.json" : run;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(file.string(), "", "cannot be read", "give a run.json or the folder that holds it");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return parse_run_record(text.str(), file.string());
+}
+
+}  // namespace gcs

@@ -1,0 +1,79 @@
+#pragma once
+/// Everything that a measurement found, as versioned JSON (gcsbench-run/1): tables are built from it without
+/// solving.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/environment.hpp"
+#include "harness/solve_run.hpp"
+
+namespace gcs {
+
+/// What is measured in one cell. `given` are the options that differ from the strategy's defaults.
+struct CellSpec {
+  std::string instance;
+  std::string strategy;
+  OptionMap given;
+
+  bool operator==(const CellSpec&) const = default;
+};
+
+/// One repetition. Seconds, on a steady clock.
+struct Repetition {
+  double prepare_s = 0;
+  double solve_s = 0;
+  double cpu_s = 0;  ///< of solve, all threads together
+
+  /// What somebody who solves once waits for.
+  double total_s() const { return prepare_s + solve_s; }
+};
+
+/// One cell: its assessed warm-up, and the times of the repetitions.
+struct CellRecord {
+  CellSpec spec;
+  OptionMap options;  ///< every option, defaults included
+  RunStatus status = RunStatus::gave_up;
+  std::string reason;      ///< empty when complete
+  std::string difference;  ///< why the answer is wrong; empty: nothing speaks against it
+  Counts counts;
+  WorkCounters work;
+  double residual = 0;                  ///< largest relative residual of the solutions
+  std::vector<Repetition> repetitions;  ///< empty unless the answer is complete and right
+
+  bool is_right() const { return status == RunStatus::complete && difference.empty(); }
+};
+
+/// An instance as far as tables speak of it.
+struct MeasuredInstance {
+  std::string id;
+  std::string origin;       ///< the file it came from
+  std::string fingerprint;  ///< of the file's values
+  int equations = 0;        ///< constraints, the papers' m
+};
+
+struct RunRecord {
+  std::string started;  ///< UTC, ISO 8601
+  Environment environment;
+  std::uint64_t seed = 1;
+  std::vector<std::string> tables;          ///< names, in the order asked for
+  std::vector<MeasuredInstance> instances;  ///< columns, in order
+  std::vector<CellRecord> cells;
+
+  /// The cell of that spec, or nullptr.
+  const CellRecord* find(const CellSpec& spec) const;
+};
+
+/// The record as JSON, ending in a newline. Numbers read back as the same doubles.
+std::string to_json_text(const RunRecord& record);
+
+/// Reads what to_json_text wrote. `file` is for messages. Throws InputError.
+RunRecord parse_run_record(const std::string& text, const std::string& file);
+
+/// Reads a run: a run.json, or the folder that holds it. Throws InputError.
+RunRecord load_run_record(const std::filesystem::path& run);
+
+}  // namespace gcs

@@ -1,0 +1,141 @@
+#include "harness/solve_run.hpp"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <array>
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "harness/stop_conditions.hpp"
+
+namespace gcs {
+
+namespace {
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+SolveReport timed_solve(Strategy& strategy, const SolveRequest& request, Timing& timing) {
+  const auto prepare_start = std::chrono::steady_clock::now();
+  strategy.prepare(request);
+  timing.prepare_s = seconds_since(prepare_start);
+  const double cpu_start = cpu_seconds();
+  const auto start = std::chrono::steady_clock::now();
+  SolveReport report = strategy.solve(request);
+  timing.wall_s = seconds_since(start);
+  timing.cpu_s = cpu_seconds() - cpu_start;
+  return report;
+}
+
+/// A strategy that throws has a defect, or the machine has no memory left; neither may end a series of runs.
+SolveReport guarded_solve(Strategy& strategy, const SolveRequest& request, Timing& timing) {
+  try {
+    return timed_solve(strategy, request, timing);
+  } catch (const std::exception& error) {
+    SolveReport report;
+    report.reason = fmt::format("the strategy failed with an exception: {}", error.what());
+    return report;
+  }
+}
+
+void set_stopped(SolveRun& run, StopWatch::Cause cause, const RunLimits& limits) {
+  switch (cause) {
+    case StopWatch::Cause::interrupt:
+      run.status = RunStatus::interrupted;
+      run.reason = "interrupted by a signal";
+      return;
+    case StopWatch::Cause::time_limit:
+      run.status = RunStatus::timed_out;
+      run.reason = fmt::format("the time limit of {} s has passed", limits.time_limit_s.value_or(0));
+      return;
+    case StopWatch::Cause::none:
+      run.status = RunStatus::gave_up;
+      run.reason = "the strategy stopped without being asked to";
+      return;
+  }
+}
+
+void set_status(SolveRun& run, const SolveReport& report, StopWatch::Cause cause, const RunLimits& limits) {
+  run.reason = report.reason;
+  switch (report.status) {
+    case SolveStatus::complete:
+      run.status = RunStatus::complete;
+      return;
+    case SolveStatus::partial:
+      run.status = RunStatus::partial;
+      return;
+    case SolveStatus::infinite:
+      run.status = RunStatus::infinite;
+      return;
+    case SolveStatus::gave_up:
+      run.status = RunStatus::gave_up;
+      return;
+    case SolveStatus::stopped:
+      set_stopped(run, cause, limits);
+      return;
+  }
+}
+
+void limit_solutions(SolveRun& run, std::size_t limit) {
+  const std::size_t found = run.assessment.solutions.size();
+  if (found <= limit) return;
+  keep_first(run.assessment, limit);
+  if (run.status != RunStatus::complete) return;
+  run.status = RunStatus::partial;
+  run.reason = fmt::format("{} of the {} solutions found are kept, as asked", limit, found);
+}
+
+}  // namespace
+
+std::string_view word(RunStatus status) {
+  constexpr std::array<std::string_view, 7> words{"complete", "partial",     "infinite", "unsupported",
+                                                  "gave up",  "interrupted", "timed out"};
+  return words[static_cast<std::size_t>(status)];
+}
+
+std::string_view word(Claim claim) {
+  constexpr std::array<std::string_view, 5> words{"some real", "on path", "on path of the core", "all real",
+                                                  "all complex"};
+  return words[static_cast<std::size_t>(claim)];
+}
+
+std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy, const Scene& scene) {
+  if (auto reason = strategy.why_unsupported(scene)) return reason;
+  if (entry.needs_sketch && !scene.sketch()) return "it starts at a sketch, and the instance gives none";
+  return std::nullopt;
+}
+
+SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const Scene& scene,
+                      const RunLimits& limits, Monitor* monitor) {
+  SolveRun run;
+  run.strategy = entry.name;
+  run.options = complete_options(entry, given);
+  run.seed = limits.seed;
+  run.threads = limits.threads;
+  const auto strategy = entry.make(run.options);
+  if (auto reason = why_not(entry, *strategy, scene)) {
+    run.status = RunStatus::unsupported;
+    run.reason = std::move(*reason);
+    return run;
+  }
+  StopWatch watch(limits.time_limit_s);
+  SolveReport report =
+      guarded_solve(*strategy, {scene, limits.seed, limits.threads, watch.token(), monitor}, run.timing);
+  set_status(run, report, watch.cause(), limits);
+  run.claim = report.claim;
+  run.assessment = assess(scene, report);
+  if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
+  run.work = report.work;
+  return run;
+}
+
+}  // namespace gcs

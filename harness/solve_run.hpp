@@ -1,0 +1,57 @@
+#pragma once
+/// One strategy on one scene, timed and assessed: the only way in which the program solves.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "harness/assess.hpp"
+#include "solvers/strategy.hpp"
+
+namespace gcs {
+
+struct RunLimits {
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::optional<double> time_limit_s = std::nullopt;        ///< over prepare and solve together
+  std::optional<std::size_t> max_solutions = std::nullopt;  ///< how many classes are kept
+};
+
+enum class RunStatus { complete, partial, infinite, unsupported, gave_up, interrupted, timed_out };
+
+/// The word of gcsbench-result/1: "complete", …, "gave up", "timed out".
+std::string_view word(RunStatus status);
+/// The word of gcsbench-result/1: "some real", "on path", …
+std::string_view word(Claim claim);
+
+/// Of prepare and solve alone; assessing is not timed.
+struct Timing {
+  double wall_s = 0;     ///< of solve
+  double cpu_s = 0;      ///< of solve, all threads together
+  double prepare_s = 0;  ///< wall time of prepare
+};
+
+struct SolveRun {
+  std::string strategy;
+  OptionMap options;  ///< every option of the strategy, defaults included
+  std::uint64_t seed = 1;
+  int threads = 1;
+  RunStatus status = RunStatus::gave_up;
+  std::string reason;          ///< empty when complete
+  std::optional<Claim> claim;  ///< empty when nothing was run
+  Assessment assessment;
+  WorkCounters work;
+  Timing timing;
+};
+
+/// Why `strategy`, made from `entry`, cannot do `scene`: its own reason, or no sketch; nullopt when it can.
+std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy, const Scene& scene);
+
+/// Runs the strategy until it ends, the time limit passes or the user interrupts (see catch_interrupts).
+/// An exception from the strategy becomes RunStatus::gave_up. Throws OptionError for options that are not
+/// allowed.
+SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const Scene& scene,
+                      const RunLimits& limits, Monitor* monitor = nullptr);
+
+}  // namespace gcs

@@ -1,0 +1,138 @@
+#include "harness/solve_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+namespace gcs {
+
+namespace {
+
+/// A longer table scrolls away; the file has it all.
+constexpr std::size_t shown_crossings = 40;
+
+std::string line(std::string_view label, std::string_view text) {
+  return fmt::format("  {:<14}{}\n", label, text);
+}
+
+/// "1 class", "2 classes"
+std::string amount(std::uint64_t count, std::string_view singular, std::string_view plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+std::string headline(const Instance& instance, const SolveRun& run) {
+  std::string text = fmt::format("{}, {}: {}", instance.id, run.strategy, word(run.status));
+  return text + (run.reason.empty() ? "\n" : fmt::format(" ({})\n", run.reason));
+}
+
+/// The convention of a count of classes. Where positions are fixed there is no reflection to divide out.
+std::string_view convention(const Problem& problem) {
+  const auto given = [](const auto& position) { return position.has_value(); };
+  const bool anchored = std::any_of(problem.fixed_points.begin(), problem.fixed_points.end(), given) ||
+                        std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(), given);
+  return anchored ? "positions are fixed, no reflection is divided out" : "up to reflection";
+}
+
+std::string solution_counts(const Problem& problem, const Counts& counts) {
+  std::string text;
+  const auto append = [&](std::string_view label, const std::optional<std::uint64_t>& count,
+                          std::string_view what) {
+    if (count) text += line(label, fmt::format("{}, {}", amount(*count, "solution", "solutions"), what));
+  };
+  append("on path", counts.on_path, fmt::format("met on S, {}", convention(problem)));
+  append("real", counts.real_up_to_reflection, convention(problem));
+  append("complex", counts.complex_up_to_reflection,
+         fmt::format("real ones included, {}", convention(problem)));
+  if (counts.singular.value_or(0) > 0)
+    append("singular", counts.singular, "multiple or too ill-conditioned to tell");
+  return text;
+}
+
+std::string path_counts(const Counts& counts) {
+  if (!counts.paths) return "";
+  std::string text = amount(*counts.paths, "path", "paths");
+  if (counts.at_infinity.value_or(0) > 0) text += fmt::format(", {} to infinity", *counts.at_infinity);
+  if (counts.failed_paths.value_or(0) > 0) text += fmt::format(", {} without an end", *counts.failed_paths);
+  return line("tracked", text);
+}
+
+std::string crossings_table(const Assessment& assessment) {
+  if (assessment.crossings.empty()) return "";
+  std::string text =
+      "\n  crossings of t = 1 in the order met\n  number  solution  t goes   residual   condition\n";
+  const std::size_t shown = std::min(assessment.crossings.size(), shown_crossings);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const AssessedCrossing& crossing = assessment.crossings[i];
+    const std::string_view sense = crossing.direction > 0 ? "up" : "down";
+    if (!crossing.solution) {
+      text += fmt::format("  {:6}  {:>8}  {:<6}\n", i, "-", sense);
+      continue;
+    }
+    const AssessedSolution& solution = assessment.solutions[*crossing.solution];
+    text += fmt::format("  {:6}  {:8}  {:<6}  {:9.2g}  {:10.3g}\n", i, *crossing.solution, sense,
+                        solution.residual, solution.condition);
+  }
+  const std::size_t hidden = assessment.crossings.size() - shown;
+  return text + (hidden > 0 ? fmt::format("  and {} more (--out FILE lists all)\n\n", hidden) : "\n");
+}
+
+std::string range(const std::vector<AssessedSolution>& solutions, double AssessedSolution::*member) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const AssessedSolution& solution : solutions) {
+    low = std::min(low, solution.*member);
+    high = std::max(high, solution.*member);
+  }
+  return fmt::format("{:.2g} to {:.2g}", low, high);
+}
+
+std::string quality(const std::vector<AssessedSolution>& solutions) {
+  if (solutions.empty()) return "";
+  return line("residual", range(solutions, &AssessedSolution::residual)) +
+         line("condition", range(solutions, &AssessedSolution::condition));
+}
+
+/// The counters that are not zero, in the order of the result file.
+std::string work(const WorkCounters& counters) {
+  std::string text;
+  const auto append = [&](std::int64_t count, std::string_view what) {
+    if (count != 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+  };
+  append(counters.iterations, "iterations");
+  append(counters.rejected_steps, "rejected steps");
+  append(counters.newton_iterations, "Newton iterations");
+  append(counters.evaluations, "evaluations");
+  append(counters.partial_evaluations, "partial evaluations");
+  append(counters.jacobians, "Jacobians");
+  append(counters.factorisations, "factorisations");
+  append(counters.plan_changes, "plan changes");
+  std::string lines = text.empty() ? "" : line("work", text);
+  if (counters.smallest_step) lines += line("smallest step", fmt::format("{:.3g}", *counters.smallest_step));
+  if (counters.mean_driving_parameters && counters.max_driving_parameters)
+    lines +=
+        line("driving", fmt::format("{:.3g} parameters on average, {} at most",
+                                    *counters.mean_driving_parameters, *counters.max_driving_parameters));
+  return lines;
+}
+
+std::string time(const Timing& timing) {
+  return line("time", fmt::format("{:.3g} s (cpu {:.3g} s), prepared in {:.3g} s", timing.wall_s,
+                                  timing.cpu_s, timing.prepare_s));
+}
+
+std::string failed_checks(const std::vector<FailedCheck>& checks) {
+  return checks.empty() ? "" : line("checks", amount(checks.size(), "check does", "checks do") + " not hold");
+}
+
+}  // namespace
+
+std::string solve_summary(const Instance& instance, const SolveRun& run) {
+  const Assessment& assessment = run.assessment;
+  return headline(instance, run) + solution_counts(instance.problem, assessment.counts) +
+         path_counts(assessment.counts) + crossings_table(assessment) + quality(assessment.solutions) +
+         work(run.work) + time(run.timing) + failed_checks(assessment.failed_checks);
+}
+
+}  // namespace gcs

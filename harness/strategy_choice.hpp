@@ -1,0 +1,20 @@
+#pragma once
+/// From the words of the command line to a strategy and its options.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "solvers/strategy.hpp"
+
+namespace gcs {
+
+/// The strategy of that name. Throws UsageError with the nearest name when there is none.
+const StrategyEntry& find_strategy(std::string_view name);
+
+/// The options of `settings`, each "option=value". Throws UsageError for another shape, a name that the
+/// strategy does not have (with the nearest one), or a name given twice. Values are checked by the strategy
+/// itself.
+OptionMap parse_settings(const StrategyEntry& entry, std::span<const std::string> settings);
+
+}  // namespace gcs

@@ -1,0 +1,129 @@
+/// Table 1 of Imbach, Mathis, Schreck: numbers of solutions and running times.
+
+#include <fmt/format.h>
+
+#include "harness/table_entries.hpp"
+#include "harness/tables.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr const char* place = "table 1";
+
+/// One line of the paper's table: the row and method it is filed under.
+struct PaperRow {
+  std::string row;
+  std::string by;
+};
+
+class Builder {
+ public:
+  Builder(const RunRecord& run, const Publication& paper) : run_(run), paper_(paper) {
+    table_.name = "table1";
+    table_.caption = "Table 1: numbers of solutions and running times, published and ours";
+    for (const MeasuredInstance& instance : run.instances) {
+      table_.groups.push_back({instance.id, {"published", "ours", "ratio"}});
+    }
+  }
+
+  void heading(const std::string& label) { table_.rows.push_back({label, {}, {}}); }
+
+  void equations() {
+    add_row("m (equations)", {"equations", ""},
+            [](const MeasuredInstance& instance, const PrintedFigure* figure) {
+              const double ours = instance.equations;
+              return std::pair{TableCell{number_text(ours), {}}, ratio_entry(ours, figure)};
+            });
+  }
+
+  /// A row for which this version has no strategy.
+  void without_strategy(const std::string& label, const PaperRow& paper_row) {
+    add_row(label, paper_row, [](const MeasuredInstance&, const PrintedFigure*) {
+      return std::pair{TableCell{"no strategy yet", {}}, empty_entry()};
+    });
+  }
+
+  void solutions_on_path(const Variant& variant) {
+    add_row("on S: " + label(variant), {"on path", ""},
+            [&](const MeasuredInstance& instance, const PrintedFigure* figure) {
+              const CellRecord* cell = run_.find(variant.on(instance.id));
+              const bool complete = cell != nullptr && cell->status == RunStatus::complete;
+              return std::pair{answer_entry(table_, cell, on_path(cell)),
+                               ratio_entry(complete ? on_path(cell) : std::nullopt, figure)};
+            });
+  }
+
+  void times(const std::string& method, const Variant& variant) {
+    add_row(method + ": " + label(variant), {"time_s", method},
+            [&](const MeasuredInstance& instance, const PrintedFigure* figure) {
+              const CellRecord* cell = run_.find(variant.on(instance.id));
+              const auto time = total_time(cell);
+              const auto median = time ? std::optional(time->median) : std::nullopt;
+              return std::pair{time_entry(table_, cell), ratio_entry(median, figure)};
+            });
+  }
+
+  Table take() {
+    table_.remarks = {
+        "Ratio: ours / published.",
+        defaults_remark,
+        "complex: 'all signs', every solution counted 2^d times, once for each change of signs of the d "
+        "axes. "
+        "real: 'up to reflection'. on S: solutions on the path S through the sketch, 'up to reflection'.",
+        "Times: preparing and solving once on one thread, median of interleaved repetitions; ± half of its "
+        "95% "
+        "interval. Published times: " +
+            paper_.machine + "; ours: " + run_.environment.cpu + ".",
+    };
+    for (const MeasuredInstance& instance : run_.instances) {
+      const auto remark = paper_.instance_remarks.find(instance.id);
+      if (remark != paper_.instance_remarks.end()) table_.remarks.push_back(remark->second);
+    }
+    table_.remarks.push_back("Published: " + paper_.citation + ".");
+    return std::move(table_);
+  }
+
+ private:
+  static std::string label(const Variant& variant) { return label_of(variant.on("")); }
+
+  /// `make_ours` makes our entry and the ratio.
+  template <typename MakeOurs>
+  void add_row(const std::string& label, const PaperRow& paper_row, MakeOurs make_ours) {
+    TableRow row{label, {}, {}};
+    for (const MeasuredInstance& instance : run_.instances) {
+      const PrintedFigure* figure = paper_.find(place, paper_row.row, instance.id, paper_row.by);
+      TableCell published = printed_entry(table_, figure);
+      auto [ours, ratio] = make_ours(instance, figure);
+      for (TableCell* cell : {&published, &ours, &ratio}) row.cells.push_back(std::move(*cell));
+    }
+    table_.rows.push_back(std::move(row));
+  }
+
+  const RunRecord& run_;
+  const Publication& paper_;
+  Table table_;
+};
+
+}  // namespace
+
+std::vector<Variant> table1_variants() {
+  return {{"full-space", {}}, {"full-space", {{"mode", "paper"}}}, {"rcp", {}}, {"rcp", {{"mode", "paper"}}}};
+}
+
+std::vector<Table> build_table1(const RunRecord& run, const Publication& paper) {
+  const std::vector<Variant> variants = table1_variants();
+  Builder builder(run, paper);
+  builder.equations();
+  builder.heading("Number of solutions");
+  builder.without_strategy("complex", {"complex", "HOM4PS-2.0"});
+  builder.without_strategy("real (up to reflections)", {"real", ""});
+  for (const Variant& variant : variants) builder.solutions_on_path(variant);
+  builder.heading("Running times");
+  builder.without_strategy("HOM4PS-2.0", {"time_s", "HOM4PS-2.0"});
+  for (const Variant& variant : variants) {
+    builder.times(variant.strategy == "rcp" ? "Algorithm 1" : "tracking S", variant);
+  }
+  return {builder.take()};
+}
+
+}  // namespace gcs

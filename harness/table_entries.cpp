@@ -1,0 +1,90 @@
+#include "harness/table_entries.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gcs {
+namespace {
+
+std::string spread_text(const MedianInterval& interval) {
+  const double percent = 100 * interval.relative_half_width();
+  return percent < 1 ? "±<1%" : fmt::format("±{:.0f}%", percent);
+}
+
+/// Why the cell has no right answer: a word with the reason in a footnote.
+TableCell obstacle(Table& table, const CellRecord* cell) {
+  if (cell == nullptr) return {"not measured", {}};
+  const std::string reason =
+      fmt::format("{}, {}: {}", cell->spec.instance, label_of(cell->spec),
+                  cell->status == RunStatus::complete ? cell->difference : cell->reason);
+  const std::string_view text = cell->status == RunStatus::complete ? "no time" : word(cell->status);
+  return {std::string(text), {table.footnote(reason)}};
+}
+
+}  // namespace
+
+TableCell empty_entry() { return {"–", {}}; }
+
+std::string number_text(double value) {
+  const double size = std::abs(value);
+  if (value == std::round(value) && size < 1e15) return fmt::format("{:.0f}", value);
+  return size >= 100 && size < 1e15 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds >= 1) return number_text(seconds) + " s";
+  if (seconds >= 1e-3) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} µs", seconds * 1e6);
+}
+
+TableCell printed_entry(Table& table, const PrintedFigure* figure) {
+  if (figure == nullptr) return empty_entry();
+  TableCell cell{figure->printed, {}};
+  if (figure->correction) {
+    cell.notes.push_back(table.footnote(
+        fmt::format("Known to be wrong. {} ({})", figure->correction->reason, figure->correction->source)));
+  }
+  if (!figure->remark.empty()) cell.notes.push_back(table.footnote(figure->remark));
+  return cell;
+}
+
+std::optional<MedianInterval> total_time(const CellRecord* cell) {
+  if (cell == nullptr || cell->repetitions.empty()) return std::nullopt;
+  std::vector<double> seconds;
+  for (const Repetition& repetition : cell->repetitions) seconds.push_back(repetition.total_s());
+  return median_interval(std::move(seconds));
+}
+
+TableCell time_entry(Table& table, const CellRecord* cell) {
+  if (cell == nullptr || !cell->is_right()) return obstacle(table, cell);
+  const auto time = total_time(cell);
+  if (!time) return {"not timed", {}};
+  return {duration_text(time->median) + " " + spread_text(*time), {}};
+}
+
+TableCell answer_entry(Table& table, const CellRecord* cell, std::optional<double> value) {
+  if (cell == nullptr || cell->status != RunStatus::complete) return obstacle(table, cell);
+  if (!value) return empty_entry();
+  TableCell entry{number_text(*value), {}};
+  if (!cell->is_right()) entry.notes = obstacle(table, cell).notes;
+  return entry;
+}
+
+TableCell ratio_entry(std::optional<double> ours, const PrintedFigure* figure) {
+  if (!ours || figure == nullptr || figure->value == 0) return empty_entry();
+  return {number_text(*ours / figure->value), {}};
+}
+
+std::string label_of(const CellSpec& spec) {
+  std::string label = spec.strategy;
+  for (const auto& [name, value] : spec.given) label += fmt::format(" {}={}", name, value);
+  return label;
+}
+
+std::optional<double> on_path(const CellRecord* cell) {
+  if (cell == nullptr || !cell->counts.on_path) return std::nullopt;
+  return static_cast<double>(*cell->counts.on_path);
+}
+
+}  // namespace gcs

@@ -1,0 +1,24 @@
+#pragma once
+/// Where tables go: files in a folder, and the terminal.
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "harness/table_writer.hpp"
+#include "harness/tables.hpp"
+
+namespace gcs {
+
+/// Creates the folder with its parents unless it is there. Throws OutputError.
+void make_folder(const std::filesystem::path& folder);
+
+/// Writes every table as <name>.<extension> in every format, each file at once or not at all. Throws
+/// OutputError.
+void write_tables(const TableSet& set, const std::filesystem::path& folder,
+                  std::span<const TableFormat> formats);
+
+/// The tables and lines as Markdown; the list of measurements is left to the files.
+std::string shown_on_terminal(const TableSet& set);
+
+}  // namespace gcs

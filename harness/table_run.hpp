@@ -1,0 +1,30 @@
+#pragma once
+/// Measures what tables need.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/measure.hpp"
+#include "harness/published.hpp"
+#include "harness/run_record.hpp"
+
+namespace gcs {
+
+/// What is asked for. Empty lists: the defaults.
+struct TableRequest {
+  std::vector<std::string> tables;      ///< names of table_kinds()
+  std::vector<std::string> instances;   ///< as load_instance takes them; default: the paper's
+  std::vector<std::string> strategies;  ///< default: all that the tables show
+  std::optional<int> repetitions;
+  bool full = false;                         ///< without limits of time
+  std::optional<std::filesystem::path> out;  ///< folder in which run.json is kept up to date
+  bool resume = false;                       ///< take finished cells from the run.json that is there
+};
+
+/// Measures on one thread. Throws InputError for an instance that cannot be read, or a run to resume that
+/// another build or machine made; UsageError for names that are unknown or given twice; OutputError.
+RunRecord run_tables(const TableRequest& request, const Publication& paper, Monitor& progress);
+
+}  // namespace gcs

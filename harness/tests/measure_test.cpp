@@ -1,0 +1,186 @@
+#include "harness/measure.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "harness/table_entries.hpp"
+#include "harness/tests/toy_scene.hpp"
+
+using namespace gcs;
+
+namespace {
+
+/// Finds both classes of the toy scene, or leaves one out, or gives up, as its option `answer` says. Every
+/// solve leaves a line in `log`.
+class ToyStrategy final : public Strategy {
+ public:
+  ToyStrategy(std::string answer, std::vector<std::string>& log) : answer_(std::move(answer)), log_(log) {}
+
+  std::optional<std::string> why_unsupported(const Scene&) const override { return std::nullopt; }
+
+  SolveReport solve(const SolveRequest& request) override {
+    log_.push_back(answer_);
+    SolveReport report = toy::good_report(request.scene);
+    report.work.iterations = answer_ == "changing" ? static_cast<std::int64_t>(log_.size()) : 10;
+    if (answer_ == "wrong") {
+      report.candidates = {report.candidates[0], report.candidates[2]};  // one class and its mirror image
+      report.paths.front().crossings = {{0, 1}, {1, -1}};
+    }
+    if (answer_ == "none") {
+      report.status = SolveStatus::gave_up;
+      report.reason = "it is too hard";
+    }
+    return report;
+  }
+
+ private:
+  std::string answer_;
+  std::vector<std::string>& log_;
+};
+
+std::vector<std::string> solve_log;
+
+StrategyEntry toy_entry(std::string_view name) {
+  StrategyEntry entry;
+  entry.name = name;
+  entry.options = {{"answer", "right", "a word", "what it does"}};
+  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
+    return std::make_unique<ToyStrategy>(options.at("answer"), solve_log);
+  };
+  return entry;
+}
+
+class Silence final : public Monitor {
+ public:
+  void progress(std::string_view, double) override {}
+};
+
+/// Measures one cell for each answer; "" is the default.
+std::vector<CellRecord> measure_answers(const std::vector<std::string>& answers,
+                                        const MeasureSettings& settings,
+                                        const std::vector<CellRecord>& known = {}) {
+  const Scene scene(toy::instance().problem);
+  const StrategyEntry entry = toy_entry("toy");
+  std::vector<MeasureTask> tasks;
+  for (const std::string& answer : answers) {
+    const OptionMap given = answer.empty() ? OptionMap{} : OptionMap{{"answer", answer}};
+    tasks.push_back({{"toy", "toy", given}, &entry, &scene});
+  }
+  Silence silence;
+  solve_log.clear();
+  return measure(tasks, settings, known, silence, [](const auto&) {});
+}
+
+MeasureSettings repetitions(int count) {
+  MeasureSettings settings;
+  settings.repetitions = count;
+  return settings;
+}
+
+CellRecord counting(const std::string& strategy, OptionMap given, std::uint64_t on_path) {
+  CellRecord record;
+  record.spec = {"toy", strategy, std::move(given)};
+  record.status = RunStatus::complete;
+  record.counts.on_path = on_path;
+  record.repetitions.resize(3);
+  return record;
+}
+
+}  // namespace
+
+TEST_CASE("right answers are timed as often as asked") {
+  const auto cells = measure_answers({"", "right"}, repetitions(5));
+  REQUIRE(cells.size() == 2);
+  for (const CellRecord& cell : cells) {
+    CHECK(cell.is_right());
+    CHECK(cell.counts.on_path == 2u);
+    REQUIRE(cell.repetitions.size() == 5);
+    CHECK(cell.repetitions.front().solve_s > 0);
+  }
+}
+
+TEST_CASE("a wrong answer is reported with its difference and without a time") {
+  const auto cells = measure_answers({"", "wrong"}, repetitions(3));
+  const CellRecord& wrong = cells.back();
+  CHECK_FALSE(wrong.is_right());
+  CHECK(wrong.repetitions.empty());
+  CHECK_THAT(wrong.difference, Catch::Contains("instead of 2"));
+  Table table;
+  CHECK(time_entry(table, &wrong).text == "no time");
+  CHECK(answer_entry(table, &wrong, on_path(&wrong)).text == "1");
+  REQUIRE(table.footnotes.size() == 1);
+  CHECK_THAT(table.footnotes.front(), Catch::Contains("instead of 2"));
+}
+
+TEST_CASE("an answer that changes between repetitions is wrong") {
+  const auto cells = measure_answers({"", "changing"}, repetitions(3));
+  CHECK_FALSE(cells.back().is_right());
+  CHECK(cells.back().repetitions.empty());
+}
+
+TEST_CASE("a cell without an answer keeps its reason") {
+  const auto cells = measure_answers({"", "none"}, repetitions(3));
+  CHECK(cells.back().status == RunStatus::gave_up);
+  CHECK(cells.back().reason == "it is too hard");
+  CHECK(cells.back().repetitions.empty());
+  Table table;
+  CHECK(time_entry(table, &cells.back()).text == "gave up");
+}
+
+TEST_CASE("repetitions are interleaved") {
+  measure_answers({"", "same"}, repetitions(3));
+  CHECK(solve_log ==
+        std::vector<std::string>{"right", "same", "right", "same", "right", "same", "right", "same"});
+}
+
+TEST_CASE("the number of repetitions follows the budget within its bounds") {
+  MeasureSettings settings;
+  settings.budget_s = 0;
+  CHECK(measure_answers({""}, settings).front().repetitions.size() == 3);
+  settings.budget_s = 1e6;
+  CHECK(measure_answers({""}, settings).front().repetitions.size() == 201);
+}
+
+TEST_CASE("cells are not run when the time for everything is used up") {
+  MeasureSettings settings;
+  settings.total_limit_s = 0;
+  const auto cells = measure_answers({""}, settings);
+  CHECK(cells.front().status == RunStatus::timed_out);
+  CHECK_THAT(cells.front().reason, Catch::StartsWith("not run"));
+  CHECK(solve_log.empty());
+}
+
+TEST_CASE("finished cells of an earlier run are kept and others measured again") {
+  const auto earlier = measure_answers({"", "same"}, repetitions(4));
+  auto known = earlier;
+  known.back().repetitions.resize(2);
+  const auto cells = measure_answers({"", "same"}, repetitions(3), known);
+  CHECK(cells.front().repetitions.size() == 4);
+  CHECK(cells.back().repetitions.size() == 3);
+  CHECK(solve_log == std::vector<std::string>{"same", "same", "same", "same"});
+}
+
+TEST_CASE("strategies whose defaults disagree are all without a time") {
+  std::vector<CellRecord> cells{counting("a", {}, 8), counting("b", {}, 7),
+                                counting("a", {{"mode", "x"}}, 8)};
+  note_differences(cells, {});
+  for (const CellRecord& cell : cells) {
+    CHECK(cell.difference == "The strategies disagree: a found 8, b found 7.");
+    CHECK(cell.repetitions.empty());
+  }
+}
+
+TEST_CASE("defaults are held to the literature and variants to the defaults") {
+  std::vector<CellRecord> cells{counting("a", {}, 7), counting("a", {{"mode", "x"}}, 7),
+                                counting("a", {{"mode", "y"}}, 9)};
+  note_differences(cells, {{"toy", 8}});
+  CHECK(cells[0].difference == "Found 7 on S instead of 8 (-1).");
+  CHECK(cells[1].difference.empty());
+  CHECK(cells[2].difference == "Found 9 on S instead of 7 (+2).");
+}
+
+TEST_CASE("variants alone are held to the literature") {
+  std::vector<CellRecord> cells{counting("a", {{"mode", "x"}}, 7), counting("a", {{"mode", "y"}}, 8)};
+  note_differences(cells, {{"toy", 8}});
+  CHECK_FALSE(cells[0].is_right());
+  CHECK(cells[1].is_right());
+}

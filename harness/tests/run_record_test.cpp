@@ -1,0 +1,55 @@
+#include "harness/run_record.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "harness/json_document.hpp"
+#include "harness/tests/toy_run.hpp"
+
+using namespace gcs;
+
+TEST_CASE("a record reads back as what was written") {
+  const RunRecord record = toy::run_record();
+  const std::string text = to_json_text(record);
+  const RunRecord again = parse_run_record(text, "run.json");
+  CHECK(to_json_text(again) == text);
+
+  REQUIRE(again.cells.size() == record.cells.size());
+  const CellRecord& cell = again.cells.front();
+  CHECK(cell.spec == record.cells.front().spec);
+  CHECK(cell.status == RunStatus::complete);
+  CHECK(cell.counts.on_path == 4u);
+  CHECK_FALSE(cell.counts.generic.has_value());
+  CHECK(cell.work.iterations == record.cells.front().work.iterations);
+  REQUIRE(cell.repetitions.size() == record.cells.front().repetitions.size());
+  CHECK(cell.repetitions[1].solve_s == record.cells.front().repetitions[1].solve_s);
+  CHECK(again.environment.commit == record.environment.commit);
+  CHECK(again.instances.front().equations == 12);
+}
+
+TEST_CASE("a cell is found by instance, strategy and options") {
+  const RunRecord record = toy::run_record();
+  CHECK(record.find({"octahedron", "rcp", {}}) != nullptr);
+  CHECK(record.find({"octahedron", "rcp", {{"mode", "paper"}}}) != nullptr);
+  CHECK(record.find({"octahedron", "rcp", {{"mode", "other"}}}) == nullptr);
+  CHECK(record.find({"k33", "rcp", {}}) == nullptr);
+}
+
+TEST_CASE("what is no run is refused with the file's name") {
+  const auto message = [](const std::string& text) -> std::string {
+    try {
+      parse_run_record(text, "FILE");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(message("{"), Catch::StartsWith("FILE: "));
+  CHECK_THAT(message("[]"), Catch::Contains("gcsbench-run/1"));
+  CHECK_THAT(message(R"({"format": "gcsbench-run/2"})"), Catch::Contains("gcsbench-run/2"));
+  CHECK_THAT(message(R"({"format": "gcsbench-run/1"})"), Catch::Contains("started"));
+  std::string text = to_json_text(toy::run_record());
+  text.replace(text.find("\"complete\""), 10, "\"finished\"");
+  CHECK_THAT(message(text), Catch::Contains("finished"));
+  CHECK_THROWS_AS(load_run_record(std::filesystem::path("no") / "such" / "run.json"), InputError);
+}

@@ -1,0 +1,124 @@
+"""Checks instances/schema.json: every shipped instance fits it, and broken ones do not.
+
+Usage: schema_test.py FOLDER_OF_INSTANCES. Exit code 77 (skipped) without python3-jsonschema.
+"""
+
+import copy
+import json
+import pathlib
+import sys
+
+try:
+    from jsonschema import Draft202012Validator
+except ImportError:
+    print("skipped: python3-jsonschema is not installed")
+    sys.exit(77)
+
+PLANE = {
+    "format": "gcsbench-instance/1",
+    "id": "plane",
+    "dimension": 2,
+    "points": ["p1", "p2", "p3"],
+    "constraints": [
+        {"id": "a1", "type": "distance", "between": ["p1", "p2"], "length": 3},
+        {"type": "distance", "between": ["p1", "p3"], "squared": 16.0},
+        {"type": "distance", "between": ["p2", "p3"], "length": 5},
+    ],
+    "reference": {"origin": "p1", "axis": "p2"},
+    "sketch": {"p1": [0, 0], "p2": [2, 0], "p3": [0, 3]},
+    "interpolation": {"bent": "a1", "bend": 2},
+    "construction": [{"place": "p3", "from": [["p1", "a2"], ["p2", "k1"]]}],
+    "published": [{"quantity": "real", "convention": "", "value": 2, "source": "Euclid"}],
+}
+
+SPACE = {
+    "format": "gcsbench-instance/1",
+    "id": "space",
+    "dimension": 3,
+    "points": ["p1"],
+    "lines": ["L"],
+    "constraints": [{"type": "distance", "between": ["L", "p1"], "length": 0}],
+    "reference": {"line": "L", "height": "p1"},
+    "sketch": {"p1": [0, 0, 0], "L": {"point": [1, 0, 0], "direction": [0, 1, 0]}},
+}
+
+REMOVED = object()
+
+BROKEN = [
+    (PLANE, ["sketh"], {}),
+    (PLANE, ["format"], "gcsbench-instance/2"),
+    (PLANE, ["format"], REMOVED),
+    (PLANE, ["id"], "a/b"),
+    (PLANE, ["dimension"], 4),
+    (PLANE, ["points"], []),
+    (PLANE, ["points", 2], "p1"),
+    (PLANE, ["points", 2], ""),
+    (PLANE, ["lines"], ["L"]),
+    (PLANE, ["constraints"], []),
+    (PLANE, ["constraints", 0, "type"], "angle"),
+    (PLANE, ["constraints", 0, "lenght"], 3),
+    (PLANE, ["constraints", 0, "squared"], 9),
+    (PLANE, ["constraints", 0, "length"], REMOVED),
+    (PLANE, ["constraints", 0, "length"], -1),
+    (PLANE, ["constraints", 0, "length"], "3"),
+    (PLANE, ["constraints", 0, "between"], ["p1"]),
+    (PLANE, ["constraints", 0, "between"], ["p1", "p1"]),
+    (PLANE, ["reference", "axis"], REMOVED),
+    (PLANE, ["reference", "plane"], "p3"),
+    (PLANE, ["reference", "line"], "L"),
+    (PLANE, ["sketch", "p1"], [0, 0, 0]),
+    (PLANE, ["sketch", "p1"], [0, "0"]),
+    (PLANE, ["fixed"], {"p1": [0, 0, 0]}),
+    (PLANE, ["interpolation", "bend"], 0),
+    (PLANE, ["construction", 0, "from", 0], ["p1"]),
+    (PLANE, ["construction", 0, "place"], REMOVED),
+    (PLANE, ["published", 0, "value"], "2"),
+    (PLANE, ["published", 0, "source"], REMOVED),
+    (SPACE, ["reference", "height"], REMOVED),
+    (SPACE, ["reference", "origin"], "p1"),
+    (SPACE, ["sketch", "p1"], [0, 0]),
+    (SPACE, ["sketch", "L", "direction"], [0, 0, 0]),
+    (SPACE, ["sketch", "L", "directon"], [0, 0, 1]),
+    (SPACE, ["planes"], ["E"]),
+]
+
+
+def changed(document, path, value):
+    """A copy of the document with the value at the path replaced or removed."""
+    result = copy.deepcopy(document)
+    target = result
+    for step in path[:-1]:
+        target = target[step]
+    if value is REMOVED:
+        del target[path[-1]]
+    else:
+        target[path[-1]] = value
+    return result
+
+
+def complaints(validator, folder):
+    """Yields a line for every verdict of the schema that is wrong."""
+    for file in sorted(folder.glob("*.json")):
+        if file.name == "schema.json":
+            continue
+        for error in validator.iter_errors(json.loads(file.read_text(encoding="utf-8"))):
+            yield f"{file.name}: {error.json_path}: {error.message}"
+    for document in (PLANE, SPACE):
+        for error in validator.iter_errors(document):
+            yield f"the sound '{document['id']}' is refused: {error.json_path}: {error.message}"
+    for document, path, value in BROKEN:
+        if validator.is_valid(changed(document, path, value)):
+            yield f"the broken '{document['id']}' passes: {path} = {'removed' if value is REMOVED else value}"
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    schema = json.loads((folder / "schema.json").read_text(encoding="utf-8"))
+    Draft202012Validator.check_schema(schema)
+    wrong = list(complaints(Draft202012Validator(schema), folder))
+    print("\n".join(wrong) if wrong else f"the schema is right about all instances and {len(BROKEN)} broken ones")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,16 @@
+# Run at every build: writes OUTPUT, a header with the commit of SOURCE, and touches it only when it changes.
+find_program(git_program git)
+set(commit unknown)
+if(git_program)
+  # A folder inside somebody else's repository has no commit of its own.
+  execute_process(COMMAND ${git_program} -C ${SOURCE} rev-parse --show-prefix HEAD
+                  OUTPUT_VARIABLE answer RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT failed AND answer MATCHES "^\n?([0-9a-f]+)$")
+    set(commit ${CMAKE_MATCH_1})
+    execute_process(COMMAND ${git_program} -C ${SOURCE} diff --quiet HEAD RESULT_VARIABLE dirty)
+    if(dirty)
+      string(APPEND commit "+dirty")
+    endif()
+  endif()
+endif()
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#define GCSBENCH_SOURCE_COMMIT \"${commit}\"\n")

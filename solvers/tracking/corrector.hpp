@@ -7,7 +7,8 @@
 namespace gcs {
 
 /// Fed with the sizes of successive corrections. With the matrix frozen they fall by a constant factor, which
-/// is about the distance moved divided by the distance at which Newton would leave the path.
+/// is about the distance moved divided by the distance at which Newton would leave the path, and also the
+/// relative error of whatever is computed with the frozen matrix afterwards.
 class CorrectorTest {
  public:
   enum class Verdict { again, settled, refuse };
@@ -20,13 +21,18 @@ class CorrectorTest {
     if (!(correction <= first_limit * tolerance_)) return Verdict::refuse;
     if (correction <= noise) return Verdict::settled;
     if (previous_ > 0) {
-      if (correction > contraction * previous_)
-        return correction <= noise_limit * noise ? Verdict::settled : Verdict::refuse;
-      if (correction * correction <= noise * previous_) return Verdict::settled;
+      const double factor = correction / previous_;
+      if (factor > contraction) return correction <= noise_limit * noise ? Verdict::settled : Verdict::refuse;
+      factor_ = std::max(factor_, factor);
+      if (correction * factor <= noise) return Verdict::settled;
     }
     previous_ = correction;
     return Verdict::again;
   }
+
+  /// The matrix has to be renewed before a tangent is computed with it: a stale tangent would be off by more
+  /// than the tolerance per step.
+  bool matrix_is_stale() const { return factor_ > stale_limit * tolerance_; }
 
  private:
   static constexpr double first_limit =
@@ -34,8 +40,10 @@ class CorrectorTest {
   static constexpr double contraction = 0.1;
   static constexpr double noise_limit =
       1e3;  ///< rounding amplified by a condition number of the Jacobian up to 1e3·64
+  static constexpr double stale_limit = 10;
   double tolerance_;
   double previous_ = 0;
+  double factor_ = 0;
 };
 
 }  // namespace gcs

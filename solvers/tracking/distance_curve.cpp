@@ -77,6 +77,7 @@ bool DistanceCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, 
     if (verdict == CorrectorTest::Verdict::settled) break;
     residual(y, right_side_.head(m));
   }
+  if (test.matrix_is_stale()) factorise(y, tangent);
   expand(y, series);
   return true;
 }
@@ -85,13 +86,10 @@ void DistanceCurve::set_differences(int n, const ArcSeries& series) {
   const auto coefficient = series.coefficient(n);
   lengths_.set(n, coefficient[system_.unknowns()]);
   system_.place(coefficient.head(system_.unknowns()), moving_);
-  for (int axis = 0; axis < system_.dimension(); ++axis) {
-    auto difference = edges_.difference(n, axis);
-    for (int e = 0; e < system_.equations(); ++e) {
-      const auto [a, b] = system_.edges()[e];
-      difference[e] = moving_(axis, a) - moving_(axis, b);
-    }
-  }
+  auto difference = edges_.difference(n);
+  Eigen::Index i = 0;
+  for (int axis = 0; axis < system_.dimension(); ++axis)
+    for (const auto& [a, b] : system_.edges()) difference[i++] = moving_(axis, a) - moving_(axis, b);
 }
 
 /// Σ over the orders: B c_n = −constant_n with the factorised B = [f_x, f_t; tangent]; see ArcSeries for the

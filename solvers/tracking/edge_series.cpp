@@ -34,17 +34,20 @@ void LengthSeries::known(int n, Eigen::Ref<Eigen::VectorXd> result) {
 }
 
 EdgeSeries::EdgeSeries(Eigen::Index edges, int dimension, int order)
-    : dimension_(dimension), differences_(edges, (order + 1) * dimension) {}
+    : dimension_(dimension), differences_(edges * dimension, order + 1), products_(edges * dimension) {}
 
-void EdgeSeries::resize(Eigen::Index edges) { differences_.resize(edges, differences_.cols()); }
+void EdgeSeries::resize(Eigen::Index edges) {
+  differences_.resize(edges * dimension_, differences_.cols());
+  products_.resize(edges * dimension_);
+}
 
-void EdgeSeries::half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result) const {
-  result.setZero();
-  for (int i = 1; 2 * i <= n; ++i) {
-    const double weight = 2 * i == n ? 0.5 : 1.0;
-    for (int axis = 0; axis < dimension_; ++axis)
-      result.array() += weight * difference(i, axis).array() * difference(n - i, axis).array();
-  }
+void EdgeSeries::half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result) {
+  products_.setZero();
+  for (int i = 1; 2 * i < n; ++i) products_.array() += difference(i).array() * difference(n - i).array();
+  if (n % 2 == 0) products_.array() += 0.5 * difference(n / 2).array().square();
+  const Eigen::Index m = edges();
+  result = products_.head(m) + products_.segment(m, m);
+  if (dimension_ == 3) result += products_.tail(m);
 }
 
 }  // namespace gcs

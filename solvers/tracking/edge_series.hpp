@@ -33,23 +33,24 @@ class LengthSeries {
   Eigen::VectorXd offset_, offset2_;                             // series of t − t0 and (t − t0)²
 };
 
-/// Differences of the end points of all edges as series, one array per order and axis so that loops run over
-/// edges.
+/// Differences of the end points of all edges as series. All axes of one order are one array, so that the
+/// convolution, the costliest loop of a step, runs over axes and edges at once.
 class EdgeSeries {
  public:
   EdgeSeries(Eigen::Index edges, int dimension, int order);
 
   void resize(Eigen::Index edges);
-  Eigen::Index edges() const { return differences_.rows(); }
-  /// The n-th coefficients of (p_a − p_b) along `axis`, one per edge.
-  auto difference(int n, int axis) { return differences_.col(n * dimension_ + axis); }
-  auto difference(int n, int axis) const { return differences_.col(n * dimension_ + axis); }
+  Eigen::Index edges() const { return products_.size() / dimension_; }
+  /// The n-th coefficients of (p_a − p_b): entry axis · edges + edge.
+  auto difference(int n) { return differences_.col(n); }
+  auto difference(int n) const { return differences_.col(n); }
   /// ½ Σ_{i=1}^{n−1} d_i·d_{n−i} for every edge.
-  void half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result) const;
+  void half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result);
 
  private:
   int dimension_;
   Eigen::MatrixXd differences_;
+  Eigen::VectorXd products_;
 };
 
 }  // namespace gcs

@@ -34,16 +34,27 @@ PlanCurve::PlanCurve(const Scene& scene, Plan plan, Figure sketch, const PlanCur
       sketch_(std::move(sketch)),
       points_(sketch_.points) {
   for (const DistanceConstraint& c : scene.problem().constraints) ends_.push_back(c.between);
-  known_.setZero(scene.constraint_count());
   configure();
 }
 
 /// Sizes and index tables that follow from the plan.
 void PlanCurve::configure() {
-  driven_place_.clear();
-  for (const Instruction& instruction : plan_.instructions())
-    for (int i = 0; i < instruction.count; ++i)
-      if (instruction.spheres[i].is_driven()) driven_place_.push_back(instruction.place);
+  std::vector<std::array<int, 2>> edges = ends_;
+  steps_.clear();
+  for (const Instruction& instruction : plan_.instructions()) {
+    Step step{row(instruction.place, 0), instruction.count, {}, {}};
+    for (int i = 0; i < instruction.count; ++i) {
+      const Sphere& sphere = instruction.spheres[i];
+      step.edge[i] = sphere.is_driven() ? static_cast<Eigen::Index>(edges.size()) : sphere.constraint;
+      step.center[i] = sphere.is_driven() ? -1 : row(sphere.center, 0);
+      if (sphere.is_driven()) edges.push_back({instruction.place, -1});
+    }
+    steps_.push_back(step);
+  }
+  edge_coordinates_.clear();
+  for (int axis = 0; axis < dimension_; ++axis)
+    for (const auto& [a, b] : edges) edge_coordinates_.push_back({row(a, axis), b < 0 ? -1 : row(b, axis)});
+
   const Eigen::Index d = plan_.driving_parameters();
   normals_.assign(plan_.instructions().size(), Eigen::Matrix3d::Zero());
   inverse_.assign(plan_.instructions().size(), Eigen::Matrix3d::Zero());
@@ -55,7 +66,8 @@ void PlanCurve::configure() {
   bordered_inverse_.setZero(d + 1, d + 1);
   sensitivity_.setZero(coordinates_, d + 1);
   sensitivity_(coordinates_ - 1, 0) = 1;
-  edges_.resize(static_cast<Eigen::Index>(ends_.size()) + d);
+  edges_.resize(static_cast<Eigen::Index>(edges.size()));
+  constant_.setZero(edges_.edges());
   half_convolution_.setZero(edges_.edges());
 }
 
@@ -141,6 +153,7 @@ void PlanCurve::differentiate() {
 void PlanCurve::border_and_invert(const Eigen::VectorXd& tangent) {
   bordered_.bottomRows<1>() = tangent.transpose() * sensitivity_;
   bordered_inverse_ = bordered_.partialPivLu().inverse();
+  sensitivity_columns_ = sensitivity_;
   ++work_.factorisations;
 }
 
@@ -224,6 +237,10 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
     if (verdict == CorrectorTest::Verdict::refuse) return false;
     settled = verdict == CorrectorTest::Verdict::settled;
   }
+  if (test.matrix_is_stale()) {
+    differentiate();
+    border_and_invert(tangent);
+  }
   figure = points_.topRows(dimension_);
   y[coordinates_ - 1] = parameters_[0];
   expand(y, series);
@@ -231,55 +248,45 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
 }
 
 void PlanCurve::set_differences(int n, const ArcSeries& series) {
-  const auto coefficient = series.coefficient(n);
+  const double* coefficient = series.coefficients().col(n).data();
   lengths_.set(n, coefficient[coordinates_ - 1]);
-  const auto constraints = static_cast<Eigen::Index>(ends_.size());
-  for (int axis = 0; axis < dimension_; ++axis) {
-    auto difference = edges_.difference(n, axis);
-    for (Eigen::Index e = 0; e < constraints; ++e)
-      difference[e] = coefficient[row(ends_[e][0], axis)] - coefficient[row(ends_[e][1], axis)];
-    for (std::size_t j = 0; j < driven_place_.size(); ++j)
-      difference[constraints + static_cast<Eigen::Index>(j)] = coefficient[row(driven_place_[j], axis)];
-  }
+  auto difference = edges_.difference(n);
+  Eigen::Index i = 0;
+  for (const auto& [a, b] : edge_coordinates_)
+    difference[i++] = coefficient[a] - (b < 0 ? 0 : coefficient[b]);
 }
 
 /// The n-th coefficients of all points as if the parameters had none, then the parameters' from the removed
-/// constraints.
+/// constraints. constant_ holds what lower orders contribute to each edge.
 void PlanCurve::sweep(int n, ArcSeries& series) {
-  auto coefficient = series.coefficient(n);
-  coefficient.setZero();
-  const auto constraints = static_cast<Eigen::Index>(ends_.size());
-  for (std::size_t k = 0; k < plan_.instructions().size(); ++k) {
-    const Instruction& instruction = plan_.instructions()[k];
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    int driven = plan_.driven_before(k);
-    for (int i = 0; i < instruction.count; ++i) {
-      const Sphere& sphere = instruction.spheres[i];
-      if (sphere.is_driven()) {
-        right[i] = -half_convolution_[constraints + driven++];
-        continue;
-      }
-      right[i] = known_[sphere.constraint] - half_convolution_[sphere.constraint];
+  auto column = series.coefficient(n);
+  column.setZero();
+  double* coefficient = column.data();
+  for (std::size_t k = 0; k < steps_.size(); ++k) {
+    const Step& step = steps_[k];
+    std::array<double, 3> right{};
+    for (int i = 0; i < step.count; ++i) {
+      right[i] = constant_[step.edge[i]];
+      if (step.center[i] < 0) continue;
       for (int axis = 0; axis < dimension_; ++axis)
-        right[i] += normals_[k](i, axis) * coefficient[row(sphere.center, axis)];
+        right[i] += normals_[k](i, axis) * coefficient[step.center[i] + axis];
     }
-    const Eigen::Vector3d point = inverse_[k] * right;
-    for (int axis = 0; axis < instruction.count; ++axis)
-      coefficient[row(instruction.place, axis)] = point[axis];
+    for (int axis = 0; axis < step.count; ++axis)
+      coefficient[step.point + axis] =
+          inverse_[k](axis, 0) * right[0] + inverse_[k](axis, 1) * right[1] + inverse_[k](axis, 2) * right[2];
   }
   const Eigen::Index d = plan_.driving_parameters();
   for (Eigen::Index r = 0; r < d; ++r) {
     const int c = plan_.removed()[static_cast<std::size_t>(r)];
     const auto [a, b] = ends_[c];
-    double value = half_convolution_[c] - known_[c];
+    right_side_[r] = constant_[c];
     for (int axis = 0; axis < dimension_; ++axis)
-      value +=
+      right_side_[r] -=
           (points_(axis, a) - points_(axis, b)) * (coefficient[row(a, axis)] - coefficient[row(b, axis)]);
-    right_side_[r] = -value;
   }
-  right_side_[d] = series.arc_length_term(n) - series.coefficient(1).dot(coefficient);
-  change_.noalias() = bordered_inverse_ * right_side_;
-  coefficient.noalias() += sensitivity_ * change_;
+  right_side_[d] = series.arc_length_term(n) - series.coefficient(1).dot(column);
+  change_ = bordered_inverse_.lazyProduct(right_side_);
+  for (Eigen::Index j = 0; j <= d; ++j) column += change_[j] * sensitivity_columns_.col(j);
 }
 
 void PlanCurve::expand(const Eigen::VectorXd& y, ArcSeries& series) {
@@ -289,8 +296,10 @@ void PlanCurve::expand(const Eigen::VectorXd& y, ArcSeries& series) {
   series.coefficient(1) /= series.coefficient(1).norm();
   set_differences(1, series);
   for (int n = 2; n <= series.order(); ++n) {
-    lengths_.known(n, known_);
     edges_.half_convolution(n, half_convolution_);
+    lengths_.known(n, constant_.head(static_cast<Eigen::Index>(ends_.size())));
+    constant_.tail(plan_.driving_parameters()).setZero();
+    constant_ -= half_convolution_;
     sweep(n, series);
     if (n < series.order()) set_differences(n, series);
   }

@@ -19,8 +19,8 @@
 namespace gcs {
 
 struct PlanCurveOptions {
-  int order = 16;
-  double tolerance = 1e-9;
+  int order = 12;
+  double tolerance = 1e-7;
   bool swap = true;  ///< Algorithms 2–4; false: only the branch is found again after every step
   ExchangeRule exchange;
 };
@@ -77,18 +77,30 @@ class PlanCurve {
   std::vector<std::array<int, 2>> ends_;  ///< of every constraint
   LengthSeries lengths_;
   EdgeSeries edges_;  ///< constraints, then driven spheres
+  /// Coordinates whose difference is entry i of an EdgeSeries; a driven sphere has a fixed centre: −1.
+  std::vector<std::array<Eigen::Index, 2>> edge_coordinates_;
+  /// An instruction as the sweeps want it: first coordinates of the point and of the centres (−1: fixed),
+  /// edges.
+  struct Step {
+    Eigen::Index point;
+    int count;
+    std::array<Eigen::Index, 3> edge;
+    std::array<Eigen::Index, 3> center;
+  };
+  std::vector<Step> steps_;
   Plan plan_;
   std::optional<Plan> previous_plan_;  ///< what reject() goes back to
   Figure sketch_;
 
-  std::vector<int> driven_place_;  ///< per driving parameter: the point it places
   Eigen::Matrix3Xd points_;
   Eigen::VectorXd parameters_;
   std::vector<Eigen::Matrix3d> normals_;  ///< per instruction: row i is p − c_i
   std::vector<Eigen::Matrix3d> inverse_;  ///< of the leading count × count block, zero elsewhere
   RowMatrix sensitivity_;
+  Eigen::MatrixXd sensitivity_columns_;  ///< the same, stored the other way for products with a vector
   Eigen::MatrixXd bordered_, bordered_inverse_;
-  Eigen::VectorXd right_side_, change_, residual_, known_, half_convolution_;
+  Eigen::VectorXd right_side_, change_, residual_;
+  Eigen::VectorXd constant_, half_convolution_;  ///< per edge
   WorkCounters work_;
   double driving_sum_ = 0;
 };

@@ -49,8 +49,8 @@ concept SeriesCurve = requires(C curve, int orientation, Eigen::VectorXd& y, con
 };
 
 struct SeriesTrackerOptions {
-  int order = 16;
-  double tolerance = 1e-9;  ///< size of the last terms kept, in the scene's unit
+  int order = 12;
+  double tolerance = 1e-7;  ///< size of the last terms kept, in the scene's unit
   double step_max = 1;      ///< arc length in (X, t)
   double step_min = 1e-10;
   std::int64_t max_steps = 1'000'000;

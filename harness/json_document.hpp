@@ -29,7 +29,7 @@ struct JsonValue {
   double number = 0;  ///< the nearest double
   std::string text;   ///< a number's decimal text as written, or a string's value
   std::vector<JsonValue> elements;
-  std::vector<std::pair<std::string, JsonValue>> members;
+  std::vector<std::pair<std::string, JsonValue>> members{};
 
   /// Out of line: inline it would need pairs of this type before the type is complete.
   JsonValue();

@@ -12,9 +12,9 @@
 namespace gcs {
 namespace {
 
-/// Below three no median is worth its name; above two hundred the interval hardly narrows.
+/// Below three no median is worth its name; above a hundred the interval hardly narrows.
 constexpr int fewest_repetitions = 3;
-constexpr int most_repetitions = 201;
+constexpr int most_repetitions = 101;
 
 using Clock = std::chrono::steady_clock;
 

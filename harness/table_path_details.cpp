@@ -25,35 +25,37 @@ Number ms_per_iteration(const CellRecord& cell) {
   return *time * 1e3 / static_cast<double>(cell.work.iterations);
 }
 
+/// Durations, and what is computed from them, are withheld with a wrong answer.
+enum class Kind { duration, per_duration, answer };
+
 /// A line of the paper's table: what it is called there and here, and where a cell keeps it.
 struct Quantity {
   const char* row;
   const char* label;
   Number (*of)(const CellRecord&);
-  bool is_time;        ///< withheld with a wrong answer
+  Kind kind;
   bool of_plans_only;  ///< the paper prints it for the tracking with plans only
 };
 
 constexpr std::array quantities{
-    Quantity{"time_s", "time t", median_s, true, false},
-    Quantity{"smallest_step", "smallest δ", [](const CellRecord& c) { return c.work.smallest_step; }, false,
-             false},
+    Quantity{"time_s", "time t", median_s, Kind::duration, false},
+    Quantity{"smallest_step", "smallest δ", [](const CellRecord& c) { return c.work.smallest_step; },
+             Kind::answer, false},
     Quantity{"iterations", "iterations i", [](const CellRecord& c) { return Number(c.work.iterations); },
-             false, false},
-    Quantity{"ms_per_iteration", "t/i in ms", ms_per_iteration, true, false},
+             Kind::answer, false},
+    Quantity{"ms_per_iteration", "t/i in ms", ms_per_iteration, Kind::per_duration, false},
     Quantity{"plan_changes", "plan changes", [](const CellRecord& c) { return Number(c.work.plan_changes); },
-             false, true},
+             Kind::answer, true},
     Quantity{"mean_driving_parameters", "mean driving parameters",
-             [](const CellRecord& c) { return c.work.mean_driving_parameters; }, false, true},
+             [](const CellRecord& c) { return c.work.mean_driving_parameters; }, Kind::answer, true},
     Quantity{"max_driving_parameters", "max driving parameters",
              [](const CellRecord& c) {
                return c.work.max_driving_parameters ? Number(*c.work.max_driving_parameters) : std::nullopt;
              },
-             false, true},
+             Kind::answer, true},
 };
 
-/// A strategy beside the method of the paper that it stands for. Empty variant: the column is left out of a
-/// block.
+/// A column of every instance and the paper's method in it.
 struct Column {
   const char* title;
   const char* method;
@@ -147,12 +149,15 @@ class Builder {
   void add_ours(const Block& block, const Quantity& quantity) {
     const std::string label = std::string(quantity.label) + (block.beside_published ? ": ours" : "");
     add_row(label, [&](const MeasuredInstance& instance, int column) {
-      if (!is_shown(block, quantity, column)) return empty_entry();
-      const CellRecord* found = cell(block, instance, column);
-      if (quantity.of == median_s) return time_entry(table_, found);
-      if (quantity.is_time && (found == nullptr || !found->is_right())) return time_entry(table_, found);
-      return answer_entry(table_, found, found == nullptr ? std::nullopt : quantity.of(*found));
+      return is_shown(block, quantity, column) ? entry(quantity, cell(block, instance, column))
+                                               : empty_entry();
     });
+  }
+
+  TableCell entry(const Quantity& quantity, const CellRecord* cell) {
+    const bool wants_time = quantity.kind != Kind::answer;
+    if (quantity.kind == Kind::duration || (wants_time && !total_time(cell))) return time_entry(table_, cell);
+    return answer_entry(table_, cell, cell == nullptr ? std::nullopt : quantity.of(*cell));
   }
 
   void add_ratio(const Block& block, const Quantity& quantity) {

@@ -137,7 +137,7 @@ TEST_CASE("the number of repetitions follows the budget within its bounds") {
   settings.budget_s = 0;
   CHECK(measure_answers({""}, settings).front().repetitions.size() == 3);
   settings.budget_s = 1e6;
-  CHECK(measure_answers({""}, settings).front().repetitions.size() == 201);
+  CHECK(measure_answers({""}, settings).front().repetitions.size() == 101);
 }
 
 TEST_CASE("cells are not run when the time for everything is used up") {

@@ -6,8 +6,8 @@
 /// hyperplane through the predicted point normal to the tangent and succeeds with the first of 2-norm below
 /// 1e-10; lengths are in the file's unit; a crossing of t = 1 is a change of sign of t − 1 between accepted
 /// points; the path is closed when it passes the start in the direction of the first tangent. The step that
-/// does so is counted. Along one homotopy the orientation is that which keeps the sign of det [H'; tangent],
-/// so that a hairpin that a step cuts off does not turn the tracker back.
+/// does so is counted. A tangent is
+/// oriented by an acute angle with the one before.
 ///
 /// It does not avoid jumps between arcs, as [I] says itself; the mode exists to reproduce the published
 /// figures.
@@ -115,23 +115,18 @@ class EulerNewtonTracker {
     if (full.rank() < jacobian_.rows()) return false;
     tangent_ = full.kernel().col(0).normalized();
     if (t_of(tangent_) * options_.orientation < 0) tangent_ = -tangent_;
-    determinant_is_positive_ = bordered(tangent_).determinant() > 0;
     return true;
   }
 
   bool next_tangent() {
-    if (!oriented_tangent()) return false;
-    if (!homotopy_.after_step(previous_, here_, tangent_)) return true;
-    if (!evaluate_jacobian(here_)) return false;
-    determinant_is_positive_ = bordered(tangent_).determinant() > 0;
-    return oriented_tangent();
+    return continued_tangent() && (!homotopy_.after_step(previous_, here_, tangent_) || continued_tangent());
   }
 
-  bool oriented_tangent() {
+  /// The tangent at here_ that makes an acute angle with the last one.
+  bool continued_tangent() {
     if (!evaluate_jacobian(here_)) return false;
-    const auto lu = bordered(tangent_);
-    tangent_ = lu.solve(Eigen::VectorXd::Unit(tangent_.size(), tangent_.size() - 1)).normalized();
-    if ((lu.determinant() > 0) != determinant_is_positive_) tangent_ = -tangent_;
+    const Eigen::Index last = tangent_.size() - 1;
+    tangent_ = bordered(tangent_).solve(Eigen::VectorXd::Unit(last + 1, last)).normalized();
     return tangent_.allFinite();
   }
 
@@ -239,7 +234,6 @@ class EulerNewtonTracker {
   EulerNewtonOptions options_;
   TrackerContext context_;
   double step_;
-  bool determinant_is_positive_ = true;
   Eigen::VectorXd previous_, here_, there_, tangent_, start_, start_tangent_, residual_;
   Eigen::MatrixXd jacobian_;
   TrackedPath path_;

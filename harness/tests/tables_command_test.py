@@ -1,0 +1,150 @@
+#!/usr/bin/python3
+"""`gcsbench tables` and `gcsbench report` from outside: what they print, store, rebuild and refuse.
+
+Usage: tables_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import json
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+PROGRAM = ""
+SOURCE = Path()
+
+DONE, BAD_INPUT, NOT_SOLVED, INTERRUPTED = 0, 2, 3, 130
+TABLE_FILES = {f"{name}.{ext}" for name in ("table1", "measurements") for ext in ("md", "csv", "tex")}
+
+
+def command(*arguments):
+    return [PROGRAM, *map(str, arguments)]
+
+
+def run(*arguments):
+    return subprocess.run(command(*arguments), capture_output=True, text=True, timeout=300, cwd=SOURCE, check=False)
+
+
+def contents(folder, names):
+    return {name: (folder / name).read_bytes() for name in names}
+
+
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def measure(self, *more):
+        return run("tables", "table1", "--instances", "octahedron", "--strategies", "full-space", "--repetitions", 3,
+                   "--out", self.folder, *more)
+
+
+class Tables(WithFolder):
+    def test_prints_and_stores(self):
+        done = self.measure()
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertEqual(done.stderr, "")
+        self.assertTrue(done.stdout.startswith("### Table 1"))
+        self.assertIn("72 [1]", done.stdout)
+        self.assertIn("not measured", done.stdout, "the strategy that was not selected")
+        self.assertEqual({path.name for path in self.folder.iterdir()}, TABLE_FILES | {"run.json"})
+        record = json.loads((self.folder / "run.json").read_text())
+        self.assertEqual(record["format"], "gcsbench-run/1")
+        default = next(cell for cell in record["cells"] if not cell["given"])
+        self.assertEqual(default["counts"]["on_path"], 4)
+        self.assertEqual(len(default["repetitions"]), 3)
+
+    def test_resume_measures_nothing_again(self):
+        self.measure()
+        before = json.loads((self.folder / "run.json").read_text())["cells"]
+        done = self.measure("--resume")
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        after = json.loads((self.folder / "run.json").read_text())["cells"]
+        finished = [cell for cell in before if cell["status"] == "complete"]
+        self.assertTrue(finished)
+        for cell in finished:
+            self.assertIn(cell, after)
+
+    def test_resume_refuses_the_run_of_another_build(self):
+        self.measure()
+        file = self.folder / "run.json"
+        record = json.loads(file.read_text())
+        record["environment"]["compiler"] = "another"
+        file.write_text(json.dumps(record))
+        done = self.measure("--resume")
+        self.assertEqual(done.returncode, BAD_INPUT)
+        self.assertIn(str(file), done.stderr)
+
+    def test_interrupt_keeps_what_was_measured(self):
+        process = subprocess.Popen(command("tables", "table1", "--instances", "octahedron,icosahedron", "--out",
+                                           self.folder, "--repetitions", 100000),
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=SOURCE)
+        file = self.folder / "run.json"
+        deadline = time.monotonic() + 60
+        while not file.exists() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        output, _ = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, INTERRUPTED)
+        self.assertTrue(output.startswith("### Table 1"))
+        self.assertEqual(run("report", self.folder).returncode, DONE)
+
+    def test_tables_without_a_strategy(self):
+        done = run("tables", "tangents", "hoffmann-yuan")
+        self.assertEqual(done.returncode, NOT_SOLVED)
+        self.assertEqual(len(done.stdout.splitlines()), 2)
+
+    def test_instances_out_of_reach_say_so_in_every_cell(self):
+        done = run("tables", "table1", "--instances", "tangents-durand")
+        self.assertEqual(done.returncode, NOT_SOLVED)
+        self.assertIn("unsupported", done.stdout)
+
+    def test_bad_input(self):
+        plain_file = self.folder / "file"
+        plain_file.write_text("")
+        for arguments in (["table3"], ["table1", "--strategies", "nope"], ["table1", "--instances", "nope"],
+                          ["table1", "--instances", "k33,k33"], ["table1", "--repetitions", "0"],
+                          ["table1", "--resume"], ["table1", "--instances", "k33", "--out", plain_file]):
+            with self.subTest(arguments):
+                done = run("tables", *arguments)
+                self.assertEqual(done.returncode, BAD_INPUT, done.stderr)
+                self.assertEqual(done.stdout, "")
+                self.assertTrue(done.stderr.startswith("gcsbench: "), done.stderr)
+
+
+class Report(WithFolder):
+    def test_rebuilds_what_tables_wrote(self):
+        measured = self.measure()
+        before = contents(self.folder, TABLE_FILES)
+        for name in TABLE_FILES:
+            (self.folder / name).unlink()
+        done = run("report", self.folder, "--format", "md,csv,tex")
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertEqual(done.stdout, measured.stdout)
+        self.assertEqual(contents(self.folder, TABLE_FILES), before)
+
+    def test_formats_and_folder(self):
+        self.measure()
+        out = self.folder / "new" / "folder"
+        self.assertEqual(run("report", self.folder / "run.json", "--format", "csv", "--out", out).returncode, DONE)
+        self.assertEqual({path.name for path in out.iterdir()}, {"table1.csv", "measurements.csv"})
+
+    def test_bad_input(self):
+        self.measure()
+        for arguments in ([self.folder, "--format", "html"], [self.folder / "nothing"],
+                          [self.folder, self.folder, "--out", self.folder], []):
+            with self.subTest(arguments):
+                done = run("report", *arguments)
+                self.assertEqual(done.returncode, BAD_INPUT)
+                self.assertEqual(done.stdout, "")
+                self.assertTrue(done.stderr.startswith("gcsbench: "), done.stderr)
+
+
+if __name__ == "__main__":
+    PROGRAM = str(Path(sys.argv.pop(1)).resolve())
+    SOURCE = Path(sys.argv.pop(1)).resolve()
+    unittest.main()

@@ -55,7 +55,8 @@ Corner corner_of_circle_and_sphere(const Instruction& instruction, const Eigen::
   corner.radius = arm.norm();
   const Eigen::Vector3d to_third = center_of(instruction.spheres[2], points) - corner.pivot;
   const Eigen::Vector3d direction = to_third - axis * axis.dot(to_third);
-  corner.has_line = direction.squaredNorm() > 0;
+  // Nearer to the axis the difference is all rounding and points anywhere.
+  corner.has_line = direction.norm() > 1e-8 * (to_third.norm() + corner.radius);
   corner.foot = corner.has_line ? projection(corner.point, corner.pivot, direction) : corner.pivot;
   corner.sideways = axis.cross(arm).stableNormalized();
   return corner;

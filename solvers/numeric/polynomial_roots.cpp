@@ -1,6 +1,7 @@
 #include "solvers/numeric/polynomial_roots.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace gcs {
 namespace {
@@ -34,13 +35,17 @@ int sign_variations(const Coefficients& b) {
   return variations;
 }
 
-/// de Casteljau at the middle: `b` becomes the left half, the right half is returned.
+/// Where an interval is divided: the golden section, which the roots of no tidy polynomial fall on. A root on
+/// a division point would be seen from both sides, or from none.
+constexpr double division = 0.6180339887498949;
+
+/// de Casteljau at the division point: `b` becomes the left part, the right part is returned.
 Coefficients split(Coefficients& b) {
   Coefficients right(b.size());
   const std::size_t n = b.size() - 1;
   for (std::size_t level = 0; level <= n; ++level) {
     right[n - level] = b[n];
-    for (std::size_t j = n; j > level; --j) b[j] = (b[j] + b[j - 1]) / 2;
+    for (std::size_t j = n; j > level; --j) b[j] = division * b[j] + (1 - division) * b[j - 1];
   }
   return right;
 }
@@ -67,29 +72,33 @@ struct Search {
   double resolution;
   std::vector<double> roots;
 
+  /// Roots in (low, high].
   void descend(Coefficients b, double low, double high) {
-    const int variations = sign_variations(b);
-    if (b.back() == 0) {
-      descend_open(b, variations, low, high);
-      roots.push_back(high);
-    } else {
-      descend_open(b, variations, low, high);
-    }
+    const bool root_at_end = b.back() == 0;
+    descend_open(std::move(b), low, high);
+    if (root_at_end) add(high);
   }
 
  private:
-  void descend_open(Coefficients& b, int variations, double low, double high) {
+  /// Roots in (low, high).
+  void descend_open(Coefficients b, double low, double high) {
+    const int variations = sign_variations(b);
     if (variations == 0) return;
     if (variations == 1 && b.front() != 0 && b.back() != 0) {
-      roots.push_back(bisect(c, low, high));
+      add(bisect(c, low, high));
     } else if (high - low <= resolution) {
-      roots.push_back(low + (high - low) / 2);
+      add(low + (high - low) / 2);
     } else {
-      const Coefficients right = split(b);
-      const double middle = low + (high - low) / 2;
-      descend(b, low, middle);
-      descend(right, middle, high);
+      Coefficients right = split(b);
+      const double middle = low + division * (high - low);
+      descend(std::move(b), low, middle);
+      descend_open(std::move(right), middle, high);
     }
+  }
+
+  /// A multiple root may be seen in two neighbouring intervals.
+  void add(double root) {
+    if (roots.empty() || root - roots.back() > 4 * resolution) roots.push_back(root);
   }
 };
 
@@ -101,7 +110,9 @@ std::vector<double> real_roots(std::span<const double> c, double end) {
   for (std::size_t i = 1; i < c.size(); ++i) reach += std::abs(c[i]) * (power *= end);
   if (std::abs(c[0]) > reach) return {};
   Search search{c, 1e-12 * end, {}};
-  search.descend(to_bernstein(c, end), 0, end);
+  Coefficients b = to_bernstein(c, end);
+  b.back() = evaluate(c, end);
+  search.descend(std::move(b), 0, end);
   return search.roots;
 }
 

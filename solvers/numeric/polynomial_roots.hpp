@@ -7,9 +7,9 @@
 
 namespace gcs {
 
-/// All real roots of Σ c[i]·s^i with 0 < s ≤ `end`, ascending; a root counts once whatever its multiplicity,
-/// and two roots closer than 1e-12·end may count as one. Precondition: end > 0, c not empty, at most 64
-/// coefficients.
+/// All real roots of Σ c[i]·s^i with 0 < s ≤ `end`, ascending. Two roots closer than 4e-12·end count as one;
+/// a multiple root may be found as several within the reach of rounding (1e-8·end for a double one).
+/// Precondition: end > 0, c not empty, at most 64 coefficients.
 std::vector<double> real_roots(std::span<const double> c, double end);
 
 }  // namespace gcs

@@ -6,8 +6,7 @@
 /// hyperplane through the predicted point normal to the tangent and succeeds with the first of 2-norm below
 /// 1e-10; lengths are in the file's unit; a crossing of t = 1 is a change of sign of t − 1 between accepted
 /// points; the path is closed when it passes the start in the direction of the first tangent. The step that
-/// does so is counted. A tangent is
-/// oriented by an acute angle with the one before.
+/// does so is counted; a tangent makes an acute angle with the one before.
 ///
 /// It does not avoid jumps between arcs, as [I] says itself; the mode exists to reproduce the published
 /// figures.

@@ -8,8 +8,8 @@
 namespace gcs {
 
 /// All real roots of Σ c[i]·s^i with 0 < s ≤ `end`, ascending. Two roots closer than 4e-12·end count as one;
-/// a multiple root may be found as several within the reach of rounding (1e-8·end for a double one).
-/// Precondition: end > 0, c not empty, at most 64 coefficients.
+/// a multiple root may be found as several, or missed where rounding lifts it off the axis (1e-8·end for a
+/// double one). Precondition: end > 0, c not empty, at most 64 coefficients.
 std::vector<double> real_roots(std::span<const double> c, double end);
 
 }  // namespace gcs

@@ -1,6 +1,6 @@
 #include "solvers/model/quality.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -58,8 +58,13 @@ double condition_by_definition(const Scene& scene, const Eigen::Matrix3Xd& point
     }
     matrix.row(e) = row.transpose() / row.norm();
   }
-  const Eigen::VectorXd singular = matrix.bdcSvd().singularValues();
-  return singular[0] / singular[singular.size() - 1];
+  // The eigenvalues of [0, A; Aᵀ, 0] are plus and minus the singular values of A (Jordan, Wielandt).
+  const Eigen::Index n = matrix.cols();
+  Eigen::MatrixXd symmetric = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  symmetric.topRightCorner(n, n) = matrix;
+  symmetric.bottomLeftCorner(n, n) = matrix.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[2 * n - 1] / solver.eigenvalues()[n];
 }
 
 }  // namespace

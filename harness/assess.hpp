@@ -43,7 +43,7 @@ struct Counts {
 
 /// Something that must hold in a correct report and does not.
 struct FailedCheck {
-  std::string name;  ///< a fixed word: residual, parity, repeated, malformed
+  std::string name;  ///< a fixed word: residual, off path, alternation, repetition, malformed
   std::string what;  ///< one sentence for a person
 };
 

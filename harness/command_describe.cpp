@@ -70,8 +70,7 @@ std::optional<ConstructionPlan> construction_plan(const Scene& scene) {
   const Problem& problem = scene.problem();
   ConstructionPlan description;
   description.given = !problem.construction.empty();
-  const Plan plan = description.given ? given_plan(scene, *scene.sketch())
-                                      : derive_plan(scene, *scene.sketch(), ExchangeRule{});
+  const Plan plan = first_plan(scene, ExchangeRule{});
   description.instructions = lines_of(describe_plan(scene, plan));
   for (const int constraint : plan.removed())
     description.removed.push_back(problem.constraints[constraint].id);

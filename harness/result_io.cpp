@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "harness/json_build.hpp"
+#include "harness/record_fields.hpp"
 
 namespace gcs {
 
@@ -48,20 +49,29 @@ JsonValue solutions_value(const Problem& problem, const std::vector<AssessedSolu
   return json_array(std::move(values));
 }
 
-JsonValue counts_value(const Counts& counts) {
-  const auto value = [](const std::optional<std::uint64_t>& count) {
-    return json_or_null(count, json_count);
-  };
-  return json_object({{"real_up_to_reflection", value(counts.real_up_to_reflection)},
-                      {"complex_up_to_reflection", value(counts.complex_up_to_reflection)},
-                      {"generic", value(counts.generic)},
-                      {"on_path", value(counts.on_path)},
-                      {"paths", value(counts.paths)},
-                      {"at_infinity", value(counts.at_infinity)},
-                      {"singular", value(counts.singular)},
-                      {"failed_paths", value(counts.failed_paths)},
-                      {"certified", value(counts.certified)}});
-}
+/// Makes the members of an object of what a list of fields visits.
+class MemberWriter {
+ public:
+  explicit MemberWriter(JsonMembers& members) : members_(members) {}
+
+  template <typename T>
+  void operator()(const char* name, const T& value) const {
+    members_.emplace_back(name, to_value(value));
+  }
+  template <typename T>
+  void operator()(const char* name, const std::optional<T>& value) const {
+    members_.emplace_back(name, json_or_null(value, [](const T& v) { return to_value(v); }));
+  }
+
+ private:
+  static JsonValue to_value(double value) { return json_number(value); }
+  static JsonValue to_value(int value) { return json_number(value); }
+  static JsonValue to_value(std::int64_t value) { return json_count(static_cast<std::uint64_t>(value)); }
+  static JsonValue to_value(std::uint64_t value) { return json_count(value); }
+  static JsonValue to_value(const std::string& value) { return json_text(value); }
+
+  JsonMembers& members_;
+};
 
 /// Null for a strategy that follows no path in the lengths.
 JsonValue path_value(const SolveRun& run) {
@@ -71,21 +81,6 @@ JsonValue path_value(const SolveRun& run) {
     crossings.push_back(json_object({{"solution", json_or_null(crossing.solution, json_number)},
                                      {"direction", json_number(crossing.direction)}}));
   return json_array(std::move(crossings));
-}
-
-JsonValue statistics_value(const WorkCounters& work) {
-  const auto count = [](std::int64_t value) { return json_count(static_cast<std::uint64_t>(value)); };
-  return json_object({{"iterations", count(work.iterations)},
-                      {"rejected_steps", count(work.rejected_steps)},
-                      {"smallest_step", json_or_null(work.smallest_step, json_number)},
-                      {"plan_changes", count(work.plan_changes)},
-                      {"mean_driving_parameters", json_or_null(work.mean_driving_parameters, json_number)},
-                      {"max_driving_parameters", json_or_null(work.max_driving_parameters, json_number)},
-                      {"newton_iterations", count(work.newton_iterations)},
-                      {"evaluations", count(work.evaluations)},
-                      {"partial_evaluations", count(work.partial_evaluations)},
-                      {"jacobians", count(work.jacobians)},
-                      {"factorisations", count(work.factorisations)}});
 }
 
 JsonValue options_value(const OptionMap& options) {
@@ -107,19 +102,15 @@ JsonValue timing_value(const Timing& timing) {
                       {"prepare_s", json_number(timing.prepare_s)}});
 }
 
-JsonValue environment_value(const Environment& environment) {
-  return json_object({{"cpu", json_text(environment.cpu)},
-                      {"compiler", json_text(environment.compiler)},
-                      {"flags", json_text(environment.flags)},
-                      {"commit", json_text(environment.commit)},
-                      {"threads", json_number(environment.threads)}});
-}
-
 JsonValue claim_value(const std::optional<Claim>& claim) {
   return json_or_null(claim, [](Claim c) { return json_text(std::string(word(c))); });
 }
 
 JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
+  JsonMembers counts, statistics, origin;
+  visit_counts(run.assessment.counts, MemberWriter(counts));
+  visit_work(run.work, MemberWriter(statistics));
+  visit_environment(environment, MemberWriter(origin));
   return {{"format", json_text("gcsbench-result/1")},
           {"instance", instance.document},
           {"strategy", json_text(run.strategy)},
@@ -128,13 +119,13 @@ JsonMembers result_members(const Instance& instance, const SolveRun& run, const 
           {"status", json_text(std::string(word(run.status)))},
           {"reason", json_text(run.reason)},
           {"claim", claim_value(run.claim)},
-          {"counts", counts_value(run.assessment.counts)},
+          {"counts", json_object(std::move(counts))},
           {"failed_checks", failed_checks_value(run.assessment.failed_checks)},
           {"solutions", solutions_value(instance.problem, run.assessment.solutions)},
           {"path", path_value(run)},
-          {"statistics", statistics_value(run.work)},
+          {"statistics", json_object(std::move(statistics))},
           {"timing", timing_value(run.timing)},
-          {"environment", environment_value(environment)}};
+          {"environment", json_object(std::move(origin))}};
 }
 
 /// One element a line for the long array, one line for everything else.

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "harness/json_document.hpp"
+#include "harness/record_fields.hpp"
 
 namespace gcs {
 namespace {
@@ -29,50 +30,11 @@ RunStatus status_of(const std::string& text) {
   return *found;
 }
 
-// Reading and writing visit the members through one list of names each, so that they cannot disagree.
-
-template <typename Record, typename Visit>
-void visit_counts(Record& counts, Visit visit) {
-  visit("real_up_to_reflection", counts.real_up_to_reflection);
-  visit("complex_up_to_reflection", counts.complex_up_to_reflection);
-  visit("generic", counts.generic);
-  visit("on_path", counts.on_path);
-  visit("paths", counts.paths);
-  visit("at_infinity", counts.at_infinity);
-  visit("singular", counts.singular);
-  visit("failed_paths", counts.failed_paths);
-  visit("certified", counts.certified);
-}
-
-template <typename Record, typename Visit>
-void visit_work(Record& work, Visit visit) {
-  visit("iterations", work.iterations);
-  visit("rejected_steps", work.rejected_steps);
-  visit("newton_iterations", work.newton_iterations);
-  visit("evaluations", work.evaluations);
-  visit("partial_evaluations", work.partial_evaluations);
-  visit("jacobians", work.jacobians);
-  visit("factorisations", work.factorisations);
-  visit("plan_changes", work.plan_changes);
-  visit("smallest_step", work.smallest_step);
-  visit("mean_driving_parameters", work.mean_driving_parameters);
-  visit("max_driving_parameters", work.max_driving_parameters);
-}
-
 template <typename Record, typename Visit>
 void visit_repetition(Record& repetition, Visit visit) {
   visit("prepare_s", repetition.prepare_s);
   visit("solve_s", repetition.solve_s);
   visit("cpu_s", repetition.cpu_s);
-}
-
-template <typename Record, typename Visit>
-void visit_environment(Record& environment, Visit visit) {
-  visit("cpu", environment.cpu);
-  visit("compiler", environment.compiler);
-  visit("flags", environment.flags);
-  visit("commit", environment.commit);
-  visit("threads", environment.threads);
 }
 
 template <typename Record, typename Visit>

@@ -1,6 +1,7 @@
 #include "solvers/construction/derive.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -36,7 +37,10 @@ class Ordering {
     for (int p = 0; p < scene.point_count(); ++p) placed_.push_back(scene.fixed_point(p).has_value());
   }
 
-  std::vector<int> best() const { return count() <= exact_limit ? exact() : greedy(); }
+  std::vector<int> best() const {
+    const auto [cost, order] = greedy();
+    return count() <= exact_limit ? exact(cost) : order;
+  }
   /// Coordinates that the frame leaves to the next point when `placed` are there.
   int need(int placed) const { return anchored_ ? dimension_ : std::min(placed, dimension_); }
 
@@ -44,30 +48,33 @@ class Ordering {
   static constexpr std::int64_t impossible = std::numeric_limits<std::int64_t>::max() / 4;
   int count() const { return static_cast<int>(placed_.size()); }
 
-  /// Driving parameters first; then how many instructions lie downstream of them.
-  template <class IsPlaced>
-  std::int64_t cost(int point, int placed, const IsPlaced& is_placed) const {
+  /// Of the next point when `placed` are there, `known` of its neighbours among them. Driving parameters
+  /// first; then how many instructions lie downstream of them.
+  std::int64_t cost(int placed, int known) const {
     const int wanted = need(placed);
-    const auto known = std::count_if(adjacency_[point].begin(), adjacency_[point].end(),
-                                     [&](const Neighbour& n) { return is_placed(n.point); });
     if (wanted > 0 && known == 0) return impossible;
-    const std::int64_t driven = std::max<std::int64_t>(0, wanted - known);
+    const std::int64_t driven = std::max(0, wanted - known);
     return driven * 1'000'000 + driven * (count() - placed);
   }
 
-  std::vector<int> exact() const {
+  /// Over all sets of placed points that cost no more than `bound`, what some order costs.
+  std::vector<int> exact(std::int64_t bound) const {
     std::uint32_t start = 0;
-    for (int p = 0; p < count(); ++p) start |= static_cast<std::uint32_t>(placed_[p]) << p;
+    std::array<std::uint32_t, exact_limit> neighbours{};
+    for (int p = 0; p < count(); ++p) {
+      start |= static_cast<std::uint32_t>(placed_[p]) << p;
+      for (const Neighbour& n : adjacency_[p]) neighbours[p] |= std::uint32_t{1} << n.point;
+    }
     const std::uint32_t all = (std::uint32_t{1} << count()) - 1;
     std::vector<std::int64_t> best(std::size_t{all} + 1, impossible);
     std::vector<std::int8_t> last(std::size_t{all} + 1, -1);
     best[start] = 0;
     for (std::uint32_t set = start; set < all; ++set) {
-      if ((set & start) != start || best[set] >= impossible) continue;
+      if (best[set] > bound || best[set] >= impossible) continue;
+      const int placed = std::popcount(set);
       for (int p = 0; p < count(); ++p) {
         if (set >> p & 1U) continue;
-        const std::int64_t total =
-            best[set] + cost(p, std::popcount(set), [set](int q) { return (set >> q & 1U) != 0; });
+        const std::int64_t total = best[set] + cost(placed, std::popcount(neighbours[p] & set));
         const std::uint32_t next = set | std::uint32_t{1} << p;
         if (total >= best[next]) continue;
         best[next] = total;
@@ -92,7 +99,9 @@ class Ordering {
       std::int64_t cheapest = choice < 0 ? impossible : 0;
       for (int p = 0; p < count() && !(i == 0 && first >= 0); ++p) {
         if (placed[p]) continue;
-        const std::int64_t c = cost(p, number, [&](int q) { return bool(placed[q]); });
+        const auto known = std::count_if(adjacency_[p].begin(), adjacency_[p].end(),
+                                         [&](const Neighbour& n) { return placed[n.point]; });
+        const std::int64_t c = cost(number, static_cast<int>(known));
         if (c < cheapest) {
           cheapest = c;
           choice = p;
@@ -106,11 +115,11 @@ class Ordering {
     return {total, order};
   }
 
-  std::vector<int> greedy() const {
-    if (anchored_) return greedy_from(-1).second;
+  std::pair<std::int64_t, std::vector<int>> greedy() const {
+    if (anchored_) return greedy_from(-1);
     std::pair<std::int64_t, std::vector<int>> best{impossible, {}};
     for (int first = 0; first < count(); ++first) best = std::min(best, greedy_from(first));
-    return best.second;
+    return best;
   }
 
   const Adjacency& adjacency_;

@@ -12,15 +12,6 @@ namespace {
 /// of the plan, and with them the rounding of its series, grow like 1/γ.
 constexpr double nearest_boundary = 1e-3;
 
-/// Inverse of the leading block, zero elsewhere.
-Eigen::Matrix3d leading_inverse(const Eigen::Matrix3d& normals, int count) {
-  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
-  if (count == 1) inverse(0, 0) = 1 / normals(0, 0);
-  if (count == 2) inverse.topLeftCorner<2, 2>() = normals.topLeftCorner<2, 2>().inverse();
-  if (count == 3) inverse = normals.inverse();
-  return inverse;
-}
-
 }  // namespace
 
 PlanCurve::PlanCurve(const Scene& scene, Plan plan, Figure sketch, const PlanCurveOptions& options)
@@ -39,25 +30,13 @@ PlanCurve::PlanCurve(const Scene& scene, Plan plan, Figure sketch, const PlanCur
 
 /// Sizes and index tables that follow from the plan.
 void PlanCurve::configure() {
-  std::vector<std::array<int, 2>> edges = ends_;
-  steps_.clear();
-  for (const Instruction& instruction : plan_.instructions()) {
-    Step step{row(instruction.place, 0), instruction.count, {}, {}};
-    for (int i = 0; i < instruction.count; ++i) {
-      const Sphere& sphere = instruction.spheres[i];
-      step.edge[i] = sphere.is_driven() ? static_cast<Eigen::Index>(edges.size()) : sphere.constraint;
-      step.center[i] = sphere.is_driven() ? -1 : row(sphere.center, 0);
-      if (sphere.is_driven()) edges.push_back({instruction.place, -1});
-    }
-    steps_.push_back(step);
-  }
-  edge_coordinates_.clear();
-  for (int axis = 0; axis < dimension_; ++axis)
-    for (const auto& [a, b] : edges) edge_coordinates_.push_back({row(a, axis), b < 0 ? -1 : row(b, axis)});
+  driven_.clear();
+  for (const Instruction& instruction : plan_.instructions())
+    for (int i = 0; i < instruction.count; ++i)
+      if (instruction.spheres[i].is_driven()) driven_.push_back(instruction.place);
+  sweep_.configure(plan_, static_cast<int>(ends_.size()));
 
   const Eigen::Index d = plan_.driving_parameters();
-  normals_.assign(plan_.instructions().size(), Eigen::Matrix3d::Zero());
-  inverse_.assign(plan_.instructions().size(), Eigen::Matrix3d::Zero());
   parameters_.setZero(d + 1);
   residual_.setZero(d);
   right_side_.setZero(d + 1);
@@ -66,7 +45,7 @@ void PlanCurve::configure() {
   bordered_inverse_.setZero(d + 1, d + 1);
   sensitivity_.setZero(coordinates_, d + 1);
   sensitivity_(coordinates_ - 1, 0) = 1;
-  edges_.resize(static_cast<Eigen::Index>(edges.size()));
+  edges_.resize(static_cast<Eigen::Index>(ends_.size()) + d);
   constant_.setZero(edges_.edges());
   half_convolution_.setZero(edges_.edges());
 }
@@ -109,51 +88,46 @@ void PlanCurve::residual(Eigen::Ref<Eigen::VectorXd> f) const {
 
 void PlanCurve::differentiate() {
   ++work_.jacobians;
-  const double t = parameters_[0];
-  const auto slope = [&](int c) { return lengths_.paths()[c].value(t) * lengths_.paths()[c].slope(t); };
-  for (std::size_t k = 0; k < plan_.instructions().size(); ++k) {
-    const Instruction& instruction = plan_.instructions()[k];
-    int driven = plan_.driven_before(k);
-    const Eigen::Index active = plan_.driven_before(k + 1) + 1;
-    Eigen::Matrix3d& normals = normals_[k];
-    for (int i = 0; i < instruction.count; ++i)
-      normals.row(i) = points_.col(instruction.place) - center_of(instruction.spheres[i], points_);
-    inverse_[k] = leading_inverse(normals, instruction.count);
+  sweep_.linearise(plan_, points_);
+  sensitivity_.topRows(coordinates_ - 1).setZero();
+  const Eigen::Index m = static_cast<Eigen::Index>(ends_.size());
+  const Eigen::Index d = plan_.driving_parameters();
+  constant_.setZero();
+  for (Eigen::Index c = 0; c < m; ++c) constant_[c] = slope(static_cast<int>(c));
+  sweep_.solve(constant_, 0, sensitivity_.col(0).data());
+  constant_.setZero();
+  std::size_t first = 0;
+  for (Eigen::Index j = 0; j < d; ++j) {
+    while (plan_.driven_before(first + 1) <= j) ++first;
+    constant_[m + j] = 1;
+    sweep_.solve(constant_, first, sensitivity_.col(j + 1).data());
+    constant_[m + j] = 0;
+  }
+  for (Eigen::Index r = 0; r < d; ++r) {
+    const int c = plan_.removed()[static_cast<std::size_t>(r)];
+    for (Eigen::Index j = 0; j <= d; ++j) bordered_(r, j) = pull(c, sensitivity_.col(j).data());
+    bordered_(r, 0) -= slope(c);
+  }
+}
 
-    for (int axis = 0; axis < instruction.count; ++axis)
-      sensitivity_.row(row(instruction.place, axis)).head(active).setZero();
-    for (int i = 0; i < instruction.count; ++i) {
-      const Sphere& sphere = instruction.spheres[i];
-      auto right = change_.head(active);
-      right.setZero();
-      if (sphere.is_driven()) {
-        right[++driven] = 1;
-      } else {
-        right[0] = slope(sphere.constraint);
-        for (int axis = 0; axis < dimension_; ++axis)
-          right += normals(i, axis) * sensitivity_.row(row(sphere.center, axis)).head(active).transpose();
-      }
-      for (int axis = 0; axis < instruction.count; ++axis)
-        sensitivity_.row(row(instruction.place, axis)).head(active) +=
-            inverse_[k](axis, i) * right.transpose();
-    }
-  }
-  for (std::size_t r = 0; r < plan_.removed().size(); ++r) {
-    const int c = plan_.removed()[r];
-    const auto [a, b] = ends_[c];
-    auto gradient = bordered_.row(static_cast<Eigen::Index>(r));
-    gradient.setZero();
-    gradient[0] = -slope(c);
-    for (int axis = 0; axis < dimension_; ++axis)
-      gradient += (points_(axis, a) - points_(axis, b)) *
-                  (sensitivity_.row(row(a, axis)) - sensitivity_.row(row(b, axis)));
-  }
+/// (p_a − p_b)·(move_a − move_b) for the ends of constraint c.
+double PlanCurve::pull(int c, const double* move) const {
+  const auto [a, b] = ends_[c];
+  double sum = 0;
+  for (int axis = 0; axis < dimension_; ++axis)
+    sum += (points_(axis, a) - points_(axis, b)) * (move[row(a, axis)] - move[row(b, axis)]);
+  return sum;
+}
+
+/// a_c·a_c'(t) at the current t.
+double PlanCurve::slope(int c) const {
+  const LengthPath& path = lengths_.paths()[c];
+  return path.value(parameters_[0]) * path.slope(parameters_[0]);
 }
 
 void PlanCurve::border_and_invert(const Eigen::VectorXd& tangent) {
   bordered_.bottomRows<1>() = tangent.transpose() * sensitivity_;
   bordered_inverse_ = bordered_.partialPivLu().inverse();
-  sensitivity_columns_ = sensitivity_;
   ++work_.factorisations;
 }
 
@@ -252,41 +226,26 @@ void PlanCurve::set_differences(int n, const ArcSeries& series) {
   lengths_.set(n, coefficient[coordinates_ - 1]);
   auto difference = edges_.difference(n);
   Eigen::Index i = 0;
-  for (const auto& [a, b] : edge_coordinates_)
-    difference[i++] = coefficient[a] - (b < 0 ? 0 : coefficient[b]);
+  for (int axis = 0; axis < dimension_; ++axis) {
+    for (const auto& [a, b] : ends_) difference[i++] = coefficient[row(a, axis)] - coefficient[row(b, axis)];
+    for (int point : driven_) difference[i++] = coefficient[row(point, axis)];
+  }
 }
 
 /// The n-th coefficients of all points as if the parameters had none, then the parameters' from the removed
 /// constraints. constant_ holds what lower orders contribute to each edge.
-void PlanCurve::sweep(int n, ArcSeries& series) {
+void PlanCurve::solve_order(int n, ArcSeries& series) {
   auto column = series.coefficient(n);
   column.setZero();
-  double* coefficient = column.data();
-  for (std::size_t k = 0; k < steps_.size(); ++k) {
-    const Step& step = steps_[k];
-    std::array<double, 3> right{};
-    for (int i = 0; i < step.count; ++i) {
-      right[i] = constant_[step.edge[i]];
-      if (step.center[i] < 0) continue;
-      for (int axis = 0; axis < dimension_; ++axis)
-        right[i] += normals_[k](i, axis) * coefficient[step.center[i] + axis];
-    }
-    for (int axis = 0; axis < step.count; ++axis)
-      coefficient[step.point + axis] =
-          inverse_[k](axis, 0) * right[0] + inverse_[k](axis, 1) * right[1] + inverse_[k](axis, 2) * right[2];
-  }
+  sweep_.solve(constant_, 0, column.data());
   const Eigen::Index d = plan_.driving_parameters();
   for (Eigen::Index r = 0; r < d; ++r) {
     const int c = plan_.removed()[static_cast<std::size_t>(r)];
-    const auto [a, b] = ends_[c];
-    right_side_[r] = constant_[c];
-    for (int axis = 0; axis < dimension_; ++axis)
-      right_side_[r] -=
-          (points_(axis, a) - points_(axis, b)) * (coefficient[row(a, axis)] - coefficient[row(b, axis)]);
+    right_side_[r] = constant_[c] - pull(c, column.data());
   }
   right_side_[d] = series.arc_length_term(n) - series.coefficient(1).dot(column);
   change_ = bordered_inverse_.lazyProduct(right_side_);
-  for (Eigen::Index j = 0; j <= d; ++j) column += change_[j] * sensitivity_columns_.col(j);
+  for (Eigen::Index j = 0; j <= d; ++j) column += change_[j] * sensitivity_.col(j);
 }
 
 void PlanCurve::expand(const Eigen::VectorXd& y, ArcSeries& series) {
@@ -300,7 +259,7 @@ void PlanCurve::expand(const Eigen::VectorXd& y, ArcSeries& series) {
     lengths_.known(n, constant_.head(static_cast<Eigen::Index>(ends_.size())));
     constant_.tail(plan_.driving_parameters()).setZero();
     constant_ -= half_convolution_;
-    sweep(n, series);
+    solve_order(n, series);
     if (n < series.order()) set_differences(n, series);
   }
 }

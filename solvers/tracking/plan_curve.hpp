@@ -4,14 +4,15 @@
 ///
 /// The unknowns are t and κ_j = k_j²/2 for the d driving parameters: half squares enter every equation
 /// linearly. Everything else follows from them through the plan, which is evaluated instruction by
-/// instruction: points, their derivatives by the parameters (Σ of three normals, a 3×3 system per point), and
-/// their Taylor coefficients. The only larger system is the (d+1)×(d+1) one of the removed constraints.
+/// instruction: points, their derivatives by the parameters, and their Taylor coefficients. The only larger
+/// system than those of construction/plan_sweep.hpp is the (d+1)×(d+1) one of the removed constraints.
 ///
 /// The coordinates seen by the tracker are those of the figure and t, in the plan's own frame. Arc length is
 /// measured on the figure, so that the series converges as far as that of S itself and not only as far as
 /// that of the reduced path, which bends sharply near boundary configurations.
 
 #include "solvers/construction/exchange.hpp"
+#include "solvers/construction/plan_sweep.hpp"
 #include "solvers/tracking/arc_series.hpp"
 #include "solvers/tracking/edge_series.hpp"
 #include "solvers/work.hpp"
@@ -58,16 +59,16 @@ class PlanCurve {
   auto reduced_jacobian() const { return bordered_.topRows(plan_.driving_parameters()); }
 
  private:
-  using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
   void configure();
   void maintain(double t);
   bool too_near() const;
   void border_and_invert(const Eigen::VectorXd& tangent);
   void expand(const Eigen::VectorXd& y, ArcSeries& series);
   void set_differences(int n, const ArcSeries& series);
-  void sweep(int n, ArcSeries& series);
+  void solve_order(int n, ArcSeries& series);
   double move_size(const Eigen::VectorXd& change) const;
+  double pull(int c, const double* move) const;
+  double slope(int c) const;
   Eigen::Index row(int point, int axis) const { return static_cast<Eigen::Index>(dimension_) * point + axis; }
 
   int dimension_;
@@ -76,28 +77,16 @@ class PlanCurve {
   PlanCurveOptions options_;
   std::vector<std::array<int, 2>> ends_;  ///< of every constraint
   LengthSeries lengths_;
-  EdgeSeries edges_;  ///< constraints, then driven spheres
-  /// Coordinates whose difference is entry i of an EdgeSeries; a driven sphere has a fixed centre: −1.
-  std::vector<std::array<Eigen::Index, 2>> edge_coordinates_;
-  /// An instruction as the sweeps want it: first coordinates of the point and of the centres (−1: fixed),
-  /// edges.
-  struct Step {
-    Eigen::Index point;
-    int count;
-    std::array<Eigen::Index, 3> edge;
-    std::array<Eigen::Index, 3> center;
-  };
-  std::vector<Step> steps_;
+  EdgeSeries edges_;         ///< constraints, then driven spheres
+  std::vector<int> driven_;  ///< the point that the sphere of each driving parameter places
   Plan plan_;
   std::optional<Plan> previous_plan_;  ///< what reject() goes back to
   Figure sketch_;
 
   Eigen::Matrix3Xd points_;
   Eigen::VectorXd parameters_;
-  std::vector<Eigen::Matrix3d> normals_;  ///< per instruction: row i is p − c_i
-  std::vector<Eigen::Matrix3d> inverse_;  ///< of the leading count × count block, zero elsewhere
-  RowMatrix sensitivity_;
-  Eigen::MatrixXd sensitivity_columns_;  ///< the same, stored the other way for products with a vector
+  PlanSweep sweep_;
+  Eigen::MatrixXd sensitivity_;
   Eigen::MatrixXd bordered_, bordered_inverse_;
   Eigen::VectorXd right_side_, change_, residual_;
   Eigen::VectorXd constant_, half_convolution_;  ///< per edge

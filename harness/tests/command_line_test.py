@@ -239,9 +239,9 @@ class Solve(CommandLine):
 
     def test_a_failed_check_is_exit_code_1(self):
         codes = set()
-        for tolerance in ["1e-2", "1e-3", "1e-9"]:
-            done = run("solve", "disulfide", "--strategy", "rcp", "--set", "tolerance=" + tolerance,
-                       "--set", "order=4", "--out", "-")
+        for largest_step in [0.1, 0.4, 0.8]:
+            done = run("solve", "disulfide", "--strategy", "rcp", "--set", "mode=paper",
+                       "--set", f"step_max={largest_step}", "--out", "-")
             result = json.loads(done.stdout)
             if result["status"] != "complete":
                 continue

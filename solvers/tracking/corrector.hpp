@@ -13,6 +13,9 @@ class CorrectorTest {
  public:
   enum class Verdict { again, settled, refuse };
 
+  /// A predictor that is worse than its tolerance by this factor is not trusted.
+  static constexpr double first_limit = 100;
+
   /// `tolerance`: the tracker's, in the unit of the coordinates.
   explicit CorrectorTest(double tolerance) : tolerance_(tolerance) {}
 
@@ -35,8 +38,6 @@ class CorrectorTest {
   bool matrix_is_stale() const { return factor_ > stale_limit * tolerance_; }
 
  private:
-  static constexpr double first_limit =
-      100;  ///< a predictor that is worse than its error estimate by this is not trusted
   static constexpr double contraction = 0.1;
   static constexpr double noise_limit =
       1e3;  ///< rounding amplified by a condition number of the Jacobian up to 1e3·64

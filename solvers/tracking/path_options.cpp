@@ -15,7 +15,7 @@ std::vector<OptionSpec> path_option_specs(std::string_view paper_step_max) {
        "the tracker gives up after so many steps"},
       {"orientation", "forward", "forward|backward", "leave the sketch towards growing or falling t"},
       {"order", std::to_string(defaults.order), "a whole number from 4 to 40", "order of the series (fast)"},
-      {"tolerance", "1e-7", "a number from 1e-14 to 1e-2", "size of the last terms of the series (fast)"},
+      {"tolerance", "1e-7", "a number from 1e-14 to 1e-5", "size of the last terms of the series (fast)"},
   };
 }
 
@@ -31,7 +31,7 @@ PathOptions read_path_options(const OptionMap& options, double paper_step_max) {
   path.fast.orientation = path.paper.orientation =
       choice_option(options, "orientation", "forward|backward") == 0 ? 1 : -1;
   path.fast.order = static_cast<int>(integer_option(options, "order", 4, 40));
-  path.fast.tolerance = number_option(options, "tolerance", 1e-14, 1e-2);
+  path.fast.tolerance = number_option(options, "tolerance", 1e-14, 1e-5);
   return path;
 }
 

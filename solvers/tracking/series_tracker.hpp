@@ -25,6 +25,7 @@
 
 #include "solvers/numeric/polynomial_roots.hpp"
 #include "solvers/tracking/arc_series.hpp"
+#include "solvers/tracking/corrector.hpp"
 #include "solvers/tracking/tracked_path.hpp"
 
 namespace gcs {
@@ -63,8 +64,10 @@ struct SeriesTrackerOptions {
 inline constexpr double backward_agreement = 1e-3;
 
 /// The path is closed when it passes the start this close (relative to the size of (X, t)), in the same
-/// direction.
-inline constexpr double closing_distance = 1e-6;
+/// direction: the error of a predicted point that the corrector still takes, or what rounding leaves of it.
+inline double closing_distance(double tolerance) {
+  return std::max(1e-9, CorrectorTest::first_limit * tolerance);
+}
 
 template <SeriesCurve Curve>
 class SeriesTracker {
@@ -137,8 +140,8 @@ class SeriesTracker {
       here_.evaluate(s, predicted_);
       here_.tangent(s, tangent_);
       const double distance = (predicted_ - start_).norm();
-      if (distance <= closing_distance * (1 + start_.norm()) && tangent_.dot(start_tangent_) > 0.5 &&
-          !(first && s < step_ / 2))
+      if (distance <= closing_distance(options_.tolerance) * (1 + start_.norm()) &&
+          tangent_.dot(start_tangent_) > 0.5 && !(first && s < step_ / 2))
         return s;
     }
     return 0;

@@ -78,7 +78,10 @@ std::vector<Block> blocks() {
           {"mode=fast", {Variant{"full-space", {}}, Variant{"rcp", {}}}, false},
           {"mode=paper with step_max=0.2, beside the published figures",
            {Variant{"full-space", {{"mode", "paper"}, {"step_max", "0.2"}}}, std::nullopt},
-           true}};
+           true},
+          {"mode=paper with step_max=0.05, as the paper has it with a plan",
+           {Variant{"full-space", {{"mode", "paper"}, {"step_max", "0.05"}}}, std::nullopt},
+           false}};
 }
 
 class Builder {

@@ -36,11 +36,16 @@ TableCell published_entry(const Publication& paper, const std::string& instance)
 
 Table build_ratios(const RunRecord& run, const Publication& paper) {
   const Variant full_paper{"full-space", {{"mode", "paper"}}};
+  const Variant full_paper_small{"full-space", {{"mode", "paper"}, {"step_max", "0.05"}}};
   const Variant full_fast{"full-space", {}};
   const Variant rcp_paper{"rcp", {{"mode", "paper"}}};
   const Variant rcp_fast{"rcp", {}};
-  const std::array<std::pair<Variant, Variant>, 4> pairs{
-      {{full_paper, rcp_fast}, {full_fast, rcp_fast}, {full_paper, rcp_paper}, {full_paper, full_fast}}};
+  const std::array<std::pair<Variant, Variant>, 6> pairs{{{full_paper, rcp_fast},
+                                                          {full_paper_small, rcp_fast},
+                                                          {full_fast, rcp_fast},
+                                                          {full_paper, rcp_paper},
+                                                          {full_paper_small, rcp_paper},
+                                                          {full_paper, full_fast}}};
 
   Table table;
   table.name = "ratios";

@@ -16,10 +16,6 @@ if(GCSBENCH_WARNINGS_AS_ERRORS)
   target_compile_options(gcs_flags INTERFACE -Werror)
 endif()
 if(GCSBENCH_SANITIZE)
-  # With sanitizers on, g++ 12 takes variables inside libstdc++'s <regex> and <functional> for uninitialised.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(gcs_flags INTERFACE -Wno-maybe-uninitialized)
-  endif()
   target_compile_options(gcs_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                              -fno-omit-frame-pointer)
   target_link_options(gcs_flags INTERFACE -fsanitize=address,undefined)

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "solvers/model/complex_points.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/model/reflection_classes.hpp"
 
@@ -33,7 +34,15 @@ struct Judged {
   Figure representative;  ///< in the scene's unit
   double condition = 0;
   int multiplicity = 1;
+
+  /// Largest coordinate, in modulus.
+  double extent() const { return complex_points(representative).cwiseAbs().maxCoeff(); }
 };
+
+bool is_usable_as_complex(const Scene& scene, const Figure& figure) {
+  return figure.imaginary.cols() == scene.point_count() && !scene.has_lines() && !scene.is_anchored() &&
+         scene.in_frame(figure).points.allFinite() && scene.in_frame(figure).imaginary.allFinite();
+}
 
 bool is_usable(const Scene& scene, const Candidate& candidate) {
   const Figure& figure = candidate.figure;
@@ -41,8 +50,8 @@ bool is_usable(const Scene& scene, const Candidate& candidate) {
     return line.point.allFinite() && line.direction.allFinite();
   };
   return figure.points.cols() == scene.point_count() && figure.lines.size() == scene.problem().lines.size() &&
-         figure.points.allFinite() && std::all_of(figure.lines.begin(), figure.lines.end(), finite) &&
-         candidate.multiplicity >= 1;
+         figure.points.allFinite() && (figure.is_real() || is_usable_as_complex(scene, figure)) &&
+         std::all_of(figure.lines.begin(), figure.lines.end(), finite) && candidate.multiplicity >= 1;
 }
 
 /// A candidate converged in double precision lies within about u·condition of the exact solution (relative to
@@ -59,8 +68,17 @@ std::vector<Figure> representatives(const std::vector<Judged>& judged) {
   return figures;
 }
 
+/// The condition that decides which solutions can be told apart. Complex ones are told apart by squared
+/// distances, whose rounding grows with the square of the coordinates, however short the lengths.
+double effective_condition(const Scene& scene, const Judged& judged) {
+  if (judged.figure.is_real()) return judged.condition;
+  const double stretch = std::max(1.0, judged.extent() / scene.size());
+  return judged.condition * stretch * stretch;
+}
+
 bool same_class(const Scene& scene, const Judged& a, const Judged& b) {
-  const double tolerance = merging_tolerance(std::max(a.condition, b.condition));
+  const double tolerance =
+      merging_tolerance(std::max(effective_condition(scene, a), effective_condition(scene, b)));
   const std::array<Figure, 2> pair{a.representative, b.representative};
   return reflection_classes(scene, pair, tolerance).count() == 1;
 }
@@ -74,7 +92,7 @@ std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged)
   std::vector<int> ill_conditioned;
   for (int c = 0; c < classes.count(); ++c) {
     const Judged& candidate = judged[classes.first[c]];
-    if (merging_tolerance(candidate.condition) == merging_tolerance(0)) continue;
+    if (merging_tolerance(effective_condition(scene, candidate)) == merging_tolerance(0)) continue;
     const auto same = [&](int earlier) {
       return same_class(scene, judged[classes.first[earlier]], candidate);
     };
@@ -95,15 +113,17 @@ void append_cut(const Scene& scene, const Figure& figure, double grain, std::vec
     for (const double x : v) key.push_back(std::floor(x / unit + 0.6180339887));
   };
   for (Eigen::Index i = 0; i < figure.points.cols(); ++i) append(figure.points.col(i), grain * scene.size());
+  for (Eigen::Index i = 0; i < figure.imaginary.cols(); ++i)
+    append(figure.imaginary.col(i), grain * scene.size());
   for (const LinePosition& line : figure.lines) {
     append(line.point, grain * scene.size());
     append(line.direction, grain);
   }
 }
 
-/// What solutions are sorted by; the finer cut tells neighbours apart.
+/// What solutions are sorted by, real ones first; the finer cut tells neighbours apart.
 std::vector<double> order_key(const Scene& scene, const Figure& figure) {
-  std::vector<double> key;
+  std::vector<double> key{figure.is_real() ? 0.0 : 1.0};
   for (const double grain : {1e-7, 1e-10}) append_cut(scene, figure, grain, key);
   return key;
 }
@@ -144,12 +164,14 @@ std::vector<int> list_solutions(const Scene& scene, const std::vector<Judged>& j
 
 /// What a figure in double precision can reach: every coordinate is rounded to u·extent, so a distance is off
 /// by up to 2·√3·u·extent, divided by the shortest length as relative_residual does. A hundred such roundings
-/// are allowed; a corrector that stopped early leaves far more.
-double residual_limit(const Scene& scene, const Figure& representative) {
-  const double extent = std::max(scene.size(), representative.points.cwiseAbs().maxCoeff());
+/// are allowed; a corrector that stopped early leaves far more. Between complex points a short distance may
+/// be the difference of large squares: its error is larger by the extent over the length once more.
+double residual_limit(const Scene& scene, const Judged& judged) {
+  const double extent = std::max(scene.size(), judged.extent());
   double shortest = scene.size();
   for (const double length : scene.target_lengths()) shortest = std::min(shortest, length);
-  return 100 * 2 * std::sqrt(3.0) * unit_roundoff * extent / std::max(shortest, 1e-3 * scene.size());
+  const double stretch = extent / std::max(shortest, 1e-3 * scene.size());
+  return 100 * 2 * std::sqrt(3.0) * unit_roundoff * stretch * (judged.figure.is_real() ? 1 : stretch);
 }
 
 class Assessor {
@@ -192,7 +214,7 @@ class Assessor {
     for (std::size_t i = 0; i < judged_.size(); ++i) {
       const AssessedSolution& solution = assessment_.solutions[solution_of_[i]];
       if (!listed_.insert(solution_of_[i]).second) continue;
-      const double limit = residual_limit(scene_, judged_[i].representative);
+      const double limit = residual_limit(scene_, judged_[i]);
       if (solution.residual <= limit) continue;
       fail("residual", fmt::format("solution {} has a residual of {:.2g}, above {:.2g}", solution_of_[i],
                                    solution.residual, limit));
@@ -286,8 +308,8 @@ void recount(Assessment& assessment) {
   Counts& counts = assessment.counts;
   const auto& solutions = assessment.solutions;
   if (counts.real_up_to_reflection)
-    counts.real_up_to_reflection =
-        std::count_if(solutions.begin(), solutions.end(), [](const AssessedSolution& s) { return s.real; });
+    counts.real_up_to_reflection = std::count_if(
+        solutions.begin(), solutions.end(), [](const AssessedSolution& s) { return s.figure.is_real(); });
   if (counts.complex_up_to_reflection) counts.complex_up_to_reflection = solutions.size();
   if (counts.singular) counts.singular = std::count_if(solutions.begin(), solutions.end(), is_singular);
   if (counts.on_path) {
@@ -306,6 +328,8 @@ void Assessor::count() {
   if (claim == Claim::all_real || claim == Claim::all_complex) counts.real_up_to_reflection = 0;
   if (claim == Claim::all_complex) counts.complex_up_to_reflection = 0;
   recount(assessment_);
+  counts.generic = report_.generic;
+  counts.at_infinity = report_.at_infinity;
   if (report_.paths.empty()) return;
   const auto ended = [this](auto... ends) {
     return std::count_if(report_.paths.begin(), report_.paths.end(),

@@ -14,7 +14,6 @@ namespace gcs {
 /// One reflection class.
 struct AssessedSolution {
   Figure figure;  ///< the class's representative in the instance's frame and the file's unit of length
-  bool real = true;
   int multiplicity = 1;
   double residual = 0;                ///< relative_residual of the representative
   double condition = 0;               ///< jacobian_condition; infinity at a singular solution

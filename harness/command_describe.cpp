@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "harness/commands.hpp"
-#include "harness/core_reduction.hpp"
 #include "harness/instance_io.hpp"
 #include "harness/json_build.hpp"
 #include "harness/solve_run.hpp"
 #include "solvers/construction/derive.hpp"
+#include "solvers/model/core_reduction.hpp"
 #include "solvers/model/structure.hpp"
 #include "solvers/tracking/path_report.hpp"
 

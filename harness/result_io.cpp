@@ -15,11 +15,23 @@ JsonValue vector_value(const Eigen::Vector3d& vector, int dimension) {
   return json_array(std::move(coordinates));
 }
 
+/// Every coordinate as [re, im].
+JsonValue vector_value(const Eigen::Vector3d& real, const Eigen::Vector3d& imaginary, int dimension) {
+  std::vector<JsonValue> coordinates;
+  for (int i = 0; i < dimension; ++i)
+    coordinates.push_back(json_array({json_number(real[i]), json_number(imaginary[i])}));
+  return json_array(std::move(coordinates));
+}
+
 JsonValue points_value(const Problem& problem, const Figure& figure) {
   JsonMembers points;
-  for (std::size_t i = 0; i < problem.points.size(); ++i)
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const auto p = static_cast<Eigen::Index>(i);
     points.emplace_back(problem.points[i],
-                        vector_value(figure.points.col(static_cast<Eigen::Index>(i)), problem.dimension));
+                        figure.is_real()
+                            ? vector_value(figure.points.col(p), problem.dimension)
+                            : vector_value(figure.points.col(p), figure.imaginary.col(p), problem.dimension));
+  }
   return json_object(std::move(points));
 }
 
@@ -35,7 +47,7 @@ JsonValue lines_value(const Problem& problem, const Figure& figure) {
 JsonValue solution_value(const Problem& problem, const AssessedSolution& solution) {
   return json_object({{"points", points_value(problem, solution.figure)},
                       {"lines", lines_value(problem, solution.figure)},
-                      {"real", json_boolean(solution.real)},
+                      {"real", json_boolean(solution.figure.is_real())},
                       {"multiplicity", json_number(solution.multiplicity)},
                       {"residual", json_number(solution.residual)},
                       {"condition", json_number(solution.condition)},

@@ -51,11 +51,17 @@ std::string solution_counts(const Problem& problem, const Counts& counts) {
 }
 
 std::string path_counts(const Counts& counts) {
-  if (!counts.paths) return "";
+  std::string bound;
+  if (counts.generic)
+    bound = line(
+        "generic",
+        amount(*counts.generic, "class", "classes") + " at generic lengths" +
+            (counts.at_infinity ? fmt::format(", of which {} at infinity here", *counts.at_infinity) : ""));
+  if (!counts.paths) return bound;
   std::string text = amount(*counts.paths, "path", "paths");
   if (counts.at_infinity.value_or(0) > 0) text += fmt::format(", {} to infinity", *counts.at_infinity);
   if (counts.failed_paths.value_or(0) > 0) text += fmt::format(", {} without an end", *counts.failed_paths);
-  return line("tracked", text);
+  return bound + line("tracked", text);
 }
 
 std::string crossings_table(const Assessment& assessment) {

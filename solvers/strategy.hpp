@@ -61,6 +61,9 @@ struct SolveReport {
   std::vector<Candidate>
       candidates;  ///< distinct points of S or solutions; the harness groups them into classes
   std::vector<PathRecord> paths;
+  std::optional<std::uint64_t> generic;  ///< number of classes at generic lengths, where it is known
+  std::optional<std::uint64_t>
+      at_infinity;  ///< how many of these have escaped; with paths, their ends say it
   WorkCounters work;
 };
 

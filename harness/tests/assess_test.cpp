@@ -38,7 +38,7 @@ TEST_CASE("mirror images are one class, shown in the file's unit and the frame")
   for (const AssessedSolution& solution : assessment.solutions) {
     CHECK(solution.figure.points(0, 1) == 6);
     CHECK(solution.figure.points(1, 2) == 4);
-    CHECK(solution.real);
+    CHECK(solution.figure.is_real());
     CHECK_FALSE(solution.certified);
     CHECK_FALSE(solution.error_bound);
     CHECK(solution.residual < 1e-15);

@@ -66,6 +66,7 @@ void mirror(LinePosition& line) {
 
 void mirror(Figure& figure) {
   figure.points.row(0) *= -1;
+  if (!figure.is_real()) figure.imaginary.row(0) *= -1;
   for (LinePosition& line : figure.lines) mirror(line);
 }
 
@@ -95,7 +96,10 @@ Decimal decimal(double value) { return {value, fmt::format("{}", value)}; }
 
 Figure Restatement::original(const Figure& figure) const {
   Figure result = figure;
-  for (std::size_t i = 0; i < point_now.size(); ++i) result.points.col(i) = figure.points.col(point_now[i]);
+  for (std::size_t i = 0; i < point_now.size(); ++i) {
+    result.points.col(i) = figure.points.col(point_now[i]);
+    if (!figure.is_real()) result.imaginary.col(i) = figure.imaginary.col(point_now[i]);
+  }
   if (is_mirrored) mirror(result);
   return result;
 }

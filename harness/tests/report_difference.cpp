@@ -14,7 +14,7 @@ namespace {
 class Fields {
  public:
   explicit Fields(const SolveReport& report) {
-    const auto& [status, reason, claim, candidates, paths, work] = report;
+    const auto& [status, reason, claim, candidates, paths, generic, at_infinity, work] = report;
     add("status", status);
     add("reason", reason);
     add("claim", claim);
@@ -22,6 +22,8 @@ class Fields {
     for (std::size_t i = 0; i < candidates.size(); ++i) add(fmt::format("candidates[{}]", i), candidates[i]);
     add("paths.size()", paths.size());
     for (std::size_t i = 0; i < paths.size(); ++i) add(fmt::format("paths[{}]", i), paths[i]);
+    add("generic", generic);
+    add("at_infinity", at_infinity);
     add("work", work);
   }
 
@@ -51,8 +53,9 @@ class Fields {
 
   void add(const std::string& name, const Candidate& candidate) {
     const auto& [figure, multiplicity] = candidate;
-    const auto& [points, lines] = figure;
+    const auto& [points, lines, imaginary] = figure;
     add(name + ".points", points);
+    add(name + ".imaginary", imaginary);
     add(name + ".lines.size()", lines.size());
     for (const auto& [point, direction] : lines) {
       add(name + ".line.point", point);

@@ -26,6 +26,9 @@ struct LinePosition {
 struct Figure {
   Eigen::Matrix3Xd points;
   std::vector<LinePosition> lines;
+  Eigen::Matrix3Xd imaginary{};  ///< imaginary parts of the points of a complex placement; empty: it is real
+
+  bool is_real() const { return imaginary.cols() == 0; }
 };
 
 /// |between[0] − between[1]| is given. Entities are numbered points first, then lines

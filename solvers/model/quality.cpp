@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
 
 namespace gcs {
@@ -35,14 +36,34 @@ double distance(const Problem& problem, const Figure& figure, std::array<int, 2>
   return sqrt(squared_distance(first, Eigen::Vector3d(figure.points.col(between[1])), 3)).value();
 }
 
+/// |√(q·q) − length| for the difference q of two complex points, the root with positive real part.
+double complex_error(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, double length) {
+  const std::complex<double> excess = squared_distance_excess(a, b, two_product(length, length));
+  return std::abs(excess / (std::sqrt(excess + length * length) + length));
+}
+
+double error_of(const Scene& scene, const Figure& figure, int constraint) {
+  const auto [a, b] = scene.problem().constraints[constraint].between;
+  const double length = scene.target_lengths()[constraint];
+  if (figure.is_real()) return std::abs(distance(scene.problem(), figure, {a, b}) - length);
+  const ComplexPoints points = complex_points(figure);
+  return complex_error(points.col(a), points.col(b), length);
+}
+
+/// A + iB as [A, −B; B, A], which has the same singular values, each twice.
+Eigen::MatrixXd real_embedding(const Eigen::MatrixXd& real, const Eigen::MatrixXd& imaginary) {
+  Eigen::MatrixXd embedded(2 * real.rows(), 2 * real.cols());
+  embedded << real, -imaginary, imaginary, real;
+  return embedded;
+}
+
 }  // namespace
 
 double relative_residual(const Scene& scene, const Figure& figure) {
   double worst = 0;
   for (int i = 0; i < scene.constraint_count(); ++i) {
     const double length = scene.target_lengths()[i];
-    const double error =
-        std::abs(distance(scene.problem(), figure, scene.problem().constraints[i].between) - length);
+    const double error = error_of(scene, figure, i);
     if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, error / std::max(length, 1e-3 * scene.size()));
   }
@@ -53,6 +74,11 @@ double jacobian_condition(const Scene& scene, const Figure& figure) {
   const DistanceSystem system(scene);
   Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
   system.jacobian(figure.points, jacobian);
+  if (!figure.is_real()) {
+    Eigen::MatrixXd imaginary(system.equations(), system.unknowns());
+    system.jacobian(figure.imaginary, imaginary);
+    jacobian = real_embedding(jacobian, imaginary);
+  }
   jacobian.rowwise().normalize();
   const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
   const double smallest = singular.minCoeff();

@@ -7,6 +7,8 @@
 #include <map>
 #include <numeric>
 
+#include "solvers/model/complex_points.hpp"
+
 namespace gcs {
 namespace {
 
@@ -62,6 +64,25 @@ Signature coordinates(const Figure& figure, double size) {
   return signature;
 }
 
+/// Of a complex figure the squared distances, real and imaginary parts, over the size: the group is that of
+/// complex rotations and reflections. Twice as many numbers as a real figure has, and so never equal to one.
+Signature squared_distances(const Figure& figure, double size) {
+  Signature signature;
+  const ComplexPoints points = complex_points(figure);
+  for (int a = 0; a < static_cast<int>(points.cols()); ++a) {
+    for (int b = 0; b < a; ++b) {
+      const std::complex<double> square = squared_distance(points, a, b) / size;
+      signature.insert(signature.end(), {square.real(), square.imag()});
+    }
+  }
+  return signature;
+}
+
+Signature signature_of(const Scene& scene, const Figure& figure) {
+  if (!figure.is_real()) return squared_distances(figure, scene.size());
+  return scene.is_anchored() ? coordinates(figure, scene.size()) : distances(figure, scene.size());
+}
+
 bool equal(const Signature& a, const Signature& b, double tolerance) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [tolerance](double x, double y) { return std::abs(x - y) <= tolerance; });
@@ -113,8 +134,7 @@ ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure>
   ReflectionClasses classes;
   ClassIndex index(tolerance * scene.size());
   for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
-    Signature signature =
-        scene.is_anchored() ? coordinates(figures[i], scene.size()) : distances(figures[i], scene.size());
+    Signature signature = signature_of(scene, figures[i]);
     const bool finite = std::isfinite(magnitude(signature));  // else its sum has no place in an order
     int found = finite ? index.find(signature) : -1;
     if (found < 0) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "solvers/model/complex_points.hpp"
+
 namespace gcs {
 namespace {
 
@@ -38,6 +40,7 @@ Figure scaled(const Figure& figure, int exponent) {
   const auto scale = [exponent](double x) { return std::ldexp(x, exponent); };
   Figure result = figure;
   result.points = figure.points.unaryExpr(scale);
+  result.imaginary = figure.imaginary.unaryExpr(scale);
   for (LinePosition& line : result.lines) line.point = line.point.unaryExpr(scale);
   return result;
 }
@@ -174,11 +177,15 @@ LinePosition normalised(const LinePosition& line) {
 }
 
 /// Mirrors the figure along `axis` unless the first point that is off the mirror has a positive coordinate.
+/// Of a complex coordinate the real part decides, or the imaginary part where that vanishes.
 void make_first_positive(Figure& figure, int axis, double threshold) {
   for (Eigen::Index i = 0; i < figure.points.cols(); ++i) {
-    if (std::abs(figure.points(axis, i)) <= threshold) continue;
-    if (figure.points(axis, i) > 0) return;
+    double deciding = figure.points(axis, i);
+    if (!figure.is_real() && std::abs(deciding) <= threshold) deciding = figure.imaginary(axis, i);
+    if (std::abs(deciding) <= threshold) continue;
+    if (deciding > 0) return;
     figure.points.row(axis) *= -1;
+    if (!figure.is_real()) figure.imaginary.row(axis) *= -1;
     for (LinePosition& line : figure.lines) {
       line.point[axis] *= -1;
       line.direction[axis] *= -1;
@@ -225,6 +232,7 @@ std::optional<Eigen::Vector3d> Scene::fixed_point(int point) const {
 
 Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
   if (anchored_) return figure;
+  if (!figure.is_real()) return complex_figure(gcs::in_frame(complex_points(figure), dimension(), reference));
   const RigidMotion motion =
       reference.line >= 0 ? motion_to_line(reference, figure) : motion_to_points(problem_, reference, figure);
   Figure result = moved(motion, figure);

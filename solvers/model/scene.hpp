@@ -42,7 +42,8 @@ class Scene {
   const std::vector<LengthPath>& length_paths() const { return length_paths_; }
 
   /// `figure` moved by a rotation and a translation (no reflection): origin at 0, axis point with x ≥ 0 on
-  /// the x-axis, plane point in the xy-plane with y ≥ 0. The identity when positions are fixed.
+  /// the x-axis, plane point in the xy-plane with y ≥ 0. The identity when positions are fixed. For a complex
+  /// figure see in_frame in complex_points.hpp.
   Figure in_frame(const Figure& figure) const { return in_frame(figure, reference_); }
   /// The same for another reference.
   Figure in_frame(const Figure& figure, const Reference& reference) const;

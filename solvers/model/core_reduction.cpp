@@ -1,4 +1,4 @@
-#include "harness/core_reduction.hpp"
+#include "solvers/model/core_reduction.hpp"
 
 #include <algorithm>
 

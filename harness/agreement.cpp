@@ -36,6 +36,15 @@ std::string disagreement(const Cells& cells) {
   return text + ".";
 }
 
+/// A strategy that claims all real solutions has those on S too.
+std::string shortfall(const CellRecord& cell, const Cells& standard) {
+  if (!cell.counts.real_up_to_reflection || standard.empty()) return "";
+  const std::uint64_t real = *cell.counts.real_up_to_reflection;
+  const std::uint64_t on_path = *standard.front()->counts.on_path;
+  if (real >= on_path) return "";
+  return fmt::format("Found {} real solutions, fewer than the {} on S.", real, on_path);
+}
+
 std::string difference_of(const CellRecord& cell, const Cells& standard,
                           std::optional<std::uint64_t> expected) {
   if (!agree(standard)) return disagreement(standard);
@@ -51,10 +60,11 @@ std::string difference_of(const CellRecord& cell, const Cells& standard,
 void note_differences(std::vector<CellRecord>& cells, const ExpectedCounts& expected) {
   const std::vector<CellRecord> answers = cells;
   for (CellRecord& cell : cells) {
-    if (!cell.is_right() || !cell.counts.on_path) continue;
+    if (!cell.is_right()) continue;
+    const Cells standard = standard_cells(answers, cell.spec.instance);
     const auto entry = expected.find(cell.spec.instance);
     const auto count = entry == expected.end() ? std::nullopt : std::optional(entry->second);
-    cell.difference = difference_of(cell, standard_cells(answers, cell.spec.instance), count);
+    cell.difference = cell.counts.on_path ? difference_of(cell, standard, count) : shortfall(cell, standard);
     if (!cell.is_right()) cell.repetitions.clear();
   }
 }

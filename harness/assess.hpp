@@ -38,6 +38,8 @@ struct Counts {
   std::optional<std::uint64_t> singular;
   std::optional<std::uint64_t> failed_paths;
   std::optional<std::uint64_t> certified;
+
+  bool operator==(const Counts&) const = default;
 };
 
 /// Something that must hold in a correct report and does not.

@@ -98,7 +98,7 @@ Work warm_up(const MeasureTask& task, const MeasureSettings& settings, const Tim
 std::string changed_answer(const CellRecord& first, const SolveRun& run) {
   if (run.status != first.status)
     return fmt::format("A repetition ended as '{}': {}", word(run.status), run.reason);
-  if (run.assessment.counts.on_path != first.counts.on_path || run.work.iterations != first.work.iterations) {
+  if (run.assessment.counts != first.counts || run.work.iterations != first.work.iterations) {
     return "A repetition with the same seed gave another answer.";
   }
   return "";

@@ -43,6 +43,7 @@ void visit_instance(Record& instance, Visit visit) {
   visit("origin", instance.origin);
   visit("fingerprint", instance.fingerprint);
   visit("equations", instance.equations);
+  visit("dimension", instance.dimension);
 }
 
 /// Writes one member; an empty optional is null.

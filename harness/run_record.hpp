@@ -53,6 +53,7 @@ struct MeasuredInstance {
   std::string origin;       ///< the file it came from
   std::string fingerprint;  ///< of the file's values
   int equations = 0;        ///< constraints, the papers' m
+  int dimension = 3;        ///< of the space
 };
 
 struct RunRecord {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "harness/table_entries.hpp"
 #include "harness/tables.hpp"
 
@@ -38,8 +40,25 @@ class Builder {
 
   /// A row for which this version has no strategy.
   void without_strategy(const std::string& label, const PaperRow& paper_row) {
-    add_row(label, paper_row, [](const MeasuredInstance&, const PrintedFigure*) {
-      return std::pair{TableCell{"no strategy yet", {}}, empty_entry()};
+    add_row(label, paper_row, [](const MeasuredInstance&, const PrintedFigure*) { return no_strategy(); });
+  }
+
+  /// How many solutions there are, by the first strategy that claims to have all of them. `copies` is how
+  /// often the paper counts a class.
+  template <class Copies>
+  void all_solutions(const std::string& label, const PaperRow& paper_row,
+                     std::optional<std::uint64_t> Counts::*count, const Copies& copies) {
+    add_row(label, paper_row, [&](const MeasuredInstance& instance, const PrintedFigure* figure) {
+      const auto has_all = [&](const CellRecord& cell) {
+        return cell.spec.instance == instance.id && cell.is_right() && cell.counts.*count;
+      };
+      const auto cell = std::find_if(run_.cells.begin(), run_.cells.end(), has_all);
+      if (cell == run_.cells.end()) return no_strategy();
+      const double classes = static_cast<double>(*(cell->counts.*count));
+      const double value = classes * copies(instance);
+      const std::string note =
+          fmt::format("Found by {}: {} up to reflection.", label_of(cell->spec), number_text(classes));
+      return std::pair{TableCell{number_text(value), {table_.footnote(note)}}, ratio_entry(value, figure)};
     });
   }
 
@@ -84,6 +103,10 @@ class Builder {
   }
 
  private:
+  static std::pair<TableCell, TableCell> no_strategy() {
+    return {TableCell{"no strategy yet", {}}, empty_entry()};
+  }
+
   static std::string label(const Variant& variant) { return label_of(variant.on("")); }
 
   /// `make_ours` makes our entry and the ratio.
@@ -104,25 +127,36 @@ class Builder {
   Table table_;
 };
 
-}  // namespace
-
-std::vector<Variant> table1_variants() {
+std::vector<Variant> path_variants() {
   return {{"full-space", {}}, {"full-space", {{"mode", "paper"}}}, {"rcp", {}}, {"rcp", {{"mode", "paper"}}}};
 }
 
+const Variant algebraic{"cayley-menger", {}};
+
+}  // namespace
+
+std::vector<Variant> table1_variants() {
+  std::vector<Variant> variants = path_variants();
+  variants.push_back(algebraic);
+  return variants;
+}
+
 std::vector<Table> build_table1(const RunRecord& run, const Publication& paper) {
-  const std::vector<Variant> variants = table1_variants();
+  const std::vector<Variant> variants = path_variants();
   Builder builder(run, paper);
   builder.equations();
   builder.heading("Number of solutions");
-  builder.without_strategy("complex", {"complex", "HOM4PS-2.0"});
-  builder.without_strategy("real (up to reflections)", {"real", ""});
+  builder.all_solutions("complex", {"complex", "HOM4PS-2.0"}, &Counts::complex_up_to_reflection,
+                        [](const MeasuredInstance& instance) { return 1 << instance.dimension; });
+  builder.all_solutions("real (up to reflections)", {"real", ""}, &Counts::real_up_to_reflection,
+                        [](const MeasuredInstance&) { return 1; });
   for (const Variant& variant : variants) builder.solutions_on_path(variant);
   builder.heading("Running times");
   builder.without_strategy("HOM4PS-2.0", {"time_s", "HOM4PS-2.0"});
   for (const Variant& variant : variants) {
     builder.times(variant.strategy == "rcp" ? "Algorithm 1" : "tracking S", variant);
   }
+  builder.times("all solutions", algebraic);
   return {builder.take()};
 }
 

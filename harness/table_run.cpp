@@ -101,7 +101,8 @@ RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
   record.tables = request.tables;
   for (const Instance& instance : loaded.instances) {
     record.instances.push_back({instance.id, instance.origin, fingerprint(instance),
-                                static_cast<int>(instance.problem.constraints.size())});
+                                static_cast<int>(instance.problem.constraints.size()),
+                                instance.problem.dimension});
   }
   return record;
 }

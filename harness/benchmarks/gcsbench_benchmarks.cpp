@@ -1,6 +1,6 @@
-/// Times every strategy in each of its modes on every shipped instance with a sketch, through the same
-/// interface as the program. Answers are not assessed here: `gcsbench tables` does that. Kernels register
-/// themselves with BENCHMARK in files of their own.
+/// Times every strategy in each of its modes on every shipped instance that it supports, through the
+/// same interface as the program. Answers are not assessed here: `gcsbench tables` does that. Kernels
+/// register themselves with BENCHMARK in files of their own.
 ///   gcsbench_benchmarks --benchmark_filter='rcp.*/disulfide'
 
 #include <benchmark/benchmark.h>
@@ -64,17 +64,14 @@ void register_solving(const StrategyEntry& entry, const std::string& mode, const
       ->Unit(benchmark::kMillisecond);
 }
 
-std::deque<NamedScene> scenes_with_sketch() {
+std::deque<NamedScene> shipped_scenes() {
   std::deque<NamedScene> scenes;
-  for (const std::string& id : shipped_instances()) {
-    Scene scene(load_instance(id).problem);
-    if (scene.sketch()) scenes.push_back({id, std::move(scene)});
-  }
+  for (const std::string& id : shipped_instances()) scenes.push_back({id, Scene(load_instance(id).problem)});
   return scenes;
 }
 
 void register_everything() {
-  for (const NamedScene& named : scenes_with_sketch()) {
+  for (const NamedScene& named : shipped_scenes()) {
     for (const StrategyEntry& entry : all_strategies()) {
       for (const std::string& mode : modes_of(entry)) register_solving(entry, mode, named);
     }

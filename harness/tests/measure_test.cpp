@@ -178,6 +178,17 @@ TEST_CASE("defaults are held to the literature and variants to the defaults") {
   CHECK(cells[2].difference == "Found 9 on S instead of 7 (+2).");
 }
 
+TEST_CASE("who claims all real solutions has as many as there are on S") {
+  std::vector<CellRecord> cells{counting("a", {}, 8), counting("all", {}, 0), counting("fewer", {}, 0)};
+  for (CellRecord* cell : {&cells[1], &cells[2]}) cell->counts.on_path.reset();
+  cells[1].counts.real_up_to_reflection = 18;
+  cells[2].counts.real_up_to_reflection = 7;
+  note_differences(cells, {});
+  CHECK(cells[1].is_right());
+  CHECK(cells[2].difference == "Found 7 real solutions, fewer than the 8 on S.");
+  CHECK(cells[2].repetitions.empty());
+}
+
 TEST_CASE("variants alone are held to the literature") {
   std::vector<CellRecord> cells{counting("a", {{"mode", "x"}}, 7), counting("a", {{"mode", "y"}}, 8)};
   note_differences(cells, {{"toy", 8}});

@@ -27,6 +27,22 @@ inline CellRecord with_plan(CellRecord record) {
   return record;
 }
 
+/// All of `complex` classes, `real` of them real.
+inline CellRecord with_all(CellRecord record, std::uint64_t real, std::uint64_t complex) {
+  record.counts.on_path.reset();
+  record.counts.real_up_to_reflection = real;
+  record.counts.complex_up_to_reflection = complex;
+  return record;
+}
+
+inline CellRecord unsupported(CellSpec spec) {
+  CellRecord record;
+  record.spec = std::move(spec);
+  record.status = RunStatus::unsupported;
+  record.reason = "it is made for another problem";
+  return record;
+}
+
 inline CellRecord wrong(CellRecord record) {
   record.difference = "Found 178 on S instead of 174 (+4).";
   record.repetitions.clear();
@@ -50,8 +66,8 @@ inline RunRecord run_record() {
   record.started = "2026-01-02T03:04:05Z";
   record.environment = {"Toy CPU", "GNU 12", "-O3", "0123abc", 1};
   record.tables = {"table1", "table2", "tangents", "ablation"};
-  record.instances = {{"octahedron", "octahedron.json", "00ff", 12},
-                      {"icosahedron", "icosahedron.json", "01ff", 30}};
+  record.instances = {{"octahedron", "octahedron.json", "00ff", 12, 3},
+                      {"icosahedron", "icosahedron.json", "01ff", 30, 3}};
   record.cells = {
       cell({"octahedron", "full-space", {}}, 4, 31, 1.5e-3),
       cell({"octahedron", "full-space", paper}, 4, 160, 4.25e-3),
@@ -61,6 +77,8 @@ inline RunRecord run_record() {
       cell({"icosahedron", "full-space", {}}, 174, 900, 0.25),
       wrong(cell({"icosahedron", "full-space", paper}, 178, 8000, 1.0)),
       timed_out({"icosahedron", "rcp", {}}),
+      with_all(cell({"octahedron", "cayley-menger", {}}, 0, 0, 1.5e-4), 4, 8),
+      unsupported({"icosahedron", "cayley-menger", {}}),
   };
   return record;
 }

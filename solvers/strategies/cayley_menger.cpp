@@ -203,7 +203,9 @@ class CorePlacer {
 
   std::vector<ComplexPoints> place(const Diagonals& diagonals) {
     const auto [a, b, c] = base();
-    const auto [a2, b2, c2] = std::array{o_.pair[0][1], o_.pair[1][1], o_.pair[2][1]};
+    const int a2 = o_.pair[0][1];
+    const int b2 = o_.pair[1][1];
+    const int c2 = o_.pair[2][1];
     std::vector<ComplexPoints> figures;
     const auto first = on({a, b, c}, {diagonals.x, d_(a2, b), d_(a2, c)});
     const auto second = on({a, b, c}, {d_(b2, a), diagonals.y, d_(b2, c)});

@@ -54,6 +54,12 @@ struct PathRecord {
   std::vector<Crossing> crossings;
 };
 
+/// A count that only this strategy knows, such as the candidates of a scan.
+struct Particular {
+  std::string name;  ///< a fixed word of lower-case letters and underscores, unique in a report
+  std::int64_t value = 0;
+};
+
 struct SolveReport {
   SolveStatus status = SolveStatus::gave_up;
   std::string reason;  ///< empty when complete
@@ -65,6 +71,7 @@ struct SolveReport {
   std::optional<std::uint64_t>
       at_infinity;  ///< how many of these have escaped; with paths, their ends say it
   WorkCounters work;
+  std::vector<Particular> particulars;
 };
 
 /// One option: `--set name=value`.

@@ -3,14 +3,20 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gcs {
 namespace {
 
-bool fixed_by_frame(const Scene& scene, int point, int axis) {
+Reference frame_of(const Scene& scene) {
+  const bool puts_line = !scene.has_lines() || scene.reference().line >= 0;
+  return puts_line ? scene.reference() : line_reference(scene.problem());
+}
+
+bool fixed_by_frame(const Scene& scene, const Reference& reference, int point, int axis) {
   if (scene.fixed_point(point)) return true;
   if (scene.is_anchored()) return false;
-  const Reference& reference = scene.reference();
+  if (reference.line >= 0) return point == reference.height && axis < 2;
   if (point == reference.origin) return true;
   if (point == reference.axis) return axis > 0;
   return point == reference.plane && axis > 1;
@@ -19,15 +25,20 @@ bool fixed_by_frame(const Scene& scene, int point, int axis) {
 }  // namespace
 
 DistanceSystem::DistanceSystem(const Scene& scene)
-    : dimension_(scene.dimension()),
+    : reference_(frame_of(scene)),
+      dimension_(scene.dimension()),
       point_count_(scene.point_count()),
-      unknown_(3 * static_cast<std::size_t>(scene.point_count()), -1),
+      has_line_(scene.has_lines()),
+      unknown_(3 * (static_cast<std::size_t>(scene.point_count()) + scene.problem().lines.size()), -1),
       fixed_coordinates_(Eigen::Matrix3Xd::Zero(3, scene.point_count())) {
-  for (const DistanceConstraint& c : scene.problem().constraints) edges_.push_back(c.between);
+  for (const DistanceConstraint& c : scene.problem().constraints) {
+    edges_.push_back(c.between);
+    if (!scene.problem().is_point(c.between[0])) std::swap(edges_.back()[0], edges_.back()[1]);
+  }
   for (int point = 0; point < point_count_; ++point) {
     if (const auto position = scene.fixed_point(point)) fixed_coordinates_.col(point) = *position;
     for (int axis = 0; axis < dimension_; ++axis)
-      if (!fixed_by_frame(scene, point, axis)) unknown_[3 * point + axis] = unknowns_++;
+      if (!fixed_by_frame(scene, reference_, point, axis)) unknown_[3 * point + axis] = unknowns_++;
   }
 }
 
@@ -41,6 +52,7 @@ Eigen::VectorXd DistanceSystem::coordinates(const Figure& figure) const {
 Figure DistanceSystem::figure(const Eigen::Ref<const Eigen::VectorXd>& x) const {
   Figure figure;
   figure.points = fixed_coordinates_;
+  if (has_line_) figure.lines = {LinePosition{}};
   place(x, figure.points);
   return figure;
 }
@@ -50,12 +62,25 @@ void DistanceSystem::place(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ma
     if (unknown_[i] >= 0) points.data()[i] = x[unknown_[i]];
 }
 
+/// The two points whose distance is that of edge `e`: the second of a line is the foot on it.
+std::array<Eigen::Vector3d, 2> DistanceSystem::ends(const Eigen::Matrix3Xd& points, int e) const {
+  const auto [a, b] = edges_[e];
+  if (b < point_count_) return {points.col(a), points.col(b)};
+  return {points.col(a), Eigen::Vector3d(points(0, a), 0, 0)};
+}
+
+DoubleDouble DistanceSystem::squared_length(const Eigen::Matrix3Xd& points, int e) const {
+  const auto [p, q] = ends(points, e);
+  return squared_distance(p, q, dimension_);
+}
+
 void DistanceSystem::jacobian(const Eigen::Matrix3Xd& points, Eigen::Ref<Eigen::MatrixXd> jacobian) const {
   jacobian.leftCols(unknowns_).setZero();
   for (int e = 0; e < equations(); ++e) {
     const auto [a, b] = edges_[e];
+    const auto [p, q] = ends(points, e);
     for (int axis = 0; axis < dimension_; ++axis) {
-      const double difference = points(axis, a) - points(axis, b);
+      const double difference = p[axis] - q[axis];
       if (unknown(a, axis) >= 0) jacobian(e, unknown(a, axis)) = difference;
       if (unknown(b, axis) >= 0) jacobian(e, unknown(b, axis)) = -difference;
     }
@@ -87,12 +112,8 @@ Refinement refine(const DistanceSystem& system, const std::vector<DoubleDouble>&
   double previous = std::numeric_limits<double>::infinity();
   while (result.iterations < max_iterations) {
     system.place(x, figure.points);
-    for (int e = 0; e < m; ++e) {
-      const auto [a, b] = system.edges()[e];
-      const DoubleDouble square = squared_distance(Eigen::Vector3d(figure.points.col(a)),
-                                                   Eigen::Vector3d(figure.points.col(b)), system.dimension());
-      residual[e] = (square - squares[e]).value() / 2;
-    }
+    for (int e = 0; e < m; ++e)
+      residual[e] = (system.squared_length(figure.points, e) - squares[e]).value() / 2;
     system.jacobian(figure.points, jacobian);
     const Eigen::VectorXd correction = jacobian.partialPivLu().solve(residual);
     x -= correction;

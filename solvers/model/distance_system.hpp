@@ -1,7 +1,8 @@
 #pragma once
 /// The equations of a point distance problem in the free coordinates of its frame, [I] §2.1–2.2:
 /// f_i(x, a) = (|p_j − p_k|² − a_i²)/2, whose derivative by p_j is simply p_j − p_k. It has the same zeros,
-/// tangents and arc length as the unsquared form |p_j − p_k| − a_i.
+/// tangents and arc length as the unsquared form |p_j − p_k| − a_i. A line is the x-axis of the frame, and a
+/// point at distance a_i from it has the equation (y² + z² − a_i²)/2.
 
 #include <Eigen/Core>
 #include <array>
@@ -14,16 +15,20 @@ namespace gcs {
 
 class DistanceSystem {
  public:
-  /// Precondition: no lines.
+  /// Precondition: at most one line, which is not fixed.
   explicit DistanceSystem(const Scene& scene);
 
+  /// The frame of the coordinates: the scene's, unless there is a line and the scene's does not put it on the
+  /// x-axis (then see line_reference).
+  const Reference& reference() const { return reference_; }
   int dimension() const { return dimension_; }
   int point_count() const { return point_count_; }
   int unknowns() const { return unknowns_; }
   int equations() const { return static_cast<int>(edges_.size()); }
+  /// Two points, or a point and the line, numbered as in DistanceConstraint; the line comes second.
   const std::vector<std::array<int, 2>>& edges() const { return edges_; }
-  /// Index of the unknown that is coordinate `axis` of `point`, or −1 when the frame fixes it.
-  int unknown(int point, int axis) const { return unknown_[3 * point + axis]; }
+  /// Index of the unknown that is coordinate `axis` of `entity`, or −1 when the frame fixes it.
+  int unknown(int entity, int axis) const { return unknown_[3 * entity + axis]; }
 
   /// Free coordinates of a figure that is in the frame.
   Eigen::VectorXd coordinates(const Figure& figure) const;
@@ -32,12 +37,18 @@ class DistanceSystem {
   /// Writes x into `points` (3 × point_count), which must already hold the coordinates that the frame fixes.
   void place(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Matrix3Xd& points) const;
 
+  /// The squared distance of edge `e` in double-double.
+  DoubleDouble squared_length(const Eigen::Matrix3Xd& points, int e) const;
   /// df_i/dx: row i of `jacobian` (equations × at least unknowns; columns beyond are left alone).
   void jacobian(const Eigen::Matrix3Xd& points, Eigen::Ref<Eigen::MatrixXd> jacobian) const;
 
  private:
+  std::array<Eigen::Vector3d, 2> ends(const Eigen::Matrix3Xd& points, int e) const;
+
+  Reference reference_;
   int dimension_;
   int point_count_;
+  bool has_line_;
   int unknowns_ = 0;
   std::vector<std::array<int, 2>> edges_;
   std::vector<int> unknown_;

@@ -73,7 +73,8 @@ double relative_residual(const Scene& scene, const Figure& figure) {
 double jacobian_condition(const Scene& scene, const Figure& figure) {
   const DistanceSystem system(scene);
   Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
-  system.jacobian(figure.points, jacobian);
+  system.jacobian(scene.has_lines() ? scene.in_frame(figure, system.reference()).points : figure.points,
+                  jacobian);
   if (!figure.is_real()) {
     Eigen::MatrixXd imaginary(system.equations(), system.unknowns());
     system.jacobian(figure.imaginary, imaginary);

@@ -56,19 +56,6 @@ std::set<std::pair<int, int>> constrained_pairs(const Problem& problem) {
   return pairs;
 }
 
-Reference line_reference(const Problem& problem) {
-  Reference reference;
-  reference.line = 0;
-  const int line = static_cast<int>(problem.points.size());
-  for (const DistanceConstraint& c : problem.constraints)
-    if (c.between[0] == line || c.between[1] == line) {
-      const int point = c.between[0] == line ? c.between[1] : c.between[0];
-      if (reference.height < 0 || file_length(c) > 0) reference.height = point;
-      if (file_length(c) > 0) break;
-    }
-  return reference;
-}
-
 /// Origin, axis and (in space) plane: the first that are pairwise constrained, in the order of the
 /// constraints.
 Reference point_reference(const Problem& problem) {
@@ -195,6 +182,19 @@ void make_first_positive(Figure& figure, int axis, double threshold) {
 }
 
 }  // namespace
+
+Reference line_reference(const Problem& problem) {
+  Reference reference;
+  reference.line = 0;
+  const int line = static_cast<int>(problem.points.size());
+  for (const DistanceConstraint& c : problem.constraints)
+    if (c.between[0] == line || c.between[1] == line) {
+      const int point = c.between[0] == line ? c.between[1] : c.between[0];
+      if (reference.height < 0 || file_length(c) > 0) reference.height = point;
+      if (file_length(c) > 0) break;
+    }
+  return reference;
+}
 
 Scene::Scene(Problem problem) : problem_(std::move(problem)), anchored_(anything_fixed(problem_)) {
   double longest = 0;

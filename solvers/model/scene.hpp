@@ -64,4 +64,8 @@ class Scene {
   std::vector<LengthPath> length_paths_;
 };
 
+/// The frame of the first line: it is the x-axis, and the first point that is constrained against it at a
+/// distance > 0 is on the z-axis. Precondition: there is a line.
+Reference line_reference(const Problem& problem);
+
 }  // namespace gcs

@@ -203,3 +203,23 @@ TEST_CASE("Newton's method reports failure and leaves the point as it came") {
     CHECK_FALSE(refine(system, target_squares(scene), x).converged);
   }
 }
+
+TEST_CASE("with a line in the frame, the derivatives are those of squared distances") {
+  Problem problem = samples::problem_of(3, 2, {{0, 2}, {2, 1}, {0, 1}}, {1, 2, 3});
+  problem.lines = {"L"};
+  problem.reference = Reference{-1, -1, -1, 0, 1};
+  const Scene scene(problem);
+  const DistanceSystem system(scene);
+  CHECK(system.unknowns() == 4);  // the height point has z alone
+  const Eigen::Vector4d x(0.5, -1.25, 0.75, 2);
+  const Eigen::Matrix3Xd points = system.figure(x).points;
+  CHECK(points.col(1) == Eigen::Vector3d(0, 0, 2));
+  CHECK(system.squared_length(points, 0).value() == 1.25 * 1.25 + 0.75 * 0.75);
+  CHECK(system.squared_length(points, 1).value() == 4);
+  CHECK(system.squared_length(points, 2).value() == 0.25 + 1.5625 + 1.5625);
+  Eigen::MatrixXd jacobian(3, 4);
+  system.jacobian(points, jacobian);
+  Eigen::MatrixXd expected(3, 4);
+  expected << 0, -1.25, 0.75, 0, 0, 0, 0, 2, 0.5, -1.25, -1.25, 1.25;
+  CHECK(jacobian == expected);
+}

@@ -32,6 +32,12 @@ void visit_work(Record& work, Visit visit) {
   visit("max_driving_parameters", work.max_driving_parameters);
 }
 
+/// The counts that only the strategy knows, by the names that it gives them.
+template <typename Particulars, typename Visit>
+void visit_particulars(Particulars& particulars, Visit visit) {
+  for (auto& particular : particulars) visit(particular.name, particular.value);
+}
+
 template <typename Record, typename Visit>
 void visit_environment(Record& environment, Visit visit) {
   visit("cpu", environment.cpu);

@@ -67,11 +67,11 @@ class MemberWriter {
   explicit MemberWriter(JsonMembers& members) : members_(members) {}
 
   template <typename T>
-  void operator()(const char* name, const T& value) const {
+  void operator()(const std::string& name, const T& value) const {
     members_.emplace_back(name, to_value(value));
   }
   template <typename T>
-  void operator()(const char* name, const std::optional<T>& value) const {
+  void operator()(const std::string& name, const std::optional<T>& value) const {
     members_.emplace_back(name, json_or_null(value, [](const T& v) { return to_value(v); }));
   }
 
@@ -122,6 +122,7 @@ JsonMembers result_members(const Instance& instance, const SolveRun& run, const 
   JsonMembers counts, statistics, origin;
   visit_counts(run.assessment.counts, MemberWriter(counts));
   visit_work(run.work, MemberWriter(statistics));
+  visit_particulars(run.particulars, MemberWriter(statistics));
   visit_environment(environment, MemberWriter(origin));
   return {{"format", json_text("gcsbench-result/1")},
           {"instance", instance.document},

@@ -135,6 +135,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   run.assessment = assess(scene, report);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
   run.work = report.work;
+  run.particulars = std::move(report.particulars);
   return run;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "harness/assess.hpp"
 #include "solvers/strategy.hpp"
@@ -42,6 +43,7 @@ struct SolveRun {
   std::optional<Claim> claim;  ///< empty when nothing was run
   Assessment assessment;
   WorkCounters work;
+  std::vector<Particular> particulars;  ///< counts that only this strategy knows
   Timing timing;
 };
 

@@ -123,6 +123,17 @@ std::string work(const WorkCounters& counters) {
   return lines;
 }
 
+/// "coarse solutions 224, refined solutions 24"
+std::string particulars(const std::vector<Particular>& counts) {
+  std::string text;
+  for (const Particular& count : counts) {
+    std::string name = count.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count.value);
+  }
+  return text.empty() ? "" : line("counted", text);
+}
+
 std::string time(const Timing& timing) {
   return line("time", fmt::format("{:.3g} s (cpu {:.3g} s), prepared in {:.3g} s", timing.wall_s,
                                   timing.cpu_s, timing.prepare_s));
@@ -138,7 +149,8 @@ std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run.assessment;
   return headline(instance, run) + solution_counts(instance.problem, assessment.counts) +
          path_counts(assessment.counts) + crossings_table(assessment) + quality(assessment.solutions) +
-         work(run.work) + time(run.timing) + failed_checks(assessment.failed_checks);
+         particulars(run.particulars) + work(run.work) + time(run.timing) +
+         failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

@@ -58,6 +58,8 @@ struct PathRecord {
 struct Particular {
   std::string name;  ///< a fixed word of lower-case letters and underscores, unique in a report
   std::int64_t value = 0;
+
+  bool operator==(const Particular&) const = default;
 };
 
 struct SolveReport {
@@ -80,6 +82,7 @@ struct OptionSpec {
   std::string default_value;
   std::string_view allowed;  ///< "a|b|c" for a choice, otherwise a range in words: "number > 0"
   std::string_view summary;
+  bool is_length = false;  ///< in the file's unit of length: means another length when the unit changes
 };
 /// Every option of the strategy has an entry: the default where the user said nothing.
 using OptionMap = std::map<std::string, std::string, std::less<>>;

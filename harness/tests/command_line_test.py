@@ -300,6 +300,18 @@ class Solve(CommandLine):
         self.fail("the program never started to solve")
 
 
+class Particulars(CommandLine):
+    def test_are_in_the_summary_and_in_the_result(self):
+        result = self.folder / "result.json"
+        done = run("solve", "hoffmann-yuan", "--strategy", "theta-scan", "--out", result)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertIn("coarse solutions 224", done.stdout)
+        self.assertIn("refined solutions 24", done.stdout)
+        statistics = json.loads(result.read_text())["statistics"]
+        self.assertEqual(statistics["coarse_solutions"], 224)
+        self.assertEqual(statistics["evaluations"], 360)
+
+
 class Output(CommandLine):
     SOLVE = ["solve", "octahedron", "--strategy", "full-space", "--out"]
 

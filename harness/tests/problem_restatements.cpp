@@ -155,6 +155,7 @@ Restatement ends_swapped(const Problem& problem) {
 Restatement scaled(const Problem& problem, int exponent) {
   Restatement result = unchanged("scaled", problem);
   result.is_exact = true;
+  result.unit_exponent = exponent;
   const double factor = std::ldexp(1.0, exponent);
   Problem& restated = result.problem;
   for (DistanceConstraint& constraint : restated.constraints) {

@@ -14,6 +14,7 @@ struct Restatement {
   Problem problem;
   std::vector<int> point_now;  ///< by the original's points: the index in `problem`
   bool is_mirrored = false;    ///< positions have the other sign of x
+  int unit_exponent = 0;       ///< every length is 2^unit_exponent times as long
   bool is_exact = false;       ///< no bit of a computation in the scene's unit may change
 
   /// The figure of the original problem that a figure of `problem` stands for; both in the units of their

@@ -14,7 +14,7 @@ namespace {
 class Fields {
  public:
   explicit Fields(const SolveReport& report) {
-    const auto& [status, reason, claim, candidates, paths, generic, at_infinity, work] = report;
+    const auto& [status, reason, claim, candidates, paths, generic, at_infinity, work, particulars] = report;
     add("status", status);
     add("reason", reason);
     add("claim", claim);
@@ -25,6 +25,8 @@ class Fields {
     add("generic", generic);
     add("at_infinity", at_infinity);
     add("work", work);
+    add("particulars.size()", particulars.size());
+    for (const auto& [name, value] : particulars) add("particulars." + name, value);
   }
 
   const std::vector<std::pair<std::string, std::string>>& list() const { return fields_; }

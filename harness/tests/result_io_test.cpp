@@ -117,6 +117,12 @@ TEST_CASE("statistics are counts, or null where a strategy has no such thing") {
   CHECK(statistics["max_driving_parameters"].is_null());
 }
 
+TEST_CASE("counts that only a strategy knows are among the statistics") {
+  SolveRun run = toy_run();
+  run.particulars = {{"coarse_solutions", 224}};
+  CHECK(parsed(run)["statistics"]["coarse_solutions"] == 224);
+}
+
 TEST_CASE("the instance keeps its decimal text") {
   const std::string text = text_of(toy_run());
   CHECK_THAT(text, Catch::Contains("\"length\": 5.0"));

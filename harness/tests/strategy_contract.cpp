@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "harness/assess.hpp"
 #include "harness/solve_run.hpp"
@@ -85,6 +86,16 @@ bool is_well_formed(const WorkCounters& work) {
          work.mean_driving_parameters.value_or(0) <= work.max_driving_parameters.value_or(0);
 }
 
+/// Names are words for a file's field, each once.
+bool is_well_formed(const std::vector<Particular>& particulars) {
+  std::set<std::string> names;
+  return std::all_of(particulars.begin(), particulars.end(), [&](const Particular& particular) {
+    const auto is_allowed = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+    return std::all_of(particular.name.begin(), particular.name.end(), is_allowed) &&
+           !particular.name.empty() && names.insert(particular.name).second && particular.value >= 0;
+  });
+}
+
 void check_form(const Scene& scene, const SolveReport& report, Finder& finder) {
   const int candidates = static_cast<int>(report.candidates.size());
   for (int i = 0; i < candidates; ++i)
@@ -100,6 +111,8 @@ void check_form(const Scene& scene, const SolveReport& report, Finder& finder) {
           crossing.direction);
   }
   finder.expect(is_well_formed(report.work), "malformed", "a counter is negative or contradicts another");
+  finder.expect(is_well_formed(report.particulars), "malformed",
+                "a particular is negative, has another name than a word or the name of another");
 }
 
 /// A distance between complex points is a difference of squares as large as the figure, over the length.
@@ -183,6 +196,17 @@ void check_stopped(const Scene& scene, const SolveReport& stopped, const SolveRe
     finder.expect(false, "stop", "the report of a stopped solve: {}", violation.what);
   if (const auto found = outsider(scene, stopped, whole))
     finder.expect(false, "stop", "stopped, against the whole: {}", *found);
+}
+
+/// The subject in another unit: options that are lengths are the same lengths.
+Subject in_unit(const Subject& subject, int exponent) {
+  Subject result = subject;
+  const OptionMap options = complete_options(subject.entry, subject.given);
+  for (const OptionSpec& option : subject.entry.options)
+    if (option.is_length)
+      result.given[std::string(option.name)] =
+          times_power_of_two(options.find(option.name)->second, exponent);
+  return result;
 }
 
 }  // namespace
@@ -326,11 +350,12 @@ Violations check_stop(const Subject& subject, const Scene& scene) {
 Violations check_restatement(const Subject& subject, const Problem& problem, const Restatement& restatement) {
   Finder finder;
   const Scene scene(problem), restated(restatement.problem);
+  const Subject other_subject = in_unit(subject, restatement.unit_exponent);
   const bool supported = supports(subject, scene);
-  finder.expect(supports(subject, restated) == supported, restatement.name, "support depends on it");
-  if (!supported || !supports(subject, restated)) return finder.take();
+  finder.expect(supports(other_subject, restated) == supported, restatement.name, "support depends on it");
+  if (!supported || !supports(other_subject, restated)) return finder.take();
   const SolveReport report = solve_anew(subject, scene);
-  SolveReport other = solve_anew(subject, restated);
+  SolveReport other = solve_anew(other_subject, restated);
   if (restatement.is_exact) {
     const auto difference = first_difference(report, other);
     finder.expect(!difference, restatement.name, "reports another {}", difference.value_or(""));

@@ -74,7 +74,8 @@ Violations check_reuse(const Subject& subject, const Scene& prepared, const Scen
 Violations check_stop(const Subject& subject, const Scene& scene);
 
 /// The name of the restatement: the restated problem has the same solutions, in the same order along S; where
-/// only the unit of length changes, the report is the same bit for bit.
+/// only the unit of length changes (that of options which are lengths too), the report is the same bit for
+/// bit.
 Violations check_restatement(const Subject& subject, const Problem& problem, const Restatement& restatement);
 
 /// check_restatement for all of them.

@@ -152,12 +152,17 @@ void place_a_point_nowhere(SolveReport& report, const Circumstances&) {
   report.candidates[0].figure.points(0, 3) = std::numeric_limits<double>::quiet_NaN();
 }
 
+void count_twice(SolveReport& report, const Circumstances&) {
+  report.particulars = {{"samples", 1}, {"samples", 2}};
+}
+
 }  // namespace
 
 TEST_CASE("what cannot be read is caught as malformed") {
   CHECK(caught_by_report(spoiled<name_an_unknown_candidate>()).count("malformed") == 1);
   CHECK(caught_by_report(spoiled<lose_a_point>()).count("malformed") == 1);
   CHECK(caught_by_report(spoiled<place_a_point_nowhere>()).count("malformed") == 1);
+  CHECK(caught_by_report(spoiled<count_twice>()).count("malformed") == 1);
 }
 
 namespace {

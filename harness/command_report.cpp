@@ -53,9 +53,9 @@ ExitCode report(const ReportArguments& arguments) {
   if (arguments.out && arguments.runs.size() > 1)
     throw UsageError("--out holds the tables of one run; give one RUN");
   const std::vector<TableFormat> formats = formats_of(arguments);
-  const Publication paper = load_publication("imbach-mathis-schreck-2016");
+  const Publications publications = load_publications();
   for (const std::filesystem::path& run : arguments.runs) {
-    const TableSet set = build_tables(load_run_record(run), paper);
+    const TableSet set = build_tables(load_run_record(run), publications);
     write_tables(set, folder_of(run, arguments), formats);
     std::cout << shown_on_terminal(set);
   }

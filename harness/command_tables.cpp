@@ -33,8 +33,22 @@ void expand_names(std::vector<std::string>& names) {
   if (all) names = table_names();
 }
 
-/// The defaults of every strategy are held to the answer; variants are experiments, whose failures are
-/// findings.
+/// An instance that is out of reach of every strategy that was asked for.
+bool any_out_of_reach(const RunRecord& run) {
+  return std::any_of(run.instances.begin(), run.instances.end(), [&](const MeasuredInstance& instance) {
+    bool measured = false;
+    bool reached = false;
+    for (const CellRecord& cell : run.cells) {
+      if (cell.spec.instance != instance.id) continue;
+      measured = true;
+      reached = reached || cell.status != RunStatus::unsupported;
+    }
+    return measured && !reached;
+  });
+}
+
+/// The defaults of every strategy are held to the answer wherever they can do the instance; variants are
+/// experiments, whose failures are findings.
 ExitCode exit_code(const RunRecord& run) {
   if (interrupted()) return ExitCode::interrupted;
   if (run.cells.empty()) return ExitCode::not_solved;
@@ -44,19 +58,22 @@ ExitCode exit_code(const RunRecord& run) {
   };
   if (any_default([](const CellRecord& cell) { return !cell.difference.empty(); }))
     return ExitCode::check_failed;
-  if (any_default([](const CellRecord& cell) { return !cell.is_right(); })) return ExitCode::not_solved;
+  const auto has_no_answer = [](const CellRecord& cell) {
+    return !cell.is_right() && cell.status != RunStatus::unsupported;
+  };
+  if (any_default(has_no_answer) || any_out_of_reach(run)) return ExitCode::not_solved;
   return ExitCode::done;
 }
 
 ExitCode tables(TableRequest request, bool quiet) {
   expand_names(request.tables);
-  const Publication paper = load_publication("imbach-mathis-schreck-2016");
+  const Publications publications = load_publications();
   catch_interrupts();
   const RunRecord run = [&] {
     ProgressLine progress(!quiet);
-    return run_tables(request, paper, progress);
+    return run_tables(request, publications, progress);
   }();
-  const TableSet set = build_tables(run, paper);
+  const TableSet set = build_tables(run, publications);
   if (request.out) write_tables(set, *request.out, table_formats());
   std::cout << shown_on_terminal(set);
   return exit_code(run);
@@ -68,7 +85,7 @@ std::string names_help() {
   return text + fmt::format("  {:14} all of them (the default)\n", everything) +
          "\nA wrong answer gets no time. The exit code is 1 when a strategy with its default options is "
          "wrong, and 3 "
-         "when one has no answer; other options are experiments.\n"
+         "when one has no answer or none can do an instance; other options are experiments.\n"
          "\nExamples:\n"
          "  gcsbench tables table1\n"
          "  gcsbench tables all --out results/runs/today\n"
@@ -83,7 +100,7 @@ void add_options(CLI::App& command, TableRequest& request) {
       .add_option("--repetitions", request.repetitions,
                   "Runs of every cell; default: as time allows, at least 3")
       ->check(CLI::Range(1, 1000000));
-  command.add_option("--instances", request.instances, "Columns: ids or files, separated by commas")
+  command.add_option("--instances", request.instances, "Only these: ids or files, separated by commas")
       ->delimiter(',');
   command.add_option("--strategies", request.strategies, "Only these strategies, separated by commas")
       ->delimiter(',');

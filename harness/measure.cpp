@@ -50,7 +50,9 @@ struct Work {
   int planned = 0;  ///< repetitions
 };
 
-bool is_finished(const CellRecord& cell) {
+/// True when nothing is left to measure of the cell.
+bool is_finished(const MeasureTask& task, const CellRecord& cell) {
+  if (task.keeps_solutions && cell.is_right() && cell.solutions.empty()) return false;
   if (cell.is_right()) return cell.repetitions.size() >= fewest_repetitions;
   return cell.status != RunStatus::interrupted && cell.status != RunStatus::timed_out;
 }
@@ -70,10 +72,29 @@ double largest_residual(const Assessment& assessment) {
   return largest;
 }
 
-CellRecord record_of(const CellSpec& spec, const SolveRun& run) {
-  CellRecord record{spec, run.options,           run.status, run.reason,
-                    "",   run.assessment.counts, run.work,   largest_residual(run.assessment),
-                    {}};
+RecordedSolution recorded(const Problem& problem, const AssessedSolution& solution) {
+  RecordedSolution record{solution.figure.is_real(), solution.multiplicity, {}};
+  if (!record.is_real) return record;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const Eigen::Vector3d point = solution.figure.points.col(static_cast<Eigen::Index>(i));
+    record.points[problem.points[i]] = {point.x(), point.y(), point.z()};
+  }
+  return record;
+}
+
+CellRecord record_of(const MeasureTask& task, const SolveRun& run) {
+  CellRecord record;
+  record.spec = task.spec;
+  record.options = run.options;
+  record.status = run.status;
+  record.reason = run.reason;
+  record.counts = run.assessment.counts;
+  record.work = run.work;
+  record.particulars = run.particulars;
+  record.residual = largest_residual(run.assessment);
+  if (task.keeps_solutions)
+    for (const AssessedSolution& solution : run.assessment.solutions)
+      record.solutions.push_back(recorded(task.scene->problem(), solution));
   for (const FailedCheck& check : run.assessment.failed_checks) {
     record.difference += (record.difference.empty() ? "" : " ") + check.what;
   }
@@ -91,14 +112,15 @@ CellRecord not_run(const CellSpec& spec) {
 Work warm_up(const MeasureTask& task, const MeasureSettings& settings, const TimeLeft& left) {
   if (left.none()) return {&task, not_run(task.spec)};
   const SolveRun run = solve_once(task, settings, left);
-  return {&task, record_of(task.spec, run), run.timing.prepare_s + run.timing.wall_s};
+  return {&task, record_of(task, run), run.timing.prepare_s + run.timing.wall_s};
 }
 
 /// Why a repetition is not the same answer as the warm-up; empty: it is.
 std::string changed_answer(const CellRecord& first, const SolveRun& run) {
   if (run.status != first.status)
     return fmt::format("A repetition ended as '{}': {}", word(run.status), run.reason);
-  if (run.assessment.counts != first.counts || run.work.iterations != first.work.iterations) {
+  if (run.assessment.counts != first.counts || run.work.iterations != first.work.iterations ||
+      run.particulars != first.particulars) {
     return "A repetition with the same seed gave another answer.";
   }
   return "";
@@ -158,7 +180,7 @@ std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureS
   for (const MeasureTask& task : tasks) {
     if (interrupted()) break;
     const auto earlier = std::find_if(known.begin(), known.end(), [&](const CellRecord& c) {
-      return c.spec == task.spec && is_finished(c);
+      return c.spec == task.spec && is_finished(task, c);
     });
     if (earlier != known.end()) {
       cells.push_back({&task, *earlier});

@@ -20,6 +20,7 @@ struct MeasureTask {
   CellSpec spec;
   const StrategyEntry* entry = nullptr;
   const Scene* scene = nullptr;
+  bool keeps_solutions = false;  ///< in the record, for tables that show them
 };
 
 struct MeasureSettings {

@@ -15,6 +15,30 @@ using Json = nlohmann::json;
 
 constexpr const char* format_name = "gcsbench-published/1";
 
+std::optional<Correction> correction_of(const Json& json) {
+  if (!json.contains("correction")) return std::nullopt;
+  const Json& correction = json["correction"];
+  return Correction{correction.at("reason").get<std::string>(), correction.at("source").get<std::string>()};
+}
+
+std::vector<PrintedPoint> points_of(const Json& json) {
+  std::vector<PrintedPoint> points;
+  for (const auto& [name, coordinates] : json.items())
+    points.push_back({name, coordinates.get<std::array<std::string, 3>>()});
+  return points;
+}
+
+PrintedSolution solution_of(const Json& json) {
+  PrintedSolution solution;
+  json.at("place").get_to(solution.place);
+  json.at("instance").get_to(solution.instance);
+  json.at("number").get_to(solution.number);
+  solution.points = points_of(json.at("points"));
+  solution.correction = correction_of(json);
+  if (solution.correction) solution.corrected = points_of(json["correction"].at("points"));
+  return solution;
+}
+
 PrintedFigure figure_of(const Json& json) {
   PrintedFigure figure;
   json.at("place").get_to(figure.place);
@@ -25,11 +49,7 @@ PrintedFigure figure_of(const Json& json) {
   figure.by = json.value("by", "");
   figure.convention = json.value("convention", "");
   figure.remark = json.value("remark", "");
-  if (json.contains("correction")) {
-    const Json& correction = json["correction"];
-    figure.correction =
-        Correction{correction.at("reason").get<std::string>(), correction.at("source").get<std::string>()};
-  }
+  figure.correction = correction_of(json);
   return figure;
 }
 
@@ -40,6 +60,8 @@ Publication publication_of(const Json& json) {
   json.at("machine").get_to(publication.machine);
   json.at("instances").get_to(publication.instance_remarks);
   for (const Json& figure : json.at("figures")) publication.figures.push_back(figure_of(figure));
+  if (json.contains("solutions"))
+    for (const Json& solution : json["solutions"]) publication.solutions.push_back(solution_of(solution));
   return publication;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// The figures that papers print (results/published/*.json): compared with, never used by a strategy.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -28,12 +29,29 @@ struct PrintedFigure {
   std::optional<Correction> correction;
 };
 
+/// A point by its name, coordinates as the paper prints them.
+struct PrintedPoint {
+  std::string name;
+  std::array<std::string, 3> printed;
+};
+
+/// One printed solution. `corrected` holds the points that a known misprint has wrong.
+struct PrintedSolution {
+  std::string place;
+  std::string instance;
+  int number = 0;
+  std::vector<PrintedPoint> points;
+  std::vector<PrintedPoint> corrected;
+  std::optional<Correction> correction;
+};
+
 struct Publication {
   std::string source;  ///< short name, as instances cite it
   std::string citation;
   std::string machine;                                  ///< on which the times were taken
   std::map<std::string, std::string> instance_remarks;  ///< what our instance differs in
   std::vector<PrintedFigure> figures;
+  std::vector<PrintedSolution> solutions;  ///< in the paper's order
 
   /// The figure, or nullptr when the paper prints none.
   const PrintedFigure* find(const std::string& place, const std::string& row, const std::string& instance,

@@ -46,16 +46,44 @@ void visit_instance(Record& instance, Visit visit) {
   visit("dimension", instance.dimension);
 }
 
+template <typename Record, typename Visit>
+void visit_length(Record& length, Visit visit) {
+  visit("between", length.between);
+  visit("text", length.text);
+  visit("squared", length.is_squared);
+}
+
+template <typename Record, typename Visit>
+void visit_table(Record& table, Visit visit) {
+  visit("name", table.name);
+  visit("instances", table.instances);
+}
+
+template <typename Record, typename Visit>
+void visit_curve(Record& curve, Visit visit) {
+  visit("instance", curve.instance);
+  visit("given", curve.given);
+  visit("theta", curve.theta);
+  visit("gap", curve.gap);
+}
+
+template <typename Record, typename Visit>
+void visit_solution(Record& solution, Visit visit) {
+  visit("real", solution.is_real);
+  visit("multiplicity", solution.multiplicity);
+  visit("points", solution.points);
+}
+
 /// Writes one member; an empty optional is null.
 struct Writer {
   Json& json;
 
   template <typename T>
-  void operator()(const char* name, const T& value) const {
+  void operator()(const std::string& name, const T& value) const {
     json[name] = value;
   }
   template <typename T>
-  void operator()(const char* name, const std::optional<T>& value) const {
+  void operator()(const std::string& name, const std::optional<T>& value) const {
     json[name] = value ? Json(*value) : Json(nullptr);
   }
 };
@@ -97,9 +125,14 @@ Json cell_json(const CellRecord& cell) {
             {"residual", cell.residual},
             {"counts", Json::object()},
             {"work", Json::object()},
+            {"particulars", Json::object()},
+            {"solutions", Json::array()},
             {"repetitions", Json::array()}};
   visit_counts(cell.counts, Writer{json["counts"]});
   visit_work(cell.work, Writer{json["work"]});
+  visit_particulars(cell.particulars, Writer{json["particulars"]});
+  for (const RecordedSolution& solution : cell.solutions)
+    visit_solution(solution, Writer{json["solutions"].emplace_back(Json::object())});
   for (const Repetition& repetition : cell.repetitions) {
     visit_repetition(repetition, Writer{json["repetitions"].emplace_back(Json::object())});
   }
@@ -119,19 +152,41 @@ CellRecord cell_of(const Json& json) {
   cell.status = status_of(json.at("status").get<std::string>());
   visit_counts(cell.counts, Reader{json.at("counts")});
   visit_work(cell.work, Reader{json.at("work")});
+  for (const auto& [name, value] : json.at("particulars").items())
+    cell.particulars.push_back({name, value.get<std::int64_t>()});
+  for (const Json& entry : json.at("solutions")) visit_solution(cell.solutions.emplace_back(), Reader{entry});
   for (const Json& entry : json.at("repetitions"))
     visit_repetition(cell.repetitions.emplace_back(), Reader{entry});
   return cell;
 }
 
+Json instance_json(const MeasuredInstance& instance) {
+  Json json = Json::object();
+  visit_instance(instance, Writer{json});
+  json["lengths"] = Json::array();
+  for (const GivenLength& length : instance.lengths)
+    visit_length(length, Writer{json["lengths"].emplace_back(Json::object())});
+  return json;
+}
+
+MeasuredInstance instance_of(const Json& json) {
+  MeasuredInstance instance;
+  visit_instance(instance, Reader{json});
+  for (const Json& entry : json.at("lengths")) visit_length(instance.lengths.emplace_back(), Reader{entry});
+  return instance;
+}
+
 Json record_json(const RunRecord& record) {
   Json json{{"format", format_name},   {"started", record.started},     {"seed", record.seed},
-            {"tables", record.tables}, {"environment", Json::object()}, {"instances", Json::array()},
-            {"cells", Json::array()}};
+            {"tables", Json::array()}, {"environment", Json::object()}, {"instances", Json::array()},
+            {"curves", Json::array()}, {"cells", Json::array()}};
+  for (const RequestedTable& table : record.tables)
+    visit_table(table, Writer{json["tables"].emplace_back(Json::object())});
   visit_environment(record.environment, Writer{json["environment"]});
-  for (const MeasuredInstance& instance : record.instances) {
-    visit_instance(instance, Writer{json["instances"].emplace_back(Json::object())});
-  }
+  for (const MeasuredInstance& instance : record.instances)
+    json["instances"].push_back(instance_json(instance));
+  for (const RecordedCurve& curve : record.curves)
+    visit_curve(curve, Writer{json["curves"].emplace_back(Json::object())});
   for (const CellRecord& cell : record.cells) json["cells"].push_back(cell_json(cell));
   return json;
 }
@@ -141,10 +196,10 @@ RunRecord record_of(const Json& json) {
   const Reader read{json};
   read("started", record.started);
   read("seed", record.seed);
-  read("tables", record.tables);
+  for (const Json& entry : json.at("tables")) visit_table(record.tables.emplace_back(), Reader{entry});
   visit_environment(record.environment, Reader{json.at("environment")});
-  for (const Json& entry : json.at("instances"))
-    visit_instance(record.instances.emplace_back(), Reader{entry});
+  for (const Json& entry : json.at("instances")) record.instances.push_back(instance_of(entry));
+  for (const Json& entry : json.at("curves")) visit_curve(record.curves.emplace_back(), Reader{entry});
   for (const Json& entry : json.at("cells")) record.cells.push_back(cell_of(entry));
   return record;
 }
@@ -158,6 +213,12 @@ void require_format(const Json& json, const std::string& file) {
 }
 
 }  // namespace
+
+std::optional<std::int64_t> CellRecord::particular(std::string_view name) const {
+  const auto found = std::find_if(particulars.begin(), particulars.end(),
+                                  [&](const Particular& p) { return p.name == name; });
+  return found == particulars.end() ? std::nullopt : std::optional(found->value);
+}
 
 const CellRecord* RunRecord::find(const CellSpec& spec) const {
   const auto found =

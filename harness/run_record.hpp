@@ -2,10 +2,13 @@
 /// Everything that a measurement found, as versioned JSON (gcsbench-run/1): tables are built from it without
 /// solving.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/environment.hpp"
@@ -32,6 +35,14 @@ struct Repetition {
   double total_s() const { return prepare_s + solve_s; }
 };
 
+/// A solution as far as tables show it. The points of a real one, in the instance's frame and the file's
+/// unit; none of a complex one.
+struct RecordedSolution {
+  bool is_real = true;
+  int multiplicity = 1;
+  std::map<std::string, std::array<double, 3>> points;
+};
+
 /// One cell: its assessed warm-up, and the times of the repetitions.
 struct CellRecord {
   CellSpec spec;
@@ -41,10 +52,21 @@ struct CellRecord {
   std::string difference;  ///< why the answer is wrong; empty: nothing speaks against it
   Counts counts;
   WorkCounters work;
-  double residual = 0;                  ///< largest relative residual of the solutions
-  std::vector<Repetition> repetitions;  ///< empty unless the answer is complete and right
+  std::vector<Particular> particulars;
+  double residual = 0;                      ///< largest relative residual of the solutions
+  std::vector<RecordedSolution> solutions;  ///< one per class; kept only where a table shows them
+  std::vector<Repetition> repetitions;      ///< empty unless the answer is complete and right
 
   bool is_right() const { return status == RunStatus::complete && difference.empty(); }
+  /// The particular of that name, if the strategy counts it.
+  std::optional<std::int64_t> particular(std::string_view name) const;
+};
+
+/// A constraint as the file states it.
+struct GivenLength {
+  std::array<std::string, 2> between;
+  std::string text;  ///< the decimal number, as written
+  bool is_squared = false;
 };
 
 /// An instance as far as tables speak of it.
@@ -54,14 +76,31 @@ struct MeasuredInstance {
   std::string fingerprint;  ///< of the file's values
   int equations = 0;        ///< constraints, the papers' m
   int dimension = 3;        ///< of the space
+  std::vector<GivenLength> lengths = {};
+};
+
+/// A table that was asked for, with the ids of its instances.
+struct RequestedTable {
+  std::string name;
+  std::vector<std::string> instances;
+};
+
+/// The curve d34(θ) of an instance of 5p1L over all branches (see sample_gap_curve), and the given d34; in
+/// the file's unit.
+struct RecordedCurve {
+  std::string instance;
+  double given = 0;
+  std::vector<double> theta;  ///< degrees
+  std::vector<double> gap;    ///< as many
 };
 
 struct RunRecord {
   std::string started;  ///< UTC, ISO 8601
   Environment environment;
   std::uint64_t seed = 1;
-  std::vector<std::string> tables;          ///< names, in the order asked for
-  std::vector<MeasuredInstance> instances;  ///< columns, in order
+  std::vector<RequestedTable> tables;       ///< in the order asked for
+  std::vector<MeasuredInstance> instances;  ///< of all tables, in order
+  std::vector<RecordedCurve> curves;        ///< what figures show beside solutions
   std::vector<CellRecord> cells;
 
   /// The cell of that spec, or nullptr.

@@ -22,6 +22,8 @@ void write_tables(const TableSet& set, const std::filesystem::path& folder,
     for (const Table& table : set.tables) write(table);
     write(set.measurements);
   }
+  for (const Drawing& drawing : set.drawings)
+    AtomicFile(folder / (drawing.name + ".svg")).commit(drawing.svg);
 }
 
 std::string shown_on_terminal(const TableSet& set) {

@@ -13,8 +13,8 @@ namespace gcs {
 /// Creates the folder with its parents unless it is there. Throws OutputError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes every table as <name>.<extension> in every format, each file at once or not at all. Throws
-/// OutputError.
+/// Writes every table as <name>.<extension> in every format, and every drawing, each file at once or not at
+/// all. Throws OutputError.
 void write_tables(const TableSet& set, const std::filesystem::path& folder,
                   std::span<const TableFormat> formats);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <deque>
 #include <tuple>
@@ -14,6 +15,7 @@
 #include "harness/strategy_choice.hpp"
 #include "harness/table_output.hpp"
 #include "harness/tables.hpp"
+#include "solvers/pyramid/pyramid_branches.hpp"
 
 namespace gcs {
 namespace {
@@ -22,6 +24,13 @@ namespace {
 struct LoadedInstances {
   std::vector<Instance> instances;
   std::deque<Scene> scenes;
+
+  /// Precondition: an instance of that id is loaded.
+  const Scene& scene(const std::string& id) const {
+    const auto found = std::find_if(instances.begin(), instances.end(),
+                                    [&](const Instance& instance) { return instance.id == id; });
+    return scenes[static_cast<std::size_t>(found - instances.begin())];
+  }
 };
 
 LoadedInstances load_all(const std::vector<std::string>& arguments) {
@@ -37,47 +46,87 @@ LoadedInstances load_all(const std::vector<std::string>& arguments) {
   return loaded;
 }
 
-/// Without duplicates, in the order of the tables.
-std::vector<Variant> variants_of(const TableRequest& request) {
-  std::vector<Variant> all;
-  for (const std::string& name : request.tables) {
-    const TableKind* kind = find_table(name);
-    if (kind == nullptr) throw UsageError(fmt::format("there is no table '{}'", name));
-    if (!kind->unavailable.empty()) continue;
-    for (Variant& variant : kind->variants()) {
-      const auto& wanted = request.strategies;
-      const bool selected =
-          wanted.empty() || std::find(wanted.begin(), wanted.end(), variant.strategy) != wanted.end();
-      const bool known = std::find(all.begin(), all.end(), variant) != all.end();
-      if (selected && !known) all.push_back(std::move(variant));
-    }
-  }
-  return all;
+const TableKind& table_named(const std::string& name) {
+  const TableKind* kind = find_table(name);
+  if (kind == nullptr) throw UsageError(fmt::format("there is no table '{}'", name));
+  return *kind;
 }
 
+/// What a table shows: its own instances, or those that were asked for.
+std::vector<std::string> ids_for(const TableKind& kind, const TableRequest& request,
+                                 const LoadedInstances& loaded) {
+  if (request.instances.empty()) return kind.instances();
+  std::vector<std::string> ids;
+  for (const Instance& instance : loaded.instances) {
+    const auto& own = kind.instances();
+    if (kind.has_free_columns || std::find(own.begin(), own.end(), instance.id) != own.end())
+      ids.push_back(instance.id);
+  }
+  return ids;
+}
+
+/// The arguments for load_instance: what was asked for, or what the tables show, each once.
+std::vector<std::string> instances_to_load(const TableRequest& request) {
+  if (!request.instances.empty()) return request.instances;
+  std::vector<std::string> ids;
+  for (const std::string& name : request.tables)
+    for (const std::string& id : table_named(name).instances())
+      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  return ids;
+}
+
+bool is_selected(const TableRequest& request, const Variant& variant) {
+  const auto& wanted = request.strategies;
+  return wanted.empty() || std::find(wanted.begin(), wanted.end(), variant.strategy) != wanted.end();
+}
+
+/// Adds the cell, unless another table has it already.
+void add_task(std::vector<MeasureTask>& tasks, MeasureTask task) {
+  const auto known = std::find_if(tasks.begin(), tasks.end(),
+                                  [&](const MeasureTask& other) { return other.spec == task.spec; });
+  if (known == tasks.end())
+    tasks.push_back(std::move(task));
+  else
+    known->keeps_solutions = known->keeps_solutions || task.keeps_solutions;
+}
+
+/// In the order of the tables; those that this version cannot measure are left out.
 std::vector<MeasureTask> tasks_of(const TableRequest& request, const LoadedInstances& loaded) {
   std::vector<MeasureTask> tasks;
-  for (const Variant& variant : variants_of(request)) {
-    const StrategyEntry& entry = find_strategy(variant.strategy);
-    for (std::size_t i = 0; i < loaded.instances.size(); ++i) {
-      tasks.push_back({variant.on(loaded.instances[i].id), &entry, &loaded.scenes[i]});
+  for (const std::string& name : request.tables) {
+    const TableKind& kind = table_named(name);
+    if (why_unavailable(kind)) continue;
+    const std::vector<std::string> ids = ids_for(kind, request, loaded);
+    for (const Variant& variant : kind.variants()) {
+      if (!is_selected(request, variant)) continue;
+      const StrategyEntry& entry = find_strategy(variant.strategy);
+      for (const std::string& id : ids)
+        if (variant.is_for(id))
+          add_task(tasks, {variant.on(id), &entry, &loaded.scene(id), kind.shows_solutions});
     }
   }
   return tasks;
 }
 
+/// True when the paper that the instance cites is known to be wrong about it.
+bool is_corrected(const PublishedFigure& figure, const Publications& publications) {
+  return std::any_of(publications.begin(), publications.end(), [&](const auto& entry) {
+    const Publication& paper = entry.second;
+    return figure.source.starts_with(paper.source) &&
+           std::any_of(paper.figures.begin(), paper.figures.end(), [&](const PrintedFigure& printed) {
+             return printed.correction && printed.row == figure.quantity && printed.value == figure.value;
+           });
+  });
+}
+
 /// Published counts on the path that are not known to be wrong.
-ExpectedCounts expected_counts(const LoadedInstances& loaded, const Publication& paper) {
+ExpectedCounts expected_counts(const LoadedInstances& loaded, const Publications& publications) {
   ExpectedCounts expected;
   for (const Instance& instance : loaded.instances) {
     for (const PublishedFigure& figure : instance.published) {
       if (figure.quantity != "on path") continue;
-      const bool corrected =
-          std::any_of(paper.figures.begin(), paper.figures.end(), [&](const PrintedFigure& printed) {
-            return printed.correction && printed.row == figure.quantity &&
-                   figure.source.starts_with(paper.source) && printed.value == figure.value;
-          });
-      if (!corrected) expected[instance.id] = static_cast<std::uint64_t>(figure.value);
+      if (!is_corrected(figure, publications))
+        expected[instance.id] = static_cast<std::uint64_t>(figure.value);
     }
   }
   return expected;
@@ -92,18 +141,52 @@ std::string fingerprint(const Instance& instance) {
   return fmt::format("{:016x}", hash);
 }
 
+std::vector<GivenLength> given_lengths(const Problem& problem) {
+  std::vector<GivenLength> lengths;
+  for (const DistanceConstraint& c : problem.constraints)
+    lengths.push_back({{problem.name(c.between[0]), problem.name(c.between[1])}, c.given.text, c.is_squared});
+  return lengths;
+}
+
+/// The curve as the figure shows it: one sample a degree, as the paper's Fig. 7.
+RecordedCurve sampled_curve(const std::string& id, const Scene& scene, const Pyramid& pyramid) {
+  constexpr int samples = 360;
+  const auto in_file_unit = [&](double length) { return std::ldexp(length, scene.unit_exponent()); };
+  RecordedCurve curve{id, in_file_unit(pyramid.side[2]), {}, {}};
+  for (const GapSample& sample : sample_gap_curve(pyramid, samples)) {
+    curve.theta.push_back(sample.theta);
+    curve.gap.push_back(in_file_unit(sample.gap));
+  }
+  return curve;
+}
+
+/// Of the instances of 5p1L that tables with a figure show.
+std::vector<RecordedCurve> curves_of(const TableRequest& request, const LoadedInstances& loaded) {
+  std::vector<RecordedCurve> curves;
+  for (const std::string& name : request.tables) {
+    const TableKind& kind = table_named(name);
+    if (kind.draw == nullptr) continue;
+    for (const std::string& id : ids_for(kind, request, loaded))
+      if (const auto pyramid = find_pyramid(loaded.scene(id)))
+        curves.push_back(sampled_curve(id, loaded.scene(id), *pyramid));
+  }
+  return curves;
+}
+
 RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
                      const MeasureSettings& settings) {
   RunRecord record;
   record.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   record.environment = capture_environment(settings.threads);
   record.seed = settings.seed;
-  record.tables = request.tables;
+  for (const std::string& name : request.tables)
+    record.tables.push_back({name, ids_for(table_named(name), request, loaded)});
   for (const Instance& instance : loaded.instances) {
     record.instances.push_back({instance.id, instance.origin, fingerprint(instance),
                                 static_cast<int>(instance.problem.constraints.size()),
-                                instance.problem.dimension});
+                                instance.problem.dimension, given_lengths(instance.problem)});
   }
+  record.curves = curves_of(request, loaded);
   return record;
 }
 
@@ -153,12 +236,12 @@ void require_known_strategies(const TableRequest& request) {
 
 }  // namespace
 
-RunRecord run_tables(const TableRequest& request, const Publication& paper, Monitor& progress) {
+RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress) {
   require_known_strategies(request);
-  const LoadedInstances loaded = load_all(request.instances.empty() ? paper_instances() : request.instances);
+  const LoadedInstances loaded = load_all(instances_to_load(request));
   const std::vector<MeasureTask> tasks = tasks_of(request, loaded);
   MeasureSettings settings = settings_of(request);
-  settings.expected = expected_counts(loaded, paper);
+  settings.expected = expected_counts(loaded, publications);
   RunRecord record = new_record(request, loaded, settings);
   const std::vector<CellRecord> known = earlier_cells(request, record);
 

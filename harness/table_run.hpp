@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "harness/measure.hpp"
-#include "harness/published.hpp"
 #include "harness/run_record.hpp"
+#include "harness/tables.hpp"
 
 namespace gcs {
 
 /// What is asked for. Empty lists: the defaults.
 struct TableRequest {
   std::vector<std::string> tables;      ///< names of table_kinds()
-  std::vector<std::string> instances;   ///< as load_instance takes them; default: the paper's
+  std::vector<std::string> instances;   ///< as load_instance takes them; default: the tables' own
   std::vector<std::string> strategies;  ///< default: all that the tables show
   std::optional<int> repetitions;
   bool full = false;                         ///< without limits of time
@@ -25,6 +25,6 @@ struct TableRequest {
 
 /// Measures on one thread. Throws InputError for an instance that cannot be read, or a run to resume that
 /// another build or machine made; UsageError for names that are unknown or given twice; OutputError.
-RunRecord run_tables(const TableRequest& request, const Publication& paper, Monitor& progress);
+RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress);
 
 }  // namespace gcs

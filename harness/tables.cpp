@@ -6,19 +6,48 @@
 #include <array>
 
 namespace gcs {
+namespace {
+
+constexpr std::string_view imbach = "imbach-mathis-schreck-2016";
+constexpr std::string_view hoffmann = "hoffmann-yuan-2000";
+
+constexpr bool free_columns = true;
+constexpr bool shows_solutions = true;
+
+/// The run as far as one table speaks of it.
+RunRecord part_of(const RunRecord& run, const RequestedTable& table) {
+  RunRecord part = run;
+  std::erase_if(part.instances, [&](const MeasuredInstance& instance) {
+    return std::find(table.instances.begin(), table.instances.end(), instance.id) == table.instances.end();
+  });
+  return part;
+}
+
+void append(TableSet& set, const TableKind& kind, const RunRecord& part, const Publication& paper) {
+  for (Table& table : kind.build(part, paper)) set.tables.push_back(std::move(table));
+  if (kind.draw == nullptr) return;
+  for (Drawing& drawing : kind.draw(part)) set.drawings.push_back(std::move(drawing));
+}
+
+}  // namespace
+
+bool Variant::is_for(const std::string& instance) const {
+  return only_on.empty() || std::find(only_on.begin(), only_on.end(), instance) != only_on.end();
+}
 
 std::span<const TableKind> table_kinds() {
   static const std::array kinds{
-      TableKind{"table1", "numbers of solutions and running times (Imbach et al., Table 1)", table1_variants,
-                build_table1, ""},
-      TableKind{"table2", "details of tracking S (Imbach et al., Table 2), and ratios of times",
-                table2_variants, build_table2, ""},
-      TableKind{"hoffmann-yuan", "five points and a line (Hoffmann, Yuan, Tables 1 and 2)", nullptr, nullptr,
-                "this version has no strategy for points and a line"},
-      TableKind{"tangents", "lines at given distances from four points", nullptr, nullptr,
-                "this version has no strategy for points and a line"},
-      TableKind{"ablation", "one option of a strategy changed at a time", ablation_variants, build_ablation,
-                ""},
+      TableKind{"table1", "numbers of solutions and running times (Imbach et al., Table 1)", imbach,
+                paper_instances, free_columns, !shows_solutions, table1_variants, build_table1},
+      TableKind{"table2", "details of tracking S (Imbach et al., Table 2), and ratios of times", imbach,
+                paper_instances, free_columns, !shows_solutions, table2_variants, build_table2},
+      TableKind{"hoffmann-yuan", "five points and a line (Hoffmann, Yuan, Tables 1 and 2, Fig. 7)", hoffmann,
+                pyramid_instances, !free_columns, shows_solutions, pyramid_variants, build_pyramid,
+                draw_pyramid},
+      TableKind{"tangents", "lines at given distances from four points (Hoffmann, Yuan)", hoffmann,
+                tangents_instances, !free_columns, shows_solutions, tangents_variants, build_tangents},
+      TableKind{"ablation", "one option of a strategy changed at a time", imbach, paper_instances,
+                free_columns, !shows_solutions, ablation_variants, build_ablation},
   };
   return kinds;
 }
@@ -30,21 +59,43 @@ const TableKind* find_table(std::string_view name) {
   return found == kinds.end() ? nullptr : &*found;
 }
 
+std::optional<std::string> why_unavailable(const TableKind& kind) {
+  const std::vector<Variant> variants = kind.variants();
+  const auto strategies = all_strategies();
+  const auto is_there = [&](const Variant& variant) {
+    return std::any_of(strategies.begin(), strategies.end(),
+                       [&](const StrategyEntry& entry) { return entry.name == variant.strategy; });
+  };
+  const auto missing = std::find_if_not(variants.begin(), variants.end(), is_there);
+  if (missing == variants.end()) return std::nullopt;
+  return fmt::format("this version has no strategy '{}'", missing->strategy);
+}
+
+Publications load_publications() {
+  Publications publications;
+  for (const TableKind& kind : table_kinds())
+    if (publications.count(kind.source) == 0)
+      publications[std::string(kind.source)] = load_publication(std::string(kind.source));
+  return publications;
+}
+
 const std::vector<std::string>& paper_instances() {
   static const std::vector<std::string> ids{"octahedron", "disulfide", "dodecagon", "icosahedron"};
   return ids;
 }
 
-TableSet build_tables(const RunRecord& run, const Publication& paper) {
+TableSet build_tables(const RunRecord& run, const Publications& publications) {
   TableSet set;
-  for (const std::string& name : run.tables) {
-    const TableKind* kind = find_table(name);
+  for (const RequestedTable& table : run.tables) {
+    const TableKind* kind = find_table(table.name);
     if (kind == nullptr) {
-      set.lines.push_back(fmt::format("{}: this version knows no such table", name));
-    } else if (!kind->unavailable.empty()) {
-      set.lines.push_back(fmt::format("{}: not measured, {}", name, kind->unavailable));
+      set.lines.push_back(fmt::format("{}: this version knows no such table", table.name));
+    } else if (const auto reason = why_unavailable(*kind)) {
+      set.lines.push_back(fmt::format("{}: not measured, {}", table.name, *reason));
+    } else if (table.instances.empty()) {
+      set.lines.push_back(fmt::format("{}: not measured, none of its instances was asked for", table.name));
     } else {
-      for (Table& table : kind->build(run, paper)) set.tables.push_back(std::move(table));
+      append(set, *kind, part_of(run, table), publications.find(kind->source)->second);
     }
   }
   set.measurements = build_measurements(run);

@@ -2,6 +2,8 @@
 /// The tables of `gcsbench tables`: what each needs measured, and how it is built from a run.
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,19 +19,29 @@ namespace gcs {
 struct Variant {
   std::string strategy;
   OptionMap given;
+  std::vector<std::string> only_on = {};  ///< ids of instances; empty: all of the table's
 
   CellSpec on(const std::string& instance) const { return {instance, strategy, given}; }
-  bool operator==(const Variant&) const = default;
+  bool is_for(const std::string& instance) const;
 };
 
-/// A table that can be asked for by name. `unavailable` says why this version cannot measure it; empty: it
-/// can.
+/// A figure as the text of a file <name>.svg.
+struct Drawing {
+  std::string name;
+  std::string svg;
+};
+
+/// A table that can be asked for by name.
 struct TableKind {
   std::string_view name;
   std::string_view summary;
+  std::string_view source;  ///< its publication in results/published
+  const std::vector<std::string>& (*instances)() = nullptr;
+  bool has_free_columns = true;  ///< may show other instances than `instances`
+  bool shows_solutions = false;  ///< not only how many there are: its cells keep them
   std::vector<Variant> (*variants)() = nullptr;
   std::vector<Table> (*build)(const RunRecord& run, const Publication& paper) = nullptr;
-  std::string_view unavailable;
+  std::vector<Drawing> (*draw)(const RunRecord& run) = nullptr;  ///< null: no figure
 };
 
 /// All tables, in the order of `all`.
@@ -38,18 +50,28 @@ std::span<const TableKind> table_kinds();
 /// The table of that name, or nullptr.
 const TableKind* find_table(std::string_view name);
 
-/// The instances of the paper's tables, in its order.
+/// Why this version cannot measure the table: it has none of the strategies that it needs.
+std::optional<std::string> why_unavailable(const TableKind& kind);
+
+/// Publications by their short names.
+using Publications = std::map<std::string, Publication, std::less<>>;
+
+/// Those that the tables name. Throws InputError.
+Publications load_publications();
+
+/// The instances of the tables of Imbach et al., in their order.
 const std::vector<std::string>& paper_instances();
 
 /// What a run shows.
 struct TableSet {
   std::vector<Table> tables;
+  std::vector<Drawing> drawings;
   Table measurements;              ///< all that was measured, whatever the tables show of it
   std::vector<std::string> lines;  ///< tables that were asked for and cannot be had, one line each
 };
 
 /// Builds what the run asked for, without solving.
-TableSet build_tables(const RunRecord& run, const Publication& paper);
+TableSet build_tables(const RunRecord& run, const Publications& publications);
 
 std::vector<Variant> table1_variants();
 std::vector<Table> build_table1(const RunRecord& run, const Publication& paper);
@@ -61,6 +83,20 @@ Table build_ratios(const RunRecord& run, const Publication& paper);
 
 std::vector<Variant> ablation_variants();
 std::vector<Table> build_ablation(const RunRecord& run, const Publication& paper);
+
+/// 5p1L and, of 6p, the octahedra.
+const std::vector<std::string>& pyramid_instances();
+std::vector<Variant> pyramid_variants();
+/// The lengths, the solutions, the scans and the octahedra of Hoffmann and Yuan.
+std::vector<Table> build_pyramid(const RunRecord& run, const Publication& paper);
+/// Their 24 solutions beside ours.
+Table build_pyramid_solutions(const RunRecord& run, const Publication& paper);
+/// Their Fig. 7: d34(θ) over all branches, the given d34 and the solutions.
+std::vector<Drawing> draw_pyramid(const RunRecord& run);
+
+const std::vector<std::string>& tangents_instances();
+std::vector<Variant> tangents_variants();
+std::vector<Table> build_tangents(const RunRecord& run, const Publication& paper);
 
 /// Every cell of the run with its repetitions, whatever the tables show of it.
 Table build_measurements(const RunRecord& run);

@@ -57,13 +57,14 @@ class Silence final : public Monitor {
 /// Measures one cell for each answer; "" is the default.
 std::vector<CellRecord> measure_answers(const std::vector<std::string>& answers,
                                         const MeasureSettings& settings,
-                                        const std::vector<CellRecord>& known = {}) {
+                                        const std::vector<CellRecord>& known = {},
+                                        bool keeps_solutions = false) {
   const Scene scene(toy::instance().problem);
   const StrategyEntry entry = toy_entry("toy");
   std::vector<MeasureTask> tasks;
   for (const std::string& answer : answers) {
     const OptionMap given = answer.empty() ? OptionMap{} : OptionMap{{"answer", answer}};
-    tasks.push_back({{"toy", "toy", given}, &entry, &scene});
+    tasks.push_back({{"toy", "toy", given}, &entry, &scene, keeps_solutions});
   }
   Silence silence;
   solve_log.clear();
@@ -96,6 +97,19 @@ TEST_CASE("right answers are timed as often as asked") {
     REQUIRE(cell.repetitions.size() == 5);
     CHECK(cell.repetitions.front().solve_s > 0);
   }
+}
+
+TEST_CASE("solutions are kept where they are wanted, also when a run without them is resumed") {
+  const auto without = measure_answers({""}, repetitions(3));
+  REQUIRE(without.front().is_right());
+  CHECK(without.front().solutions.empty());
+  const auto resumed = measure_answers({""}, repetitions(3), without, true);
+  CHECK(resumed.front().solutions.size() == 2);
+  const Problem& problem = toy::instance().problem;
+  for (const RecordedSolution& solution : resumed.front().solutions)
+    CHECK(solution.points.size() == problem.points.size());
+  measure_answers({""}, repetitions(3), resumed, true);
+  CHECK(solve_log.empty());
 }
 
 TEST_CASE("a wrong answer is reported with its difference and without a time") {

@@ -25,6 +25,29 @@ TEST_CASE("a record reads back as what was written") {
   CHECK(cell.repetitions[1].solve_s == record.cells.front().repetitions[1].solve_s);
   CHECK(again.environment.commit == record.environment.commit);
   CHECK(again.instances.front().equations == 12);
+  REQUIRE(again.instances.front().lengths.size() == 1);
+  CHECK(again.instances.front().lengths.front().text == "1.10");
+}
+
+TEST_CASE("particulars, solutions and curves read back") {
+  RunRecord record = toy::run_record();
+  record.cells.front().particulars = {{"coarse_solutions", 224}, {"a_first_by_order_not_by_name", 1}};
+  record.cells.front().solutions = {{true, 4, {{"p1", {0.1, -2, 3}}}}, {false, 1, {}}};
+  record.curves = {{"hoffmann-yuan", 9.15, {0, 1}, {0.1 / 3, 9}}};
+  const RunRecord again = parse_run_record(to_json_text(record), "run.json");
+  const CellRecord& cell = again.cells.front();
+  CHECK(cell.particulars == record.cells.front().particulars);
+  CHECK(cell.particular("coarse_solutions") == 224);
+  CHECK_FALSE(cell.particular("refined_solutions"));
+  REQUIRE(cell.solutions.size() == 2);
+  CHECK(cell.solutions[0].multiplicity == 4);
+  CHECK(cell.solutions[0].points.at("p1") == std::array<double, 3>{0.1, -2, 3});
+  CHECK_FALSE(cell.solutions[1].is_real);
+  REQUIRE(again.curves.size() == 1);
+  CHECK(again.curves[0].given == 9.15);
+  CHECK(again.curves[0].gap == record.curves[0].gap);
+  REQUIRE(again.tables.size() == record.tables.size());
+  CHECK(again.tables[0].instances == record.tables[0].instances);
 }
 
 TEST_CASE("a cell is found by instance, strategy and options") {

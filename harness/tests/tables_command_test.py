@@ -4,6 +4,7 @@
 Usage: tables_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
+import csv
 import json
 import signal
 import subprocess
@@ -11,6 +12,7 @@ import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 from pathlib import Path
 
 PROGRAM = ""
@@ -94,9 +96,43 @@ class Tables(WithFolder):
         self.assertEqual(run("report", self.folder).returncode, DONE)
 
     def test_tables_without_a_strategy(self):
-        done = run("tables", "tangents", "hoffmann-yuan")
+        """A table says in one line which strategy is missing, or is there."""
+        done = run("tables", "tangents", "--repetitions", 3)
+        if "no strategy 'sphere-tangents'" in done.stdout:
+            self.assertEqual(done.returncode, NOT_SOLVED)
+            self.assertEqual(len(done.stdout.splitlines()), 1)
+        else:
+            self.assertEqual(done.returncode, DONE, done.stderr)
+            self.assertTrue(done.stdout.startswith("### 4p1L"))
+
+    def test_tables_with_their_own_instances(self):
+        done = run("tables", "hoffmann-yuan", "--repetitions", 3, "--out", self.folder)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        tables = ("lengths", "solutions", "scans", "6p")
+        files = {f"hoffmann-yuan-{name}.{ext}" for name in tables for ext in ("md", "csv", "tex")}
+        files |= {"hoffmann-yuan-curve.svg", "run.json"} | {f"measurements.{ext}" for ext in ("md", "csv", "tex")}
+        self.assertEqual({path.name for path in self.folder.iterdir()}, files)
+        scans = (self.folder / "hoffmann-yuan-scans.csv").read_text()
+        self.assertIn("108,108,20,20", scans)
+        self.assertIn("224,224,24,24", scans)
+        with open(self.folder / "hoffmann-yuan-solutions.csv", newline="") as file:
+            solutions = list(csv.DictReader(file))
+        self.assertEqual(len(solutions), 24)
+        misprinted = [row["number"] for row in solutions if float(row["ours: largest difference"]) > 0.005]
+        self.assertEqual(misprinted, ["13"])
+        xml.etree.ElementTree.parse(self.folder / "hoffmann-yuan-curve.svg")
+
+    def test_tables_with_their_own_instances_show_no_others(self):
+        done = run("tables", "hoffmann-yuan", "--instances", "k33")
         self.assertEqual(done.returncode, NOT_SOLVED)
-        self.assertEqual(len(done.stdout.splitlines()), 2)
+        self.assertIn("none of its instances", done.stdout)
+        self.assertEqual(len(done.stdout.splitlines()), 1)
+
+    def test_one_strategy_that_is_out_of_reach_is_no_failure(self):
+        done = run("tables", "table1", "--instances", "k33", "--strategies", "full-space,cayley-menger",
+                   "--repetitions", 3)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertIn("no strategy yet", done.stdout)
 
     def test_instances_out_of_reach_say_so_in_every_cell(self):
         done = run("tables", "table1", "--instances", "tangents-durand")
@@ -126,6 +162,14 @@ class Report(WithFolder):
         self.assertEqual(done.returncode, DONE, done.stderr)
         self.assertEqual(done.stdout, measured.stdout)
         self.assertEqual(contents(self.folder, TABLE_FILES), before)
+
+    def test_rebuilds_the_figure(self):
+        run("tables", "hoffmann-yuan", "--repetitions", 3, "--out", self.folder)
+        figure = self.folder / "hoffmann-yuan-curve.svg"
+        before = figure.read_bytes()
+        figure.unlink()
+        self.assertEqual(run("report", self.folder).returncode, DONE)
+        self.assertEqual(figure.read_bytes(), before)
 
     def test_formats_and_folder(self):
         self.measure()

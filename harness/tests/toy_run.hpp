@@ -65,8 +65,10 @@ inline RunRecord run_record() {
   RunRecord record;
   record.started = "2026-01-02T03:04:05Z";
   record.environment = {"Toy CPU", "GNU 12", "-O3", "0123abc", 1};
-  record.tables = {"table1", "table2", "tangents", "ablation"};
-  record.instances = {{"octahedron", "octahedron.json", "00ff", 12, 3},
+  const std::vector<std::string> both{"octahedron", "icosahedron"};
+  record.tables = {
+      {"table1", both}, {"table2", both}, {"table3", both}, {"hoffmann-yuan", {}}, {"ablation", both}};
+  record.instances = {{"octahedron", "octahedron.json", "00ff", 12, 3, {{{"p1", "p2"}, "1.10", false}}},
                       {"icosahedron", "icosahedron.json", "01ff", 30, 3}};
   record.cells = {
       cell({"octahedron", "full-space", {}}, 4, 31, 1.5e-3),

@@ -184,6 +184,11 @@ Figure in_plan_frame(const Scene& scene, const Plan& plan, const Figure& figure)
   return scene.in_frame(figure, plan.frame());
 }
 
+std::vector<int> placing_order(const Scene& scene) {
+  const Adjacency adjacency = adjacency_of(scene.problem());
+  return Ordering(scene, adjacency).best();
+}
+
 Plan derive_plan(const Scene& scene, const Figure& figure, const ExchangeRule& rule) {
   const Adjacency adjacency = adjacency_of(scene.problem());
   const Ordering ordering(scene, adjacency);

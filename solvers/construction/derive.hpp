@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solvers/construction/exchange.hpp"
 #include "solvers/construction/plan.hpp"
@@ -16,6 +17,9 @@ namespace gcs {
 /// farthest from a boundary configuration in `figure` is taken. Precondition: no lines, a well posed problem,
 /// positions fixed for none or for enough points.
 Plan derive_plan(const Scene& scene, const Figure& figure, const ExchangeRule& rule);
+
+/// The order in which derive_plan places the points that are not fixed. Same preconditions.
+std::vector<int> placing_order(const Scene& scene);
 
 /// The plan that the file gives in `construction`, with its driven spheres centred where the points named are
 /// in `figure`. Precondition: problem().construction is not empty.

@@ -24,8 +24,10 @@ bool fixed_by_frame(const Scene& scene, const Reference& reference, int point, i
 
 }  // namespace
 
-DistanceSystem::DistanceSystem(const Scene& scene)
-    : reference_(frame_of(scene)),
+DistanceSystem::DistanceSystem(const Scene& scene) : DistanceSystem(scene, frame_of(scene)) {}
+
+DistanceSystem::DistanceSystem(const Scene& scene, const Reference& reference)
+    : reference_(reference),
       dimension_(scene.dimension()),
       point_count_(scene.point_count()),
       has_line_(scene.has_lines()),
@@ -65,7 +67,7 @@ void DistanceSystem::place(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ma
 /// The two points whose distance is that of edge `e`: the second of a line is the foot on it.
 std::array<Eigen::Vector3d, 2> DistanceSystem::ends(const Eigen::Matrix3Xd& points, int e) const {
   const auto [a, b] = edges_[e];
-  if (b < point_count_) return {points.col(a), points.col(b)};
+  if (!is_line(b)) return {points.col(a), points.col(b)};
   return {points.col(a), Eigen::Vector3d(points(0, a), 0, 0)};
 }
 

@@ -17,9 +17,11 @@ class DistanceSystem {
  public:
   /// Precondition: at most one line, which is not fixed.
   explicit DistanceSystem(const Scene& scene);
+  /// The same in another frame, which puts a line on the x-axis if there is one.
+  DistanceSystem(const Scene& scene, const Reference& reference);
 
-  /// The frame of the coordinates: the scene's, unless there is a line and the scene's does not put it on the
-  /// x-axis (then see line_reference).
+  /// The frame of the coordinates: the scene's, unless another was given, or there is a line and the scene's
+  /// does not put it on the x-axis (then see line_reference).
   const Reference& reference() const { return reference_; }
   int dimension() const { return dimension_; }
   int point_count() const { return point_count_; }
@@ -27,6 +29,7 @@ class DistanceSystem {
   int equations() const { return static_cast<int>(edges_.size()); }
   /// Two points, or a point and the line, numbered as in DistanceConstraint; the line comes second.
   const std::vector<std::array<int, 2>>& edges() const { return edges_; }
+  bool is_line(int entity) const { return entity >= point_count_; }
   /// Index of the unknown that is coordinate `axis` of `entity`, or −1 when the frame fixes it.
   int unknown(int entity, int axis) const { return unknown_[3 * entity + axis]; }
 

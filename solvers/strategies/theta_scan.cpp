@@ -5,6 +5,12 @@
 /// d34(θ) is then a curve, and a solution is where a branch of it meets the given d34. Hoffmann, Yuan, On
 /// Spatial Constraint Solving Approaches, 2000, section 4.3.
 ///
+/// method=events (the default) subdivides the range of θ with enclosures, following every branch, until each
+/// piece is proven to hold no solution or exactly one (scanning/plan_scan.hpp; pyramid/pyramid_plan.hpp is
+/// the plan). Pieces become as fine as they must where a branch ends or d34(θ) has an extremum, so that
+/// nothing depends on a step or a threshold: all real solutions are found, except in pieces named as
+/// undecided, where one is multiple or nearly so.
+///
 /// method=published is theirs: at θ = start, start + dtheta, … every branch with |d34(θ) − d34| < delta is a
 /// coarse solution, from which Newton's method on the twelve equations (7) starts; equal ends are one refined
 /// solution. (Their text has d34(θ) < δ for this.) The thirteenth equation, of the apex and the line, holds
@@ -22,12 +28,14 @@
 #include "solvers/model/quality.hpp"
 #include "solvers/options.hpp"
 #include "solvers/pyramid/pyramid_branches.hpp"
+#include "solvers/pyramid/pyramid_plan.hpp"
+#include "solvers/scanning/scan_report.hpp"
 #include "solvers/strategy.hpp"
 
 namespace gcs {
 namespace {
 
-constexpr std::string_view methods = "published";
+constexpr std::string_view methods = "events|published";
 
 /// Of what Newton's method has settled to: the coordinates' rounding leaves 1e-15 or so of a length.
 constexpr double solved_residual = 1e-13;
@@ -36,17 +44,15 @@ constexpr double solved_residual = 1e-13;
 /// condition.
 constexpr double same_solution = 1e-9;
 
-struct ScanOptions {
+struct GridOptions {
   double step = 1;     ///< degrees
   double start = 0;    ///< degrees
   double delta = 0.2;  ///< in the file's unit
 
-  explicit ScanOptions(const OptionMap& options)
+  explicit GridOptions(const OptionMap& options)
       : step(number_option(options, "dtheta", 1e-4, 360)),
         start(number_option(options, "start", -360, 360)),
-        delta(number_option(options, "delta", 0, 1e300)) {
-    choice_option(options, "method", methods);
-  }
+        delta(number_option(options, "delta", 0, 1e300)) {}
 
   /// Angles from `start` on that are less than a full turn away; a quotient within rounding of a whole number
   /// is that number.
@@ -54,9 +60,9 @@ struct ScanOptions {
   double angle(int i) const { return (start + i * step) * std::numbers::pi / 180; }
 };
 
-class Scan {
+class PublishedScan {
  public:
-  Scan(const SolveRequest& request, const Pyramid& pyramid, const ScanOptions& options)
+  PublishedScan(const SolveRequest& request, const Pyramid& pyramid, const GridOptions& options)
       : request_(request),
         scene_(request.scene),
         pyramid_(pyramid),
@@ -122,7 +128,7 @@ class Scan {
   const SolveRequest& request_;
   const Scene& scene_;
   const Pyramid& pyramid_;
-  const ScanOptions& options_;
+  const GridOptions& options_;
   DistanceSystem system_;
   std::vector<DoubleDouble> squares_;
   std::vector<Eigen::VectorXd> refined_;
@@ -133,7 +139,10 @@ class Scan {
 
 class ThetaScan final : public Strategy {
  public:
-  explicit ThetaScan(const OptionMap& options) : options_(options) {}
+  explicit ThetaScan(const OptionMap& options)
+      : is_published_(choice_option(options, "method", methods) == 1),
+        options_(options),
+        limits_(read_scan_limits(options)) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     const auto pyramid = find_pyramid(scene);
@@ -147,19 +156,26 @@ class ThetaScan final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     const auto pyramid = find_pyramid(request.scene);
-    return Scan(request, *pyramid, options_).run();
+    if (is_published_) return PublishedScan(request, *pyramid, options_).run();
+    const ScanPlan plan = pyramid_plan(request.scene, *pyramid);
+    return scan_report(request.scene, plan, scan_plan(request.scene, plan, limits_, request.stop));
   }
 
  private:
-  ScanOptions options_;
+  bool is_published_;
+  GridOptions options_;
+  ScanLimits limits_;
 };
 
 std::vector<OptionSpec> option_specs() {
-  return {{"method", "published", methods, "how the curve d34(theta) is searched: the paper's scan"},
-          {"dtheta", "1", "number from 1e-4 to 360", "step of the angle, in degrees"},
-          {"start", "0", "number from -360 to 360", "first angle, in degrees"},
-          {"delta", "0.2", "number >= 0",
-           "how near d34(theta) must come to d34, in the file's unit of length", true}};
+  std::vector<OptionSpec> specs{
+      {"method", "events", methods, "events: subdivision with proof; published: the paper's scan"},
+      {"dtheta", "1", "number from 1e-4 to 360", "published: step of the angle, in degrees"},
+      {"start", "0", "number from -360 to 360", "published: first angle, in degrees"},
+      {"delta", "0.2", "number >= 0",
+       "published: how near d34(theta) must come to d34, in the file's unit of length", true}};
+  for (const OptionSpec& spec : scan_option_specs()) specs.push_back(spec);
+  return specs;
 }
 
 }  // namespace

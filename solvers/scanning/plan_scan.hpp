@@ -1,0 +1,47 @@
+#pragma once
+/// All real solutions of a scene by scanning its plan's angles: subdivision with proof.
+///
+/// Over a cell of angles every branch of the plan is followed with enclosures of its points. A branch leaves
+/// a cell where a discriminant is negative or a check cannot hold on all of it; linear parts of discriminants
+/// and checks narrow the cell. What is left is a small box of points around it, of which Krawczyk's test
+/// proves that it holds one solution or none; where it cannot, the cell is halved. Nothing depends on the
+/// width of the first cells: branch ends (a discriminant may be zero) and extrema of a check only mean
+/// smaller cells around them. The solutions found are all there are, except in the pieces that are named as
+/// undecided when the cells become too fine: there a solution is multiple, or nearly so.
+
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "solvers/model/distance_system.hpp"
+#include "solvers/scanning/scan_plan.hpp"
+
+namespace gcs {
+
+struct ScanLimits {
+  double finest = 1e-12;  ///< in radians: half the width of the finest cells
+  std::int64_t max_cells = 0;
+  std::int64_t max_undecided = 0;
+};
+
+/// A range of angles on which some branch could not be decided.
+struct UndecidedPiece {
+  std::vector<std::array<double, 2>> ranges;  ///< one per angle, in radians
+  Figure figure;  ///< in the plan's frame: its middle, or where Newton's method goes from there
+};
+
+struct ScanOutcome {
+  enum class End { complete, too_many_cells, too_many_undecided, stopped };
+  End end = End::complete;
+  std::vector<Figure> solutions;  ///< proven and distinct, in the plan's frame
+  std::vector<UndecidedPiece> undecided;
+  std::int64_t cells = 0;
+  std::int64_t boxes = 0;  ///< to which Krawczyk's test was put
+  std::int64_t newton_iterations = 0;
+};
+
+/// Precondition: the plan has at most two angles, or one and a line.
+ScanOutcome scan_plan(const Scene& scene, const ScanPlan& plan, const ScanLimits& limits,
+                      const std::stop_token& stop);
+
+}  // namespace gcs

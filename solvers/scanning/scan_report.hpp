@@ -1,0 +1,18 @@
+#pragma once
+/// What a scan of a plan is asked for and what it reports, the same for every strategy that scans.
+
+#include "solvers/scanning/plan_scan.hpp"
+#include "solvers/strategy.hpp"
+
+namespace gcs {
+
+/// The options `finest` and `max_cells`.
+std::vector<OptionSpec> scan_option_specs();
+/// Throws OptionError.
+ScanLimits read_scan_limits(const OptionMap& options);
+
+/// The solutions with the claim that they are all real ones. Where pieces are undecided the status says so
+/// and the reason names the first; points of them that satisfy the constraints to rounding are reported too.
+SolveReport scan_report(const Scene& scene, const ScanPlan& plan, const ScanOutcome& outcome);
+
+}  // namespace gcs

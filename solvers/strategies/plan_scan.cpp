@@ -1,0 +1,60 @@
+/// Scans a construction plan's driving parameters for all real solutions.
+///
+/// Hoffmann and Yuan solve n − k equations for given values of k parameters and scan what the other k leave
+/// over a grid. A construction plan is such a parametrisation ([H] §5 with the plans of [I]); here its
+/// parameters are angles (scanning/scan_plan.hpp), and in place of a grid with a threshold the range is
+/// subdivided with enclosures until every piece is proven to hold no solution or exactly one
+/// (scanning/plan_scan.hpp). What is found is therefore proven, for the lengths as doubles, and nothing
+/// depends on a width chosen beforehand.
+///
+/// It fails on scenes with more than two driving parameters, and gives up where solutions are not isolated or
+/// where they are multiple; the ranges that it could not decide are named, and points of them that satisfy
+/// the constraints to rounding are reported. Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000,
+/// §5.
+
+#include "solvers/construction/derive.hpp"
+#include "solvers/scanning/scan_report.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr int most_angles = 2;  // each more multiplies the cells by hundreds
+
+class PlanScan final : public Strategy {
+ public:
+  explicit PlanScan(const OptionMap& options) : limits_(read_scan_limits(options)) {}
+
+  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+    if (scene.has_lines()) return "its plans place points only, and the instance has a line";
+    if (const auto reason = why_no_plan(scene)) return reason;
+    const int angles = derive_scan_plan(scene).angles();
+    if (angles <= most_angles) return std::nullopt;
+    return "the derived plan has " + std::to_string(angles) + " driving parameters, and it scans at most " +
+           std::to_string(most_angles);
+  }
+
+  SolveReport solve(const SolveRequest& request) override {
+    const ScanPlan plan = derive_scan_plan(request.scene);
+    return scan_report(request.scene, plan, scan_plan(request.scene, plan, limits_, request.stop));
+  }
+
+ private:
+  ScanLimits limits_;
+};
+
+}  // namespace
+
+StrategyEntry plan_scan_entry() {
+  StrategyEntry entry;
+  entry.name = "plan-scan";
+  entry.summary =
+      "subdivides the driving angles of a construction plan until every piece is decided, with proof";
+  entry.citation = "Hoffmann, Yuan 2000, section 5";
+  entry.options = scan_option_specs();
+  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
+    return std::make_unique<PlanScan>(options);
+  };
+  return entry;
+}
+
+}  // namespace gcs

@@ -10,7 +10,6 @@
 #include <set>
 #include <utility>
 
-#include "solvers/model/complex_points.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/model/reflection_classes.hpp"
 
@@ -34,24 +33,24 @@ struct Judged {
   Figure representative;  ///< in the scene's unit
   double condition = 0;
   int multiplicity = 1;
-
-  /// Largest coordinate, in modulus.
-  double extent() const { return complex_points(representative).cwiseAbs().maxCoeff(); }
 };
 
+bool is_finite(const LinePosition& line) { return line.point.allFinite() && line.direction.allFinite(); }
+
+/// Complex points are compared up to motions, complex lines by their coordinates where positions are fixed.
 bool is_usable_as_complex(const Scene& scene, const Figure& figure) {
-  return figure.imaginary.cols() == scene.point_count() && !scene.has_lines() && !scene.is_anchored() &&
-         scene.in_frame(figure).points.allFinite() && scene.in_frame(figure).imaginary.allFinite();
+  const Figure framed = scene.in_frame(figure);
+  return figure.imaginary.cols() == scene.point_count() &&
+         figure.imaginary_lines.size() == figure.lines.size() && scene.has_lines() == scene.is_anchored() &&
+         framed.points.allFinite() && framed.imaginary.allFinite() &&
+         std::isfinite(extent(scene.representative(figure)));
 }
 
 bool is_usable(const Scene& scene, const Candidate& candidate) {
   const Figure& figure = candidate.figure;
-  const auto finite = [](const LinePosition& line) {
-    return line.point.allFinite() && line.direction.allFinite();
-  };
   return figure.points.cols() == scene.point_count() && figure.lines.size() == scene.problem().lines.size() &&
-         figure.points.allFinite() && (figure.is_real() || is_usable_as_complex(scene, figure)) &&
-         std::all_of(figure.lines.begin(), figure.lines.end(), finite) && candidate.multiplicity >= 1;
+         figure.points.allFinite() && std::all_of(figure.lines.begin(), figure.lines.end(), is_finite) &&
+         (figure.is_real() || is_usable_as_complex(scene, figure)) && candidate.multiplicity >= 1;
 }
 
 /// A candidate converged in double precision lies within about u·condition of the exact solution (relative to
@@ -69,10 +68,11 @@ std::vector<Figure> representatives(const std::vector<Judged>& judged) {
 }
 
 /// The condition that decides which solutions can be told apart. Complex ones are told apart by squared
-/// distances, whose rounding grows with the square of the coordinates, however short the lengths.
+/// distances or products of coordinates, whose rounding grows with the square of the coordinates, however
+/// short the lengths.
 double effective_condition(const Scene& scene, const Judged& judged) {
   if (judged.figure.is_real()) return judged.condition;
-  const double stretch = std::max(1.0, judged.extent() / scene.size());
+  const double stretch = std::max(1.0, extent(judged.representative) / scene.size());
   return judged.condition * stretch * stretch;
 }
 
@@ -115,10 +115,11 @@ void append_cut(const Scene& scene, const Figure& figure, double grain, std::vec
   for (Eigen::Index i = 0; i < figure.points.cols(); ++i) append(figure.points.col(i), grain * scene.size());
   for (Eigen::Index i = 0; i < figure.imaginary.cols(); ++i)
     append(figure.imaginary.col(i), grain * scene.size());
-  for (const LinePosition& line : figure.lines) {
-    append(line.point, grain * scene.size());
-    append(line.direction, grain);
-  }
+  for (const auto* lines : {&figure.lines, &figure.imaginary_lines})
+    for (const LinePosition& line : *lines) {
+      append(line.point, grain * scene.size());
+      append(line.direction, grain);
+    }
 }
 
 /// What solutions are sorted by, real ones first; the finer cut tells neighbours apart.
@@ -167,10 +168,10 @@ std::vector<int> list_solutions(const Scene& scene, const std::vector<Judged>& j
 /// are allowed; a corrector that stopped early leaves far more. Between complex points a short distance may
 /// be the difference of large squares: its error is larger by the extent over the length once more.
 double residual_limit(const Scene& scene, const Judged& judged) {
-  const double extent = std::max(scene.size(), judged.extent());
+  const double reach = std::max(scene.size(), extent(judged.representative));
   double shortest = scene.size();
   for (const double length : scene.target_lengths()) shortest = std::min(shortest, length);
-  const double stretch = extent / std::max(shortest, 1e-3 * scene.size());
+  const double stretch = reach / std::max(shortest, 1e-3 * scene.size());
   return 100 * 2 * std::sqrt(3.0) * unit_roundoff * stretch * (judged.figure.is_real() ? 1 : stretch);
 }
 

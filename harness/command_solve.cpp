@@ -69,10 +69,10 @@ ExitCode exit_code(const SolveRun& run) {
     case RunStatus::unsupported:
     case RunStatus::gave_up:
     case RunStatus::timed_out:
+    case RunStatus::infinite:
       return ExitCode::not_solved;
     case RunStatus::complete:
     case RunStatus::partial:
-    case RunStatus::infinite:
       break;
   }
   return run.assessment.failed_checks.empty() ? ExitCode::done : ExitCode::check_failed;

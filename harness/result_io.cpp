@@ -23,6 +23,16 @@ JsonValue vector_value(const Eigen::Vector3d& real, const Eigen::Vector3d& imagi
   return json_array(std::move(coordinates));
 }
 
+JsonValue line_value(const LinePosition& line) {
+  return json_object(
+      {{"point", vector_value(line.point, 3)}, {"direction", vector_value(line.direction, 3)}});
+}
+
+JsonValue line_value(const LinePosition& real, const LinePosition& imaginary) {
+  return json_object({{"point", vector_value(real.point, imaginary.point, 3)},
+                      {"direction", vector_value(real.direction, imaginary.direction, 3)}});
+}
+
 JsonValue points_value(const Problem& problem, const Figure& figure) {
   JsonMembers points;
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
@@ -38,9 +48,9 @@ JsonValue points_value(const Problem& problem, const Figure& figure) {
 JsonValue lines_value(const Problem& problem, const Figure& figure) {
   JsonMembers lines;
   for (std::size_t i = 0; i < problem.lines.size(); ++i)
-    lines.emplace_back(problem.lines[i],
-                       json_object({{"point", vector_value(figure.lines[i].point, 3)},
-                                    {"direction", vector_value(figure.lines[i].direction, 3)}}));
+    lines.emplace_back(problem.lines[i], figure.is_real()
+                                             ? line_value(figure.lines[i])
+                                             : line_value(figure.lines[i], figure.imaginary_lines[i]));
   return json_object(std::move(lines));
 }
 

@@ -67,7 +67,8 @@ void mirror(LinePosition& line) {
 void mirror(Figure& figure) {
   figure.points.row(0) *= -1;
   if (!figure.is_real()) figure.imaginary.row(0) *= -1;
-  for (LinePosition& line : figure.lines) mirror(line);
+  for (auto* lines : {&figure.lines, &figure.imaginary_lines})
+    for (LinePosition& line : *lines) mirror(line);
 }
 
 void scale(Eigen::Vector3d& point, double factor) { point *= factor; }

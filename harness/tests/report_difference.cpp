@@ -55,15 +55,20 @@ class Fields {
 
   void add(const std::string& name, const Candidate& candidate) {
     const auto& [figure, multiplicity] = candidate;
-    const auto& [points, lines, imaginary] = figure;
+    const auto& [points, lines, imaginary, imaginary_lines] = figure;
     add(name + ".points", points);
     add(name + ".imaginary", imaginary);
-    add(name + ".lines.size()", lines.size());
-    for (const auto& [point, direction] : lines) {
-      add(name + ".line.point", point);
-      add(name + ".line.direction", direction);
-    }
+    add(name + ".lines", lines);
+    add(name + ".imaginary_lines", imaginary_lines);
     add(name + ".multiplicity", multiplicity);
+  }
+
+  void add(const std::string& name, const std::vector<LinePosition>& lines) {
+    add(name + ".size()", lines.size());
+    for (const auto& [point, direction] : lines) {
+      add(name + ".point", point);
+      add(name + ".direction", direction);
+    }
   }
 
   void add(const std::string& name, const PathRecord& path) {

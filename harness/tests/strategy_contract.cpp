@@ -12,6 +12,7 @@
 #include "harness/tests/known_counts.hpp"
 #include "harness/tests/report_agreement.hpp"
 #include "harness/tests/report_difference.hpp"
+#include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/quality.hpp"
 
@@ -69,11 +70,13 @@ void check_status(const SolveReport& report, Finder& finder) {
 
 bool is_well_formed(const Scene& scene, const Candidate& candidate) {
   const Figure& figure = candidate.figure;
-  const auto finite = [](const LinePosition& line) {
+  const auto finite = [](const ComplexLine& line) {
     return line.point.allFinite() && line.direction.allFinite();
   };
-  return figure.points.cols() == scene.point_count() && figure.lines.size() == scene.problem().lines.size() &&
-         figure.points.allFinite() && std::all_of(figure.lines.begin(), figure.lines.end(), finite) &&
+  if (figure.imaginary_lines.size() > figure.lines.size()) return false;
+  const std::vector<ComplexLine> lines = complex_lines(figure);
+  return figure.points.cols() == scene.point_count() && lines.size() == scene.problem().lines.size() &&
+         figure.points.allFinite() && std::all_of(lines.begin(), lines.end(), finite) &&
          (scene.dimension() == 3 || figure.points.row(2).isZero(0)) && candidate.multiplicity >= 1;
 }
 
@@ -119,8 +122,7 @@ void check_form(const Scene& scene, const SolveReport& report, Finder& finder) {
 double rounding_growth(const Scene& scene, const Figure& figure) {
   if (figure.is_real()) return 1;
   const auto& lengths = scene.target_lengths();
-  const double stretch =
-      complex_points(figure).cwiseAbs().maxCoeff() / *std::min_element(lengths.begin(), lengths.end());
+  const double stretch = extent(figure) / *std::min_element(lengths.begin(), lengths.end());
   return std::max(1.0, stretch * stretch);
 }
 
@@ -134,20 +136,19 @@ void check_residuals(const Scene& scene, const SolveReport& report, Finder& find
 }
 
 /// Distance of two lines' representations; the sign of a direction means nothing.
-double distance(const LinePosition& a, const LinePosition& b) {
-  const auto foot = [](const LinePosition& line) {
-    return Eigen::Vector3d(line.point - line.direction * line.direction.dot(line.point));
-  };
+double distance(const ComplexLine& a, const ComplexLine& b) {
   const double turn = std::min((a.direction - b.direction).norm(), (a.direction + b.direction).norm());
-  return std::max((foot(a) - foot(b)).norm(), turn);
+  return std::max((a.point - b.point).norm(), turn);
 }
 
 /// Distance of two figures in one frame.
 double distance(const Figure& a, const Figure& b) {
   if (a.is_real() != b.is_real()) return std::numeric_limits<double>::infinity();
   double result = (complex_points(a) - complex_points(b)).cwiseAbs().maxCoeff();
-  for (std::size_t i = 0; i < a.lines.size(); ++i)
-    result = std::max(result, distance(a.lines[i], b.lines[i]));
+  const std::vector<ComplexLine> lines_a = normalised(complex_lines(a)),
+                                 lines_b = normalised(complex_lines(b));
+  for (std::size_t i = 0; i < lines_a.size(); ++i)
+    result = std::max(result, distance(lines_a[i], lines_b[i]));
   return result;
 }
 

@@ -27,8 +27,10 @@ struct Figure {
   Eigen::Matrix3Xd points;
   std::vector<LinePosition> lines;
   Eigen::Matrix3Xd imaginary{};  ///< imaginary parts of the points of a complex placement; empty: it is real
+  std::vector<LinePosition>
+      imaginary_lines{};  ///< those of its lines, one for each; empty as well: it is real
 
-  bool is_real() const { return imaginary.cols() == 0; }
+  bool is_real() const { return imaginary.cols() == 0 && imaginary_lines.empty(); }
 };
 
 /// |between[0] − between[1]| is given. Entities are numbered points first, then lines

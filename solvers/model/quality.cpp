@@ -5,9 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/line_jacobian.hpp"
 
 namespace gcs {
 namespace {
@@ -36,18 +39,30 @@ double distance(const Problem& problem, const Figure& figure, std::array<int, 2>
   return sqrt(squared_distance(first, Eigen::Vector3d(figure.points.col(between[1])), 3)).value();
 }
 
-/// |√(q·q) − length| for the difference q of two complex points, the root with positive real part.
-double complex_error(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, double length) {
-  const std::complex<double> excess = squared_distance_excess(a, b, two_product(length, length));
-  return std::abs(excess / (std::sqrt(excess + length * length) + length));
+/// d² − length² of a complex figure.
+std::complex<double> complex_excess(const Problem& problem, const Figure& figure, std::array<int, 2> between,
+                                    double length) {
+  if (!problem.is_point(between[0])) std::swap(between[0], between[1]);
+  const ComplexPoints points = complex_points(figure);
+  const Eigen::Vector3cd first = points.col(between[0]);
+  const DoubleDouble square = two_product(length, length);
+  if (problem.is_point(between[1]))
+    return squared_distance_excess(first, Eigen::Vector3cd(points.col(between[1])), square);
+  return squared_distance_excess(first, complex_lines(figure)[between[1] - problem.points.size()], square);
 }
 
+/// What residuals are relative to where lengths are shorter still.
+double shortest_length(const Scene& scene) { return 1e-3 * scene.size(); }
+
+/// |d − length| of a constraint. Of a complex figure only d² is a function of the coordinates: with d the
+/// root of positive real part, |d² − length²| / |d + length|, where the sum is not below shortest_length.
 double error_of(const Scene& scene, const Figure& figure, int constraint) {
   const auto [a, b] = scene.problem().constraints[constraint].between;
   const double length = scene.target_lengths()[constraint];
   if (figure.is_real()) return std::abs(distance(scene.problem(), figure, {a, b}) - length);
-  const ComplexPoints points = complex_points(figure);
-  return complex_error(points.col(a), points.col(b), length);
+  const std::complex<double> excess = complex_excess(scene.problem(), figure, {a, b}, length);
+  const std::complex<double> sum = std::sqrt(excess + length * length) + length;
+  return std::abs(excess) / std::max(std::abs(sum), shortest_length(scene));
 }
 
 /// A + iB as [A, −B; B, A], which has the same singular values, each twice.
@@ -55,6 +70,15 @@ Eigen::MatrixXd real_embedding(const Eigen::MatrixXd& real, const Eigen::MatrixX
   Eigen::MatrixXd embedded(2 * real.rows(), 2 * real.cols());
   embedded << real, -imaginary, imaginary, real;
   return embedded;
+}
+
+/// Of the matrix with rows of length 1.
+template <class Matrix>
+double condition(Matrix matrix) {
+  matrix.rowwise().normalize();
+  const Eigen::VectorXd singular = Eigen::JacobiSVD<Matrix>(matrix).singularValues();
+  const double smallest = singular.minCoeff();
+  return smallest > 0 ? singular.maxCoeff() / smallest : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -65,12 +89,21 @@ double relative_residual(const Scene& scene, const Figure& figure) {
     const double length = scene.target_lengths()[i];
     const double error = error_of(scene, figure, i);
     if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, error / std::max(length, 1e-3 * scene.size()));
+    worst = std::max(worst, error / std::max(length, shortest_length(scene)));
   }
   return worst;
 }
 
+double extent(const Figure& figure) {
+  const double points = complex_points(figure).cwiseAbs().maxCoeff();
+  double result = points;
+  for (const ComplexLine& line : complex_lines(figure))
+    result = std::max(result, (points + line.point.cwiseAbs().maxCoeff()) * line.direction.norm());
+  return result;
+}
+
 double jacobian_condition(const Scene& scene, const Figure& figure) {
+  if (scene.has_lines()) return condition(line_jacobian(scene, figure));
   const DistanceSystem system(scene);
   Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
   system.jacobian(scene.has_lines() ? scene.in_frame(figure, system.reference()).points : figure.points,
@@ -80,10 +113,7 @@ double jacobian_condition(const Scene& scene, const Figure& figure) {
     system.jacobian(figure.imaginary, imaginary);
     jacobian = real_embedding(jacobian, imaginary);
   }
-  jacobian.rowwise().normalize();
-  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
-  const double smallest = singular.minCoeff();
-  return smallest > 0 ? singular.maxCoeff() / smallest : std::numeric_limits<double>::infinity();
+  return condition(std::move(jacobian));
 }
 
 }  // namespace gcs

@@ -14,4 +14,9 @@ double relative_residual(const Scene& scene, const Figure& figure);
 /// Infinity at a singular figure. Dimensionless.
 double jacobian_condition(const Scene& scene, const Figure& figure);
 
+/// The size to which the rounding of a figure's distances is relative: the largest coordinate in modulus, and
+/// for a line how far it is from the points, times the 2-norm of its direction (1 when it is real). Infinite
+/// or not a number where the figure is.
+double extent(const Figure& figure);
+
 }  // namespace gcs

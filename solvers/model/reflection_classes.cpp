@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
 
 namespace gcs {
@@ -78,8 +79,25 @@ Signature squared_distances(const Figure& figure, double size) {
   return signature;
 }
 
+/// As `coordinates`, real and imaginary parts: twice as many numbers as a real figure has.
+Signature complex_coordinates(const Figure& figure, double size) {
+  Signature signature;
+  const auto append = [&](const auto& values) {
+    for (const std::complex<double>& value : values)
+      signature.insert(signature.end(), {value.real(), value.imag()});
+  };
+  append(complex_points(figure).reshaped());
+  for (const ComplexLine& line : normalised(complex_lines(figure))) {
+    append(line.point);
+    append((size * line.direction * line.direction.transpose()).eval().reshaped());
+  }
+  return signature;
+}
+
 Signature signature_of(const Scene& scene, const Figure& figure) {
-  if (!figure.is_real()) return squared_distances(figure, scene.size());
+  if (!figure.is_real())
+    return scene.is_anchored() ? complex_coordinates(figure, scene.size())
+                               : squared_distances(figure, scene.size());
   return scene.is_anchored() ? coordinates(figure, scene.size()) : distances(figure, scene.size());
 }
 

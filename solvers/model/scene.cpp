@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
 
 namespace gcs {
@@ -41,7 +42,8 @@ Figure scaled(const Figure& figure, int exponent) {
   Figure result = figure;
   result.points = figure.points.unaryExpr(scale);
   result.imaginary = figure.imaginary.unaryExpr(scale);
-  for (LinePosition& line : result.lines) line.point = line.point.unaryExpr(scale);
+  for (auto* lines : {&result.lines, &result.imaginary_lines})
+    for (LinePosition& line : *lines) line.point = line.point.unaryExpr(scale);
   return result;
 }
 
@@ -247,7 +249,10 @@ Figure Scene::representative(const Figure& figure) const {
     if (reference_.line >= 0) make_first_positive(result, 0, threshold);
     make_first_positive(result, reference_.line >= 0 || dimension() == 2 ? 1 : 2, threshold);
   }
-  for (LinePosition& line : result.lines) line = normalised(line);
+  if (result.is_real())
+    for (LinePosition& line : result.lines) line = normalised(line);
+  else
+    set_complex_lines(normalised(complex_lines(result)), result);
   return result;
 }
 

@@ -1,0 +1,79 @@
+#include "solvers/model/complex_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solvers/numeric/complex_double_double.hpp"
+
+namespace gcs {
+namespace {
+
+using Complex = std::complex<double>;
+using WideVector = std::array<ComplexDoubleDouble, 3>;
+
+/// Without conjugation, unlike Eigen's dot.
+Complex product(const Eigen::Vector3cd& u, const Eigen::Vector3cd& v) { return (u.transpose() * v).value(); }
+
+WideVector cross(const WideVector& a, const WideVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+ComplexDoubleDouble square_of(const WideVector& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+
+/// False for the one of u and −u that represents both.
+bool is_to_be_turned(const Eigen::Vector3cd& u) {
+  const double zero = 1e-9 * u.cwiseAbs().maxCoeff();
+  int lead = 0;
+  while (lead < 2 && std::abs(u[lead]) <= zero) ++lead;
+  return std::abs(u[lead].real()) > zero ? u[lead].real() < 0 : u[lead].imag() < 0;
+}
+
+}  // namespace
+
+std::vector<ComplexLine> complex_lines(const Figure& figure) {
+  std::vector<ComplexLine> lines;
+  for (const LinePosition& line : figure.lines)
+    lines.push_back({line.point.cast<Complex>(), line.direction.cast<Complex>()});
+  for (std::size_t i = 0; i < figure.imaginary_lines.size(); ++i) {
+    lines[i].point.imag() = figure.imaginary_lines[i].point;
+    lines[i].direction.imag() = figure.imaginary_lines[i].direction;
+  }
+  return lines;
+}
+
+void set_complex_lines(const std::vector<ComplexLine>& lines, Figure& figure) {
+  figure.lines.clear();
+  figure.imaginary_lines.clear();
+  for (const ComplexLine& line : lines) {
+    figure.lines.push_back({line.point.real(), line.direction.real()});
+    figure.imaginary_lines.push_back({line.point.imag(), line.direction.imag()});
+  }
+}
+
+ComplexLine normalised(const ComplexLine& line) {
+  ComplexLine result;
+  result.direction = line.direction / std::sqrt(product(line.direction, line.direction));
+  if (is_to_be_turned(result.direction)) result.direction = -result.direction;
+  result.point = line.point - result.direction * product(result.direction, line.point);
+  return result;
+}
+
+std::vector<ComplexLine> normalised(std::vector<ComplexLine> lines) {
+  for (ComplexLine& line : lines) line = normalised(line);
+  return lines;
+}
+
+Complex squared_distance_excess(const Eigen::Vector3cd& point, const ComplexLine& line, DoubleDouble square) {
+  WideVector w, u;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    w[i] = wide_difference(point[axis], line.point[axis]);
+    u[i] = widened(line.direction[axis]);
+  }
+  const ComplexDoubleDouble uu = square_of(u);
+  const ComplexDoubleDouble scaled_square = uu * ComplexDoubleDouble{square, {}};
+  return (square_of(cross(w, u)) - scaled_square).value() / uu.value();
+}
+
+}  // namespace gcs

@@ -1,0 +1,195 @@
+/// The strategy sphere-tangents on shipped and on random spheres.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "harness/instance_io.hpp"
+#include "harness/solve_run.hpp"
+#include "harness/strategy_choice.hpp"
+#include "solvers/model/complex_lines.hpp"
+
+using namespace gcs;
+
+namespace {
+
+SolveRun solved(const Problem& problem) {
+  return run_strategy(find_strategy("sphere-tangents"), {}, Scene(problem), {});
+}
+
+/// Column i of `centers` at the distance `distances[i]` from the line.
+Problem spheres(const Eigen::Matrix<double, 3, 4>& centers, const Eigen::Vector4d& distances) {
+  Problem problem = load_instance("tangents-durand").problem;
+  for (int i = 0; i < 4; ++i) {
+    problem.fixed_points[i] = Eigen::Vector3d(centers.col(i));
+    problem.constraints[i].given = {distances[i], ""};
+    problem.constraints[i].is_squared = false;
+  }
+  return problem;
+}
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  double operator()() { return 2 * static_cast<double>(engine_() >> 11) * 0x1p-53 - 1; }
+
+  Eigen::Matrix<double, 3, 4> centers() {
+    return Eigen::Matrix<double, 3, 4>::NullaryExpr([this](Eigen::Index, Eigen::Index) { return (*this)(); });
+  }
+  Eigen::Vector4d distances() {
+    return Eigen::Vector4d::NullaryExpr([this](Eigen::Index) { return 0.05 + std::abs((*this)()); });
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+int real_ones(const SolveRun& run) {
+  const auto& solutions = run.assessment.solutions;
+  return static_cast<int>(std::count_if(solutions.begin(), solutions.end(),
+                                        [](const AssessedSolution& s) { return s.figure.is_real(); }));
+}
+
+int multiplicities(const SolveRun& run) {
+  int sum = 0;
+  for (const AssessedSolution& solution : run.assessment.solutions) sum += solution.multiplicity;
+  return sum;
+}
+
+bool holds_conjugate(const SolveRun& run, const ComplexLine& line) {
+  return std::any_of(run.assessment.solutions.begin(), run.assessment.solutions.end(),
+                     [&](const AssessedSolution& other) {
+                       const ComplexLine at = complex_lines(other.figure)[0];
+                       const auto off = [&](const Eigen::Vector3cd& u) { return (at.direction - u).norm(); };
+                       const Eigen::Vector3cd u = line.direction.conjugate();
+                       return std::min(off(u), off(-u)) <= 1e-9 * u.norm() &&
+                              (at.point - line.point.conjugate()).norm() <= 1e-9 * (1 + at.point.norm());
+                     });
+}
+
+void expect_twelve(const Problem& problem) {
+  const SolveRun run = solved(problem);
+  INFO(run.reason);
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.assessment.solutions.size() == 12);
+  CHECK(run.assessment.failed_checks.empty());
+  for (const AssessedSolution& solution : run.assessment.solutions)
+    CHECK(holds_conjugate(run, complex_lines(solution.figure)[0]));
+}
+
+}  // namespace
+
+TEST_CASE("the published tangents have 12 complex lines and 4 or 12 real ones") {
+  for (const auto& [id, real] :
+       {std::pair("tangents-durand", 4), {"tangents-12-real", 12}, {"tangents-equal-radii", 12}}) {
+    const SolveRun run = solved(load_instance(id).problem);
+    INFO(id << " " << run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.assessment.solutions.size() == 12);
+    CHECK(real_ones(run) == real);
+    CHECK(run.assessment.failed_checks.empty());
+  }
+}
+
+TEST_CASE("touching spheres have 3 real tangents of multiplicity 4, found to 1e-12") {
+  const SolveRun run = solved(load_instance("tangents-fourfold").problem);
+  CHECK(run.status == RunStatus::complete);
+  REQUIRE(run.assessment.solutions.size() == 3);
+  CHECK(real_ones(run) == 3);
+  for (const AssessedSolution& solution : run.assessment.solutions) {
+    CHECK(solution.multiplicity == 4);
+    // By symmetry the lines are the axes of coordinates.
+    CHECK(solution.figure.lines[0].point.norm() <= 1e-12);
+    CHECK(std::abs(solution.figure.lines[0].direction.cwiseAbs().maxCoeff() - 1) <= 1e-12);
+    CHECK(solution.residual <= 1e-12);
+  }
+}
+
+TEST_CASE("random spheres have 12 tangents, closed under conjugation") {
+  Dice dice(12);
+  for (int i = 0; i < 1000; ++i) expect_twelve(spheres(dice.centers(), dice.distances()));
+}
+
+TEST_CASE("coplanar and nearly coplanar centres have 12 tangents") {
+  Dice dice(13);
+  for (double height = 1; height > 1e-18; height /= 10)
+    for (int i = 0; i < 10; ++i) {
+      Eigen::Matrix<double, 3, 4> centers = dice.centers();
+      centers.row(2) *= i == 0 ? 0 : height;
+      expect_twelve(spheres(centers, dice.distances()));
+    }
+}
+
+TEST_CASE("a line through a point is found with its multiplicity") {
+  // The distance 0 is the cone of isotropic lines, at whose apex a real line is a double solution.
+  Dice dice(14);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix<double, 3, 4> centers = dice.centers();
+    const Eigen::Vector3d u = Eigen::Vector3d(dice(), dice(), dice()).normalized();
+    Eigen::Vector4d distances;
+    for (int p = 0; p < 4; ++p) distances[p] = (centers.col(p) - centers.col(0)).cross(u).norm();
+    const SolveRun run = solved(spheres(centers, distances));
+    INFO(run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(multiplicities(run) == 12);
+    CHECK(std::any_of(run.assessment.solutions.begin(), run.assessment.solutions.end(),
+                      [&](const AssessedSolution& s) {
+                        return s.figure.is_real() && s.multiplicity == 2 &&
+                               s.figure.lines[0].direction.cross(u).norm() <= 1e-9;
+                      }));
+  }
+}
+
+TEST_CASE("centres on two parallel lines send tangents to infinity") {
+  // An isotropic direction u across the two lines has c·u = 0 on one of them and constant on the other, so
+  // that the distances are those of a line at infinity; of a parallelogram both pairs of sides do so.
+  Eigen::Matrix<double, 3, 4> centers;
+  centers << 0, 0, 2, 2, 0, 0, 0, 0, 0, 1, 0, 3;
+  const SolveRun trapezium = solved(spheres(centers, {1, 0.9, 0.8, 0.95}));
+  CHECK(trapezium.status == RunStatus::complete);
+  CHECK(trapezium.assessment.counts.at_infinity == 2);
+  centers.row(2) << 0, 1, 0.3, 1.3;
+  const SolveRun parallelogram = solved(spheres(centers, {1, 0.9, 0.8, 0.95}));
+  CHECK(parallelogram.status == RunStatus::complete);
+  CHECK(parallelogram.assessment.counts.at_infinity == 4);
+}
+
+TEST_CASE("infinitely many tangents are named") {
+  Eigen::Matrix<double, 3, 4> centers = Eigen::Matrix<double, 3, 4>::Zero();
+  const Eigen::Vector4d position(0, 1, 2.5, 4);
+  centers.row(1) = position;
+  const auto distances = [&](double alpha, double beta, double gamma) {
+    return Eigen::Vector4d((alpha + beta * position.array() + gamma * position.array().square()).sqrt());
+  };
+  // A line at distance 1 from the axis, at an angle of sine 1/2, met at 2.
+  const SolveRun turned = solved(spheres(centers, distances(2, -1, 0.25)));
+  CHECK(turned.status == RunStatus::infinite);
+  CHECK(turned.reason.find("turned about") != std::string::npos);
+  const SolveRun complex = solved(spheres(centers, distances(1, 0, 2)));
+  CHECK(complex.status == RunStatus::infinite);
+  CHECK(complex.reason.find("no real one") != std::string::npos);
+  const SolveRun none = solved(spheres(centers, {1, 1, 1, 2}));
+  CHECK(none.status == RunStatus::complete);
+  CHECK(none.assessment.solutions.empty());
+  const SolveRun axis = solved(spheres(centers, Eigen::Vector4d::Zero()));
+  CHECK(axis.status == RunStatus::infinite);
+  CHECK(axis.assessment.solutions.size() == 1);
+}
+
+TEST_CASE("coinciding centres have infinitely many tangents or none") {
+  Dice dice(15);
+  Eigen::Matrix<double, 3, 4> centers = dice.centers();
+  centers.col(3) = centers.col(1);
+  const SolveRun same = solved(spheres(centers, {1, 0.7, 0.8, 0.7}));
+  CHECK(same.status == RunStatus::infinite);
+  CHECK(same.reason.find("coincide") != std::string::npos);
+  const SolveRun different = solved(spheres(centers, {1, 0.7, 0.8, 0.6}));
+  CHECK(different.status == RunStatus::complete);
+  CHECK(different.assessment.solutions.empty());
+}
+
+TEST_CASE("sphere-tangents says what it is not for") {
+  CHECK(solved(load_instance("octahedron").problem).status == RunStatus::unsupported);
+  CHECK(solved(load_instance("hoffmann-yuan").problem).status == RunStatus::unsupported);
+}

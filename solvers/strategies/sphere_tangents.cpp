@@ -1,0 +1,182 @@
+/// The lines at given distances from four fixed points: the common tangents of four spheres (4p1L).
+///
+/// With one centre at the origin the point of the line is a quadratic function of its direction but for its
+/// component τ across the plane of three centres. Three equations in the direction and τ are left, whose 12
+/// common zeros are joint eigenvalues of two commuting matrices (tangents/tangent_algebra.hpp): no path is
+/// followed and no initial guess made. Simple lines are polished by Newton's method on the six equations in
+/// the line's coordinates, complex ones too; multiple ones are the means of eigenvalues that belong together.
+///
+/// Complete: the multiplicities of the lines found and of those at infinity (isotropic directions) sum to 12.
+/// Infinitely many solutions are recognised and named: coinciding and collinear centres beforehand, others by
+/// the dimension of what the equations leave. Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000,
+/// sections 3.2 and 4.1, where τ is eliminated too, which coplanar centres do not allow; they follow 24 paths
+/// of a system of degrees 2, 3 and 4. The published counts are reported as particulars.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "solvers/model/complex_lines.hpp"
+#include "solvers/model/distance_system.hpp"
+#include "solvers/strategy.hpp"
+#include "solvers/tangents/common_tangents.hpp"
+#include "solvers/tangents/degenerate_spheres.hpp"
+#include "solvers/tangents/tangent_algebra.hpp"
+
+namespace gcs {
+namespace {
+
+/// Degrees of the equations (1)–(6) of the paper, and of those left in u, v and w.
+constexpr std::array<int, 6> published_degrees{2, 2, 2, 2, 2, 2};
+constexpr std::array<int, 3> eliminated_degrees{2, 3, 4};
+
+template <std::size_t size>
+std::int64_t product(const std::array<int, size>& degrees) {
+  return std::accumulate(degrees.begin(), degrees.end(), std::int64_t{1}, std::multiplies<>());
+}
+
+/// Spheres near the origin with lengths near 1, and the way back to the scene.
+struct LocalSpheres {
+  FourSpheres spheres;
+  Eigen::Vector3d origin;
+  int exponent = 0;  ///< local length = scene length / 2^exponent
+
+  ComplexLine in_scene(const Tangent<std::complex<double>>& line) const {
+    const auto back = [this](double x) { return std::ldexp(x, exponent); };
+    ComplexLine result{line.point, line.direction};
+    result.point.real() = line.point.real().unaryExpr(back) + origin;
+    result.point.imag() = line.point.imag().unaryExpr(back);
+    return normalised(result);
+  }
+};
+
+/// The point that a distance constraint names beside the line.
+int point_of(const Scene& scene, const DistanceConstraint& constraint) {
+  return constraint.between[scene.problem().is_point(constraint.between[0]) ? 0 : 1];
+}
+
+/// By constraints, in their order.
+LocalSpheres local_spheres(const Scene& scene) {
+  LocalSpheres local;
+  const std::vector<DoubleDouble> squares = target_squares(scene);
+  double reach = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    local.spheres[i] = {*scene.fixed_point(point_of(scene, scene.problem().constraints[i])), squares[i]};
+    if (i == 0) local.origin = local.spheres[0].center;
+    local.spheres[i].center -= local.origin;
+    reach = std::max({reach, local.spheres[i].center.norm(), scene.target_lengths()[i]});
+  }
+  if (reach > 0) local.exponent = std::ilogb(reach);
+  for (Sphere& sphere : local.spheres) {
+    sphere.center = sphere.center.unaryExpr([&](double x) { return std::ldexp(x, -local.exponent); });
+    sphere.square = {std::ldexp(sphere.square.hi, -2 * local.exponent),
+                     std::ldexp(sphere.square.lo, -2 * local.exponent)};
+  }
+  return local;
+}
+
+Figure figure_of(const Scene& scene, const ComplexLine& line, bool is_real) {
+  Figure figure;
+  figure.points.resize(3, scene.point_count());
+  for (int i = 0; i < scene.point_count(); ++i) figure.points.col(i) = *scene.fixed_point(i);
+  figure.imaginary = Eigen::Matrix3Xd::Zero(3, scene.point_count());
+  set_complex_lines({line}, figure);
+  if (!is_real) return figure;
+  figure.imaginary.resize(3, 0);
+  figure.imaginary_lines.clear();
+  return figure;
+}
+
+void add_particulars(SolveReport& report) {
+  const std::int64_t paths = product(published_degrees), oriented = product(eliminated_degrees);
+  report.particulars = {
+      {"bezout_paths", paths}, {"paths_to_infinity", paths - oriented}, {"oriented_solutions", oriented}};
+}
+
+void report_degenerate(const Scene& scene, const LocalSpheres& local, const DegenerateTangents& tangents,
+                       SolveReport& report) {
+  report.generic = 0;  // at generic distances nothing touches spheres that are placed like this
+  report.reason = tangents.why_infinite;
+  report.status = report.reason.empty() ? SolveStatus::complete : SolveStatus::infinite;
+  if (!tangents.only_real_line) return;
+  const auto& [point, direction] = *tangents.only_real_line;
+  const Tangent<std::complex<double>> line{point, direction};
+  report.candidates.push_back({figure_of(scene, local.in_scene(line), true), 1});
+}
+
+void report_lines(const Scene& scene, const LocalSpheres& local, const CommonTangents& tangents,
+                  SolveReport& report) {
+  report.generic = tangent_count;
+  report.at_infinity = tangents.at_infinity;
+  for (const FoundTangent& found : tangents.lines)
+    report.candidates.push_back(
+        {figure_of(scene, local.in_scene(found.line), found.is_real), found.multiplicity});
+  const int accounted_for = tangents.accounted_for();
+  if (accounted_for == tangent_count) {
+    report.status = SolveStatus::complete;
+  } else if (tangents.infinitely_many) {
+    report.status = SolveStatus::infinite;
+    report.reason =
+        "the equations of the common tangents leave a curve of complex solutions, although the centres are "
+        "not "
+        "collinear";
+  } else {
+    report.status = SolveStatus::partial;
+    report.reason = "of the " + std::to_string(tangent_count) + " lines " + std::to_string(accounted_for) +
+                    " are accounted for, multiplicities and those at infinity included";
+  }
+}
+
+class SphereTangents final : public Strategy {
+ public:
+  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+    const Problem& problem = scene.problem();
+    if (problem.dimension != 3 || problem.lines.size() != 1 || problem.points.size() != 4 ||
+        problem.constraints.size() != 4)
+      return "it finds a line by its distances from four points";
+    for (int point = 0; point < 4; ++point)
+      if (!problem.is_fixed(point)) return "it needs four points with fixed positions";
+    std::array<int, 4> named{};
+    for (const DistanceConstraint& constraint : problem.constraints) {
+      const auto [a, b] = constraint.between;
+      if (problem.is_point(a) == problem.is_point(b)) return "it knows distances from the line only";
+      ++named[point_of(scene, constraint)];
+    }
+    if (named != std::array{1, 1, 1, 1}) return "it needs one distance from each of the four points";
+    if (problem.is_fixed(4)) return "the line is fixed, so that nothing is left to find";
+    return std::nullopt;
+  }
+
+  SolveReport solve(const SolveRequest& request) override {
+    SolveReport report;
+    report.claim = Claim::all_complex;
+    if (request.stop.stop_requested()) {
+      report.status = SolveStatus::stopped;
+      report.reason = "stopped on request";
+      return report;
+    }
+    add_particulars(report);
+    const LocalSpheres local = local_spheres(request.scene);
+    if (const auto degenerate = degenerate_tangents(local.spheres))
+      report_degenerate(request.scene, local, *degenerate, report);
+    else
+      report_lines(request.scene, local, common_tangents(local.spheres, report.work), report);
+    return report;
+  }
+};
+
+}  // namespace
+
+StrategyEntry sphere_tangents_entry() {
+  StrategyEntry entry;
+  entry.name = "sphere-tangents";
+  entry.summary = "solves for the 12 common tangents of four spheres, complex ones included, as eigenvalues";
+  entry.citation = "Hoffmann, Yuan 2000, section 3.2";
+  entry.make = [](const OptionMap&) -> std::unique_ptr<Strategy> {
+    return std::make_unique<SphereTangents>();
+  };
+  return entry;
+}
+
+}  // namespace gcs

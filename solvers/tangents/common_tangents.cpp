@@ -1,0 +1,218 @@
+#include "solvers/tangents/common_tangents.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solvers/tangents/eigenvalue_clusters.hpp"
+#include "solvers/tangents/tangent_refinement.hpp"
+
+namespace gcs {
+namespace {
+
+using Complex = std::complex<double>;
+using Line = ComplexTangent;
+
+/// Below this a direction is isotropic: the simple solutions' error is 1e-13 as a rule, and a line with a
+/// direction as near to isotropic as this is 1e10 away.
+constexpr double isotropic = 1e-10;
+/// Relative to the squared distances: what an exact multiple solution leaves after rounding its coordinates,
+/// and two simple ones 1e-7 apart, too near to be told apart, leave at their mean.
+constexpr double multiple_residual = 1e-13;
+/// Which combination of x and y tells solutions apart, and the rotations that one after the other are tried:
+/// any will do for which no two solutions agree and none has g near 0.
+constexpr double mix_angle = 0.7;
+constexpr std::array<std::array<double, 4>, 3> turns{
+    {{0.31, 0.47, 0.83, 0.9}, {-0.72, 0.55, 0.42, 2.0}, {0.64, -0.21, 0.74, 3.3}}};
+
+Eigen::Matrix3d rotation(const std::array<double, 4>& turn) {
+  return Eigen::AngleAxisd(turn[3], Eigen::Vector3d(turn[0], turn[1], turn[2]).normalized())
+      .toRotationMatrix();
+}
+
+/// One choice of coordinates.
+class Attempt {
+ public:
+  Attempt(const FourSpheres& spheres, const TangentEquations& equations, const TangentAlgebra& algebra,
+          WorkCounters& work)
+      : spheres_(spheres), equations_(equations), algebra_(algebra), work_(work) {}
+
+  CommonTangents run() {
+    mixed_ = std::cos(mix_angle) * algebra_.times_x() + std::sin(mix_angle) * algebra_.times_y();
+    const Eigen::EigenSolver<AlgebraMatrix> solver(mixed_);
+    if (solver.info() != Eigen::Success) return {};
+    for (int i = 0; i < tangent_count; ++i) {
+      const Complex eigenvalue = solver.eigenvalues()[i];
+      if (eigenvalue.imag() < 0) continue;  // the conjugate comes with the other one
+      const bool taken = eigenvalue.imag() == 0 ? take_simple<double>(solver.pseudoEigenvectors().col(i))
+                                                : take_simple<Complex>(solver.eigenvectors().col(i));
+      if (taken) continue;
+      left_.push_back(eigenvalue);
+      if (eigenvalue.imag() > 0) left_.push_back(std::conj(eigenvalue));
+    }
+    if (!left_.empty()) take_clusters();
+    return std::move(found_);
+  }
+
+ private:
+  /// A solution by its eigenvector. False when it is not simple or comes out twice.
+  template <class Scalar>
+  bool take_simple(const AlgebraVector<Scalar>& w) {
+    const auto eigenvalue = [&w](const AlgebraMatrix& matrix) {
+      return Scalar(w.dot(matrix.template cast<Scalar>() * w) / w.squaredNorm());
+    };
+    const Scalar x = eigenvalue(algebra_.times_x()), y = eigenvalue(algebra_.times_y());
+    return take_at<Scalar>({x, y, Scalar(1)}, algebra_.tau(w, x, y));
+  }
+
+  template <class Scalar>
+  bool take_at(const Eigen::Matrix<Scalar, 3, 1>& u, Scalar tau) {
+    constexpr bool real = std::is_same_v<Scalar, double>;
+    if (nearness_to_isotropic(u) <= isotropic) {
+      found_.at_infinity += real ? 1 : 2;
+      return true;
+    }
+    Tangent<Scalar> line = equations_.line<Scalar>(u, tau);
+    const TangentRefinement refinement = refine(spheres_, line);
+    work_.newton_iterations += refinement.iterations;
+    if (!refinement.is_regular) return false;
+    const Line complex{line.point.template cast<Complex>(), line.direction.template cast<Complex>()};
+    if (is_known(complex) || (!real && difference(complex, conjugate(complex)) <= same_line)) return false;
+    add(complex, real, 1);
+    return true;
+  }
+
+  bool is_known(const Line& line) const {
+    return std::any_of(found_.lines.begin(), found_.lines.end(),
+                       [&](const FoundTangent& other) { return difference(line, other.line) <= same_line; });
+  }
+
+  void add(const Line& line, bool is_real, int multiplicity) {
+    found_.lines.push_back({line, is_real, multiplicity});
+    if (!is_real) found_.lines.push_back({conjugate(line), false, multiplicity});
+  }
+
+  /// From coarse to fine: a part of a cluster may look like a whole one.
+  void take_clusters() {
+    times_tau_ = algebra_.times_tau(equations_);
+    for (double tolerance = 0.05; tolerance > 1e-8 && !left_.empty(); tolerance /= 4) {
+      std::vector<Complex> rest;
+      for (const Cluster& cluster : clusters_of(left_, tolerance)) {
+        const Complex center = mean_of(left_, cluster);
+        const bool with_conjugate = std::abs(center.imag()) > tolerance;
+        if (with_conjugate && center.imag() < 0) continue;
+        if (may_be_one(left_, cluster) && take_cluster(center, cluster.size(), with_conjugate, tolerance))
+          continue;
+        for (const int i : cluster) {
+          rest.push_back(left_[i]);
+          if (with_conjugate) rest.push_back(std::conj(left_[i]));
+        }
+      }
+      left_ = std::move(rest);
+    }
+  }
+
+  /// Lines of one direction differ in τ.
+  bool take_cluster(Complex center, std::size_t size, bool with_conjugate, double tolerance) {
+    const int dimension = static_cast<int>(size);
+    const Subspace subspace = invariant_subspace(mixed_, center, dimension);
+    const auto mean = [&](const AlgebraMatrix& matrix) {
+      return restricted(matrix, subspace).trace() / static_cast<double>(dimension);
+    };
+    const Eigen::Vector3cd u(mean(algebra_.times_x()), mean(algebra_.times_y()), 1);
+    const Eigen::ComplexEigenSolver<Restriction> solver(restricted(times_tau_, subspace), false);
+    const std::span<const Complex> taus(solver.eigenvalues().data(), size);
+    const CommonTangents before = found_;
+    for (const Cluster& cluster : clusters_of(taus, tolerance)) {
+      if (may_be_one(taus, cluster) &&
+          take_multiple(u, mean_of(taus, cluster), static_cast<int>(cluster.size()), with_conjugate))
+        continue;
+      found_ = before;
+      return false;
+    }
+    return true;
+  }
+
+  bool take_multiple(const Eigen::Vector3cd& u, Complex tau, int multiplicity, bool with_conjugate) {
+    if (nearness_to_isotropic(u) <= isotropic) {
+      found_.at_infinity += with_conjugate ? 2 * multiplicity : multiplicity;
+      return true;
+    }
+    Line line = equations_.line<Complex>(u, tau);
+    const bool is_real = !with_conjugate && difference(line, conjugate(line)) <= 1e-7;
+    if (multiplicity == 1) return take_one_of_parallels(u, tau, is_real, with_conjugate);
+    if (is_real) line = real_part(line);
+    settle(spheres_, line);
+    if (!satisfies(line) || is_known(line)) return false;
+    found_.lines.push_back({line, is_real, multiplicity});
+    if (with_conjugate) found_.lines.push_back({conjugate(line), false, multiplicity});
+    return true;
+  }
+
+  /// A simple line that shares its direction with others.
+  bool take_one_of_parallels(const Eigen::Vector3cd& u, Complex tau, bool is_real, bool with_conjugate) {
+    if (is_real) return take_at<double>(u.real(), tau.real());
+    Line line = equations_.line<Complex>(u, tau);
+    const TangentRefinement refinement = refine(spheres_, line);
+    work_.newton_iterations += refinement.iterations;
+    if (!refinement.is_regular || is_known(line)) return false;
+    found_.lines.push_back({line, false, 1});
+    if (with_conjugate) found_.lines.push_back({conjugate(line), false, 1});
+    return true;
+  }
+
+  bool satisfies(const Line& line) const {
+    const double size = (1 + line.point.norm()) * line.direction.norm();
+    return largest_excess(spheres_, line) <= multiple_residual * size * size;
+  }
+
+  const FourSpheres& spheres_;
+  const TangentEquations& equations_;
+  const TangentAlgebra& algebra_;
+  WorkCounters& work_;
+  AlgebraMatrix mixed_;
+  AlgebraMatrix times_tau_;
+  CommonTangents found_;
+  std::vector<Complex> left_;  ///< eigenvalues of solutions that are not simple
+};
+
+}  // namespace
+
+double difference(const ComplexTangent& a, const ComplexTangent& b) {
+  const double direction = std::min((a.direction - b.direction).norm(), (a.direction + b.direction).norm());
+  return std::max(direction / a.direction.norm(), (a.point - b.point).norm() / (1 + a.point.norm()));
+}
+
+ComplexTangent conjugate(const ComplexTangent& line) {
+  return {line.point.conjugate(), line.direction.conjugate()};
+}
+
+ComplexTangent real_part(const ComplexTangent& line) {
+  return {line.point.real().cast<Complex>(), line.direction.real().cast<Complex>()};
+}
+
+int CommonTangents::accounted_for() const {
+  int sum = at_infinity;
+  for (const FoundTangent& found : lines) sum += found.multiplicity;
+  return sum;
+}
+
+CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
+  CommonTangents best;
+  for (const auto& turn : turns) {
+    const TangentEquations equations(spheres, rotation(turn));
+    const auto algebra = TangentAlgebra::of(equations);
+    ++work.factorisations;
+    if (!algebra) continue;
+    CommonTangents found = Attempt(spheres, equations, *algebra, work).run();
+    if (found.accounted_for() > best.accounted_for()) best = std::move(found);
+    if (best.accounted_for() == tangent_count) return best;
+  }
+  best.infinitely_many =
+      dimension_of_weight_12(TangentEquations(spheres, rotation(turns[0]))) > tangent_count;
+  return best;
+}
+
+}  // namespace gcs

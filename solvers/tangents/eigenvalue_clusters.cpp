@@ -1,0 +1,87 @@
+#include "solvers/tangents/eigenvalue_clusters.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+namespace gcs {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+
+using ComplexMatrix = Eigen::Matrix<Complex, tangent_count, tangent_count>;
+
+/// A Schur form whose diagonal can be reordered by rotations: M = U T U*.
+struct SchurForm {
+  ComplexMatrix t;
+  ComplexMatrix u;
+
+  /// Exchanges the diagonal entries k and k + 1 (Golub, Van Loan, Matrix Computations, section 7.6.2).
+  void exchange(int k) {
+    Eigen::JacobiRotation<Complex> rotation;
+    rotation.makeGivens(t(k, k + 1), t(k + 1, k + 1) - t(k, k));
+    t.applyOnTheLeft(k, k + 1, rotation.adjoint());
+    t.applyOnTheRight(k, k + 1, rotation);
+    u.applyOnTheRight(k, k + 1, rotation);
+    t(k + 1, k) = 0;
+  }
+
+  /// Moves the entry of those from `first` on that is nearest to `center` to `first`.
+  void bring_nearest(Complex center, int first) {
+    int nearest = first;
+    for (int i = first + 1; i < tangent_count; ++i)
+      if (std::abs(t(i, i) - center) < std::abs(t(nearest, nearest) - center)) nearest = i;
+    for (int k = nearest; k > first; --k) exchange(k - 1);
+  }
+};
+
+}  // namespace
+
+std::vector<Cluster> clusters_of(std::span<const Complex> values, double tolerance) {
+  std::vector<Cluster> clusters;
+  std::vector<bool> taken(values.size(), false);
+  for (int first = 0; first < static_cast<int>(values.size()); ++first) {
+    if (taken[first]) continue;
+    taken[first] = true;
+    Cluster cluster{first};
+    for (std::size_t reached = 0; reached < cluster.size(); ++reached) {
+      const Complex at = values[cluster[reached]];
+      for (int i = 0; i < static_cast<int>(values.size()); ++i) {
+        if (taken[i] || !(std::abs(values[i] - at) <= tolerance * (1 + std::abs(at)))) continue;
+        taken[i] = true;
+        cluster.push_back(i);
+      }
+    }
+    clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+Complex mean_of(std::span<const Complex> values, const Cluster& cluster) {
+  Complex sum = 0;
+  for (const int i : cluster) sum += values[i];
+  return sum / static_cast<double>(cluster.size());
+}
+
+bool may_be_one(std::span<const Complex> values, const Cluster& cluster) {
+  const Complex mean = mean_of(values, cluster);
+  const double reach =
+      100 * std::pow(rounding, 1 / static_cast<double>(cluster.size())) * (1 + std::abs(mean));
+  for (const int i : cluster)
+    if (std::abs(values[i] - mean) > reach) return false;
+  return true;
+}
+
+Subspace invariant_subspace(const AlgebraMatrix& matrix, Complex center, int dimension) {
+  const Eigen::ComplexSchur<ComplexMatrix> solver(matrix.cast<Complex>());
+  SchurForm schur{solver.matrixT(), solver.matrixU()};
+  for (int i = 0; i < dimension; ++i) schur.bring_nearest(center, i);
+  return schur.u.leftCols(dimension);
+}
+
+Restriction restricted(const AlgebraMatrix& matrix, const Subspace& subspace) {
+  return subspace.adjoint() * (matrix.cast<Complex>() * subspace);
+}
+
+}  // namespace gcs

@@ -303,7 +303,8 @@ class Solve(CommandLine):
 class Particulars(CommandLine):
     def test_are_in_the_summary_and_in_the_result(self):
         result = self.folder / "result.json"
-        done = run("solve", "hoffmann-yuan", "--strategy", "theta-scan", "--out", result)
+        published = ["--strategy", "theta-scan", "--set", "method=published"]
+        done = run("solve", "hoffmann-yuan", *published, "--out", result)
         self.assertEqual(done.returncode, DONE, done.stderr)
         self.assertIn("coarse solutions 224", done.stdout)
         self.assertIn("refined solutions 24", done.stdout)

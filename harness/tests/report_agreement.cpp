@@ -65,11 +65,13 @@ std::optional<std::string> different_rounds(const SolveReport& a, const SolveRep
   return fmt::format("one path meets the classes{}, the other{}", in_words(round_a), in_words(round_b));
 }
 
-/// The first candidate whose class is not among the others.
-std::optional<std::string> missing(const std::vector<int>& classes, const std::vector<int>& others) {
+/// The first candidate that `claim` covers and whose class is not among the others.
+std::optional<std::string> missing(const SolveReport& report, const std::vector<int>& classes,
+                                   const std::vector<int>& others, Claim claim) {
   const std::set<int> known(others.begin(), others.end());
   for (std::size_t i = 0; i < classes.size(); ++i)
-    if (known.count(classes[i]) == 0)
+    if (known.count(classes[i]) == 0 &&
+        (claim == Claim::all_complex || report.candidates[i].figure.is_real()))
       return fmt::format("candidate {} of one report is of a class that the other does not hold", i);
   return std::nullopt;
 }
@@ -84,14 +86,14 @@ std::optional<std::string> contradiction(const Scene& scene, const SolveReport& 
   const CommonClasses classes = common_classes(scene, a, b);
   if (a.claim == Claim::on_path && b.claim == Claim::on_path) return different_rounds(a, b, classes);
   std::optional<std::string> found;
-  if (is_exhaustive(a.claim)) found = missing(classes.of_b, classes.of_a);
-  if (!found && is_exhaustive(b.claim)) found = missing(classes.of_a, classes.of_b);
+  if (is_exhaustive(a.claim)) found = missing(b, classes.of_b, classes.of_a, a.claim);
+  if (!found && is_exhaustive(b.claim)) found = missing(a, classes.of_a, classes.of_b, b.claim);
   return found;
 }
 
 std::optional<std::string> outsider(const Scene& scene, const SolveReport& part, const SolveReport& whole) {
   const CommonClasses classes = common_classes(scene, part, whole);
-  return missing(classes.of_a, classes.of_b);
+  return missing(part, classes.of_a, classes.of_b, Claim::all_complex);
 }
 
 }  // namespace gcs::contract

@@ -15,7 +15,8 @@ namespace {
 
 Problem example() { return load_instance("hoffmann-yuan").problem; }
 
-SolveRun scanned(const Problem& problem, const OptionMap& options) {
+SolveRun scanned(const Problem& problem, OptionMap options) {
+  options["method"] = "published";
   return run_strategy(find_strategy("theta-scan"), options, Scene(problem), {});
 }
 

@@ -130,7 +130,8 @@ class Scan {
   /// Takes the piece on, unless the branch ends here; goes on with less of the cell where much has gone.
   void place(Visit& visit, std::size_t k, const Piece<N>& piece, Narrowing<N> narrowing) {
     const ScanStep& step = plan_.steps[k];
-    if (!narrowing.by_bound(piece.exists)) return;
+    for (const Form& exists : piece.exists)
+      if (!narrowing.by_bound(exists)) return;
     for (const ScanSphere& check : step.checks)
       if (!narrowing.by_zero(square(piece.position - visit.points[check.center]) -
                              pieces_.square_of(check.constraint)))
@@ -151,6 +152,7 @@ class Scan {
   void split(const Visit& visit, std::size_t k, const Narrowing<N>& narrowing) {
     const Cell<N> left = narrowing.of(visit.cell);
     if (narrowing.share() < worth_a_visit) return this->visit(left, choices_up_to(visit, k));
+    if (left.width() <= fine_enough && split_height(visit, k, left)) return;
     if (left.width() <= limits_.finest) return give_up(visit, left);
     const int axis = axis_to_halve(visit, left);
     for (const double sign : {-1.0, 1.0}) {
@@ -159,6 +161,27 @@ class Scan {
       half.mid[axis] += sign * half.half[axis];
       this->visit(half, choices_up_to(visit, k));
     }
+  }
+
+  /// Near a branch end a height moves by the root of what an angle moves: halving the height goes further.
+  /// False where no height is left to halve.
+  bool split_height(const Visit& visit, std::size_t k, const Cell<N>& cell) {
+    std::vector<Choice> choices = choices_up_to(visit, k);
+    const auto height = [](const Choice& choice) { return choice.side != 0 ? choice.width() : 0; };
+    const auto widest =
+        std::max_element(choices.begin(), choices.end(),
+                         [&](const Choice& a, const Choice& b) { return height(a) < height(b); });
+    if (widest == choices.end() || height(*widest) <= limits_.finest) return false;
+    choices.erase(widest + 1, choices.end());
+    Choice lower = choices.back();
+    lower.high = (lower.low + lower.high) / 2;
+    Choice upper = choices.back();
+    upper.low = lower.high;
+    for (const Choice& half : {lower, upper}) {
+      choices.back() = half;
+      this->visit(cell, choices);
+    }
+    return true;
   }
 
   /// The angle that moves the last point most.
@@ -232,7 +255,8 @@ class Scan {
   }
 
   static constexpr double worth_a_visit = 0.6;  ///< of a cell: less is left than halving would leave
-  static constexpr double coarse = 0.25;        ///< of the scene
+  static constexpr double fine_enough = 1e-9;  ///< radians: by now all but branch ends and extrema is decided
+  static constexpr double coarse = 0.05;       ///< of the scene
   static constexpr double worth_a_test = 0.1;  ///< of the scene: in larger boxes the Jacobian varies too much
 
   const Scene& scene_;

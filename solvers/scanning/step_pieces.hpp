@@ -20,17 +20,21 @@ struct Cell {
   double width() const { return *std::max_element(half.begin(), half.end()); }
 };
 
-/// Which part of a step's positions a piece is: a side (both ends +1 or −1), a range of the angle on a
-/// circle, or all there is (0).
+/// Which part of a step's positions a piece is.
 struct Choice {
+  int side = 0;  ///< +1 or −1 where there are two
+  /// If low < high, a range: of the height above the foot, in units of the offset, near the branch end of two
+  /// sides; of the angle on a circle that meets a cylinder.
   double low = 0;
   double high = 0;
+
+  double width() const { return high - low; }
 };
 
 template <int N>
 struct Piece {
   FormVector<N> position;
-  AffineForm<N> exists;  ///< not negative where the point exists
+  std::vector<AffineForm<N>> exists;  ///< all are not negative where the point exists, on this piece
   Choice choice;
 };
 
@@ -67,7 +71,7 @@ class StepPieces {
     if (step.freedom == 2 && step.angles() == 0) return on_two_sides<2>(step, points, within);
     if (step.freedom == 3 && step.angles() == 0) return on_two_sides<3>(step, points, within);
     if (step.freedom == 3 && step.angles() == 1) return on_circle(step, points, cell);
-    return {{{in_frame_or_around(step, points, cell), Form(1), {}}}, {}};
+    return {{{in_frame_or_around(step, points, cell), {}, {}}}, {}};
   }
 
  private:
@@ -109,7 +113,7 @@ class StepPieces {
     const auto circle = common_circle(centers, squares, up);
     if (!circle) return {{}, room_to_meet(centers, squares)};
     if (!(circle->squared_radius.high() > 0)) return {};
-    return {{{circle->at(angle(cell, step.first_angle)), circle->squared_radius, {}}}, {}};
+    return {{{circle->at(angle(cell, step.first_angle)), {circle->squared_radius}, {}}}, {}};
   }
 
   template <std::size_t D>
@@ -122,40 +126,59 @@ class StepPieces {
     Pieces<N> pieces;
     for (const int side : {1, -1}) {
       if (side < 0 && step.upper) continue;
-      if (within && within->low != side) continue;
-      const Choice choice{static_cast<double>(side), static_cast<double>(side)};
+      if (within && within->side != side) continue;
       if (const auto point = placing.verified(side)) {
-        pieces.list.push_back({*point, Form(1), choice});
+        pieces.list.push_back({*point, {}, {side}});
         continue;
       }
       const auto both = meet<D>(centers, squares);
       if (!both) return {{}, room_to_meet(centers, squares)};
-      if (!(both->discriminant.high() > 0)) return {};
-      pieces.list.push_back({both->on(side), both->discriminant, choice});
+      if (const auto piece = near_branch_end(*both, side, within)) pieces.list.push_back(*piece);
     }
     return pieces;
+  }
+
+  /// By the height above the foot, of which a range can be known better than the angles tell.
+  std::optional<Piece<N>> near_branch_end(const TwoPositions<N>& both, int side,
+                                          const std::optional<Choice>& within) const {
+    const Form& discriminant = both.discriminant;
+    if (!(discriminant.high() > 0)) return std::nullopt;
+    Form height = sqrt(discriminant);
+    Choice choice{side, std::max(0.0, height.low()), height.high()};
+    std::vector<Form> exists{discriminant};
+    if (within && within->width() > 0) {
+      choice.low = std::max(choice.low, within->low);
+      choice.high = std::min(choice.high, within->high);
+      if (!(choice.low <= choice.high)) return std::nullopt;
+      exists.push_back(discriminant + -within->low * within->low);
+      exists.push_back(-discriminant + within->high * within->high);
+      if (choice.width() < 2 * height.radius()) {
+        height = Form((choice.low + choice.high) / 2);
+        height.rest = choice.width() / 2 * (1 + 8 * Form::epsilon) + 4 * Form::epsilon * choice.high;
+      }
+    }
+    const Position point = side > 0 ? both.foot + height * both.offset : both.foot - height * both.offset;
+    return Piece<N>{point, std::move(exists), choice};
   }
 
   Pieces<N> around_line(const ScanStep& step, const std::vector<Position>& points, const Cell<N>& cell,
                         const std::optional<Choice>& within) const {
     const Form& radius_square = square_of(step.cylinder);
-    if (step.freedom == 1) return {{{Position{Form(), Form(), sqrt(radius_square)}, Form(1), {}}}, {}};
+    if (step.freedom == 1) return {{{Position{Form(), Form(), sqrt(radius_square)}, {}, {}}}, {}};
+    if (step.angles() == 1) return at_angle_around_line(step, points, cell, within);
     std::array<Position, 2> centers;
     std::array<Form, 2> squares;
-    if (step.angles() == 1) return at_angle_around_line(step, points, cell, within);
     gather(step, points, centers, squares);
     const auto circle = common_circle(centers, squares, Position{Form(1), Form(), Form()});
     if (!circle) return {{}, room_to_meet(centers, squares)};
     Pieces<N> pieces;
     if (!(circle->squared_radius.high() > 0)) return pieces;
-    using std::numbers::pi;
+    constexpr double pi = std::numbers::pi;
     if (within) {
       meet_cylinder(*circle, radius_square, *within, pieces.list);
     } else {
-      constexpr int arcs = 8;
-      for (int i = 0; i < arcs; ++i)
-        meet_cylinder(*circle, radius_square, {pi * (2.0 * i / arcs - 1), pi * (2.0 * (i + 1) / arcs - 1)},
-                      pieces.list);
+      meet_cylinder(*circle, radius_square, {0, -pi, 0}, pieces.list);
+      meet_cylinder(*circle, radius_square, {0, 0, pi}, pieces.list);
     }
     return pieces;
   }
@@ -173,9 +196,9 @@ class StepPieces {
     const Form x = sqrt(rest);
     for (const int side : {1, -1}) {
       if (side < 0 && step.upper) continue;
-      if (within && within->low != side) continue;
+      if (within && within->side != side) continue;
       point[0] = side > 0 ? x : -x;
-      pieces.list.push_back({point, rest, {static_cast<double>(side), static_cast<double>(side)}});
+      pieces.list.push_back({point, {rest}, {side}});
     }
     return pieces;
   }
@@ -196,7 +219,7 @@ class StepPieces {
       const double own = std::abs(excess.slope[angles_]);
       if (own > excess.reach() - own + excess.rest) {
         branch = solved(phi, half, excess);
-        const Choice part{std::max(range.low, branch.low()), std::min(range.high, branch.high())};
+        const Choice part{0, std::max(range.low, branch.low()), std::min(range.high, branch.high())};
         if (!(part.low <= part.high)) return;
         const bool is_narrower = part.high - part.low <= narrowed * 2 * half;
         range = part;
@@ -207,7 +230,7 @@ class StepPieces {
       if (excess.radius() <= short_enough * unavoidable || half <= fine)
         return append(circle, branch, range, list);
       const double middle = (range.low + range.high) / 2;
-      meet_cylinder(circle, radius_square, {range.low, middle}, list);
+      meet_cylinder(circle, radius_square, {0, range.low, middle}, list);
       range.low = middle;
     }
   }
@@ -227,7 +250,7 @@ class StepPieces {
 
   static void append(const FormCircle<N>& circle, const Form& phi, const Choice& part,
                      std::vector<Piece<N>>& list) {
-    list.push_back({circle.at(phi), circle.squared_radius, part});
+    list.push_back({circle.at(phi), {circle.squared_radius}, part});
   }
 
   static constexpr double tight = 0.1;     ///< of the branch's own slope: narrower is not worth another pass

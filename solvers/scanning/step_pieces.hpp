@@ -152,7 +152,7 @@ class StepPieces {
       if (!(choice.low <= choice.high)) return std::nullopt;
       exists.push_back(discriminant + -within->low * within->low);
       exists.push_back(-discriminant + within->high * within->high);
-      if (choice.width() < 2 * height.radius()) {
+      if (choice.width() / 2 < height.rest) {
         height = Form((choice.low + choice.high) / 2);
         height.rest = choice.width() / 2 * (1 + 8 * Form::epsilon) + 4 * Form::epsilon * choice.high;
       }

@@ -123,6 +123,7 @@ class StepPieces {
     std::array<Form, D> squares;
     gather(step, points, centers, squares);
     const SidePlacing<D, N> placing(centers, squares);
+    std::optional<std::optional<TwoPositions<N>>> closed;  // the formula's answer for both sides, once asked
     Pieces<N> pieces;
     for (const int side : {1, -1}) {
       if (side < 0 && step.upper) continue;
@@ -131,9 +132,9 @@ class StepPieces {
         pieces.list.push_back({*point, {}, {side}});
         continue;
       }
-      const auto both = meet<D>(centers, squares);
-      if (!both) return {{}, room_to_meet(centers, squares)};
-      if (const auto piece = near_branch_end(*both, side, within)) pieces.list.push_back(*piece);
+      if (!closed) closed = meet<D>(centers, squares);
+      if (!*closed) return {{}, room_to_meet(centers, squares)};
+      if (const auto piece = near_branch_end(**closed, side, within)) pieces.list.push_back(*piece);
     }
     return pieces;
   }

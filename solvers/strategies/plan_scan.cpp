@@ -33,13 +33,16 @@ class PlanScan final : public Strategy {
            std::to_string(most_angles);
   }
 
+  void prepare(const SolveRequest& request) override { plan_ = derive_scan_plan(request.scene); }
+
   SolveReport solve(const SolveRequest& request) override {
-    const ScanPlan plan = derive_scan_plan(request.scene);
+    const ScanPlan plan = plan_ ? *plan_ : derive_scan_plan(request.scene);
     return scan_report(request.scene, plan, scan_plan(request.scene, plan, limits_, request.stop));
   }
 
  private:
   ScanLimits limits_;
+  std::optional<ScanPlan> plan_;
 };
 
 }  // namespace

@@ -14,8 +14,8 @@ using namespace gcs;
 
 namespace {
 
-SolveRun solved(const Problem& problem) {
-  return run_strategy(find_strategy("sphere-tangents"), {}, Scene(problem), {});
+SolveRun solved(const Problem& problem, const OptionMap& options = {}) {
+  return run_strategy(find_strategy("sphere-tangents"), options, Scene(problem), {});
 }
 
 /// Column i of `centers` at the distance `distances[i]` from the line.
@@ -66,6 +66,30 @@ bool holds_conjugate(const SolveRun& run, const ComplexLine& line) {
                        return std::min(off(u), off(-u)) <= 1e-9 * u.norm() &&
                               (at.point - line.point.conjugate()).norm() <= 1e-9 * (1 + at.point.norm());
                      });
+}
+
+bool is_same(const AssessedSolution& a, const AssessedSolution& b) {
+  const ComplexLine p = normalised(complex_lines(a.figure)[0]), q = normalised(complex_lines(b.figure)[0]);
+  const auto off = [&](const Eigen::Vector3cd& u) { return (p.direction - u).norm() / u.norm(); };
+  return a.multiplicity == b.multiplicity && a.figure.is_real() == b.figure.is_real() &&
+         std::min(off(q.direction), off(-q.direction)) <= 1e-9 &&
+         (p.point - q.point).norm() <= 1e-9 * (1 + p.point.norm());
+}
+
+/// Both methods find the same lines, and 24 paths have named ends of which none failed.
+void expect_agreement(const Problem& problem) {
+  const SolveRun direct = solved(problem), homotopy = solved(problem, {{"method", "homotopy"}});
+  const auto &expected = direct.assessment.solutions, &found = homotopy.assessment.solutions;
+  INFO(homotopy.reason);
+  CHECK(homotopy.status == direct.status);
+  CHECK(homotopy.assessment.failed_checks.empty());
+  CHECK(homotopy.assessment.counts.paths == 24U);
+  CHECK(homotopy.assessment.counts.failed_paths == 0U);
+  CHECK(homotopy.assessment.counts.at_infinity == 2 * direct.assessment.counts.at_infinity.value());
+  CHECK(found.size() == expected.size());
+  for (const AssessedSolution& line : expected)
+    CHECK(std::count_if(found.begin(), found.end(),
+                        [&](const AssessedSolution& other) { return is_same(line, other); }) == 1);
 }
 
 void expect_twelve(const Problem& problem) {
@@ -149,10 +173,24 @@ TEST_CASE("centres on two parallel lines send tangents to infinity") {
   const SolveRun trapezium = solved(spheres(centers, {1, 0.9, 0.8, 0.95}));
   CHECK(trapezium.status == RunStatus::complete);
   CHECK(trapezium.assessment.counts.at_infinity == 2);
+  expect_agreement(spheres(centers, {1, 0.9, 0.8, 0.95}));
   centers.row(2) << 0, 1, 0.3, 1.3;
   const SolveRun parallelogram = solved(spheres(centers, {1, 0.9, 0.8, 0.95}));
   CHECK(parallelogram.status == RunStatus::complete);
   CHECK(parallelogram.assessment.counts.at_infinity == 4);
+  expect_agreement(spheres(centers, {1, 0.9, 0.8, 0.95}));
+}
+
+TEST_CASE("the 24 paths lead to the lines that the direct method finds") {
+  for (const std::string id :
+       {"tangents-durand", "tangents-12-real", "tangents-equal-radii", "tangents-fourfold"})
+    expect_agreement(load_instance(id).problem);
+  Dice dice(16);
+  for (int i = 0; i < 100; ++i) {
+    Eigen::Matrix<double, 3, 4> centers = dice.centers();
+    if (i % 10 == 0) centers.row(2).setZero();
+    expect_agreement(spheres(centers, dice.distances()));
+  }
 }
 
 TEST_CASE("infinitely many tangents are named") {

@@ -30,21 +30,28 @@ std::vector<Instance> small_instances() {
   return instances;
 }
 
+/// Whether the strategy has an option of that name with these values.
+bool has_choice(const StrategyEntry& entry, std::string_view name, std::string_view allowed) {
+  return std::any_of(entry.options.begin(), entry.options.end(), [&](const OptionSpec& option) {
+    return option.name == name && option.allowed == allowed;
+  });
+}
+
+/// All strategies, those with a direct method by homotopy as well.
 std::vector<Subject> subjects() {
   std::vector<Subject> result;
-  for (const StrategyEntry& entry : all_strategies()) result.push_back({entry});
+  for (const StrategyEntry& entry : all_strategies()) {
+    result.push_back({entry});
+    if (has_choice(entry, "method", "direct|homotopy")) result.push_back({entry, {{"method", "homotopy"}}});
+  }
   return result;
 }
 
 /// The strategies that track S as published too.
 std::vector<Subject> published_subjects() {
   std::vector<Subject> result;
-  for (const StrategyEntry& entry : all_strategies()) {
-    const auto is_mode = [](const OptionSpec& option) { return option.name == "mode"; };
-    const auto mode = std::find_if(entry.options.begin(), entry.options.end(), is_mode);
-    if (mode != entry.options.end() && mode->allowed == "fast|paper")
-      result.push_back({entry, {{"mode", "paper"}}});
-  }
+  for (const StrategyEntry& entry : all_strategies())
+    if (has_choice(entry, "mode", "fast|paper")) result.push_back({entry, {{"mode", "paper"}}});
   return result;
 }
 

@@ -2,15 +2,18 @@
 ///
 /// With one centre at the origin the point of the line is a quadratic function of its direction but for its
 /// component τ across the plane of three centres. Three equations in the direction and τ are left, whose 12
-/// common zeros are joint eigenvalues of two commuting matrices (tangents/tangent_algebra.hpp): no path is
-/// followed and no initial guess made. Simple lines are polished by Newton's method on the six equations in
-/// the line's coordinates, complex ones too; multiple ones are the means of eigenvalues that belong together.
+/// common zeros are, method direct, joint eigenvalues of two commuting matrices
+/// (tangents/tangent_algebra.hpp): no path is followed and no initial guess made; multiple lines are the
+/// means of eigenvalues that belong together. Method homotopy follows 24 paths to them, as published
+/// (tangents/tangent_homotopy.hpp); multiple lines are the ends of several. Simple lines are polished by
+/// Newton's method on the six equations in the line's coordinates, complex ones too.
 ///
 /// Complete: the multiplicities of the lines found and of those at infinity (isotropic directions) sum to 12.
 /// Infinitely many solutions are recognised and named: coinciding and collinear centres beforehand, others by
 /// the dimension of what the equations leave. Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000,
 /// sections 3.2 and 4.1, where τ is eliminated too, which coplanar centres do not allow; they follow 24 paths
-/// of a system of degrees 2, 3 and 4. The published counts are reported as particulars.
+/// of a system of degrees 2, 3 and 4. The published counts are reported as particulars. Step control of paths
+/// is a heuristic: where one is taken for its neighbour a line is missing, and the status is partial.
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +22,17 @@
 
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/options.hpp"
 #include "solvers/strategy.hpp"
 #include "solvers/tangents/common_tangents.hpp"
 #include "solvers/tangents/degenerate_spheres.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
+#include "solvers/tangents/tangent_homotopy.hpp"
 
 namespace gcs {
 namespace {
+
+constexpr std::string_view methods = "direct|homotopy";
 
 /// Degrees of the equations (1)–(6) of the paper, and of those left in u, v and w.
 constexpr std::array<int, 6> published_degrees{2, 2, 2, 2, 2, 2};
@@ -128,8 +135,16 @@ void report_lines(const Scene& scene, const LocalSpheres& local, const CommonTan
   }
 }
 
+void report_stop(SolveReport& report) {
+  report.status = SolveStatus::stopped;
+  report.reason = "stopped on request";
+}
+
 class SphereTangents final : public Strategy {
  public:
+  explicit SphereTangents(const OptionMap& options)
+      : follows_paths_(choice_option(options, "method", methods) == 1) {}
+
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     const Problem& problem = scene.problem();
     if (problem.dimension != 3 || problem.lines.size() != 1 || problem.points.size() != 4 ||
@@ -152,18 +167,31 @@ class SphereTangents final : public Strategy {
     SolveReport report;
     report.claim = Claim::all_complex;
     if (request.stop.stop_requested()) {
-      report.status = SolveStatus::stopped;
-      report.reason = "stopped on request";
+      report_stop(report);
       return report;
     }
     add_particulars(report);
     const LocalSpheres local = local_spheres(request.scene);
     if (const auto degenerate = degenerate_tangents(local.spheres))
       report_degenerate(request.scene, local, *degenerate, report);
+    else if (follows_paths_)
+      follow(request, local, report);
     else
       report_lines(request.scene, local, common_tangents(local.spheres, report.work), report);
     return report;
   }
+
+ private:
+  static void follow(const SolveRequest& request, const LocalSpheres& local, SolveReport& report) {
+    FollowedTangents followed =
+        follow_tangents(local.spheres, request.seed, request.stop, request.monitor, report.work);
+    report_lines(request.scene, local, followed.found, report);
+    const bool is_stopped = followed.paths.back().end == PathRecord::End::stopped;
+    report.paths = std::move(followed.paths);
+    if (is_stopped) report_stop(report);
+  }
+
+  bool follows_paths_;
 };
 
 }  // namespace
@@ -171,10 +199,11 @@ class SphereTangents final : public Strategy {
 StrategyEntry sphere_tangents_entry() {
   StrategyEntry entry;
   entry.name = "sphere-tangents";
-  entry.summary = "solves for the 12 common tangents of four spheres, complex ones included, as eigenvalues";
+  entry.summary = "solves for the 12 common tangents of four spheres, complex ones included";
   entry.citation = "Hoffmann, Yuan 2000, section 3.2";
-  entry.make = [](const OptionMap&) -> std::unique_ptr<Strategy> {
-    return std::make_unique<SphereTangents>();
+  entry.options = {{"method", "direct", methods, "direct: eigenvalues; homotopy: 24 paths, as published"}};
+  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
+    return std::make_unique<SphereTangents>(options);
   };
   return entry;
 }

@@ -15,12 +15,6 @@ namespace {
 using Complex = std::complex<double>;
 using Line = ComplexTangent;
 
-/// Below this a direction is isotropic: the simple solutions' error is 1e-13 as a rule, and a line with a
-/// direction as near to isotropic as this is 1e10 away.
-constexpr double isotropic = 1e-10;
-/// Relative to the squared distances: what an exact multiple solution leaves after rounding its coordinates,
-/// and two simple ones 1e-7 apart, too near to be told apart, leave at their mean.
-constexpr double multiple_residual = 1e-13;
 /// Which combination of x and y tells solutions apart, and the rotations that one after the other are tried:
 /// any will do for which no two solutions agree and none has g near 0.
 constexpr double mix_angle = 0.7;
@@ -79,14 +73,9 @@ class Attempt {
     work_.newton_iterations += refinement.iterations;
     if (!refinement.is_regular) return false;
     const Line complex{line.point.template cast<Complex>(), line.direction.template cast<Complex>()};
-    if (is_known(complex) || (!real && difference(complex, conjugate(complex)) <= same_line)) return false;
+    if (found_.find(complex) || (!real && difference(complex, conjugate(complex)) <= same_line)) return false;
     add(complex, real, 1);
     return true;
-  }
-
-  bool is_known(const Line& line) const {
-    return std::any_of(found_.lines.begin(), found_.lines.end(),
-                       [&](const FoundTangent& other) { return difference(line, other.line) <= same_line; });
   }
 
   void add(const Line& line, bool is_real, int multiplicity) {
@@ -140,14 +129,13 @@ class Attempt {
       found_.at_infinity += with_conjugate ? 2 * multiplicity : multiplicity;
       return true;
     }
-    Line line = equations_.line<Complex>(u, tau);
-    const bool is_real = !with_conjugate && difference(line, conjugate(line)) <= 1e-7;
+    const Line line = equations_.line<Complex>(u, tau);
+    const bool is_real = !with_conjugate && is_nearly_real(line);
     if (multiplicity == 1) return take_one_of_parallels(u, tau, is_real, with_conjugate);
-    if (is_real) line = real_part(line);
-    settle(spheres_, line);
-    if (!satisfies(line) || is_known(line)) return false;
-    found_.lines.push_back({line, is_real, multiplicity});
-    if (with_conjugate) found_.lines.push_back({conjugate(line), false, multiplicity});
+    const auto found = multiple_tangent(spheres_, line, is_real, multiplicity);
+    if (!found || found_.find(found->line)) return false;
+    found_.lines.push_back(*found);
+    if (with_conjugate) found_.lines.push_back({conjugate(found->line), false, multiplicity});
     return true;
   }
 
@@ -157,15 +145,10 @@ class Attempt {
     Line line = equations_.line<Complex>(u, tau);
     const TangentRefinement refinement = refine(spheres_, line);
     work_.newton_iterations += refinement.iterations;
-    if (!refinement.is_regular || is_known(line)) return false;
+    if (!refinement.is_regular || found_.find(line)) return false;
     found_.lines.push_back({line, false, 1});
     if (with_conjugate) found_.lines.push_back({conjugate(line), false, 1});
     return true;
-  }
-
-  bool satisfies(const Line& line) const {
-    const double size = (1 + line.point.norm()) * line.direction.norm();
-    return largest_excess(spheres_, line) <= multiple_residual * size * size;
   }
 
   const FourSpheres& spheres_;
@@ -179,25 +162,6 @@ class Attempt {
 };
 
 }  // namespace
-
-double difference(const ComplexTangent& a, const ComplexTangent& b) {
-  const double direction = std::min((a.direction - b.direction).norm(), (a.direction + b.direction).norm());
-  return std::max(direction / a.direction.norm(), (a.point - b.point).norm() / (1 + a.point.norm()));
-}
-
-ComplexTangent conjugate(const ComplexTangent& line) {
-  return {line.point.conjugate(), line.direction.conjugate()};
-}
-
-ComplexTangent real_part(const ComplexTangent& line) {
-  return {line.point.real().cast<Complex>(), line.direction.real().cast<Complex>()};
-}
-
-int CommonTangents::accounted_for() const {
-  int sum = at_infinity;
-  for (const FoundTangent& found : lines) sum += found.multiplicity;
-  return sum;
-}
 
 CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
   CommonTangents best;

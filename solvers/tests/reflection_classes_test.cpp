@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "solvers/model/complex_lines.hpp"
+
 namespace {
 
 using gcs::Figure;
@@ -201,6 +203,33 @@ TEST_CASE("with fixed positions mirror images and moved figures are different") 
   turned.lines[0].direction = random.vector().normalized();
   const std::vector<Figure> figures{figure, restated, mirrored, turned, random.moved(figure, false)};
   CHECK(gcs::reflection_classes(scene, figures, tolerance).class_of == std::vector<int>{0, 0, 1, 2, 3});
+}
+
+TEST_CASE("a complex line is one class and one representative, however it is stated") {
+  using Complex = std::complex<double>;
+  RandomFigures random;
+  const Scene scene = anchored_scene(4, 1);
+  const auto with = [&, figure = random.figure(3, 4, 1)](const Eigen::Vector3cd& point,
+                                                         const Eigen::Vector3cd& direction) {
+    Figure result = figure;
+    result.imaginary = Eigen::Matrix3Xd::Zero(3, 4);
+    gcs::set_complex_lines({{point, direction}}, result);
+    return scene.representative(result);
+  };
+  // (3, 4i, 0) and (1, 2, 2): squares −7 and 9.
+  const Eigen::Vector3cd u(3, Complex(0, 4), 0), v(1, 2, 2), p(Complex(0.5, 0.2), 1, Complex(0, -0.3));
+  const Complex unit = std::sqrt(Complex(-7, 0)), along = (u.transpose() * p).value() / unit;
+  const std::vector<Figure> figures{with(p, u), with(p + Complex(0.4, -0.7) * u, Complex(-2, 1) * u),
+                                    with(p.conjugate(), u.conjugate()), with(p + Complex(0, 1e-3) * v, u),
+                                    with(p, u + 1e-3 * v)};
+  CHECK(gcs::reflection_classes(scene, figures, tolerance).class_of == std::vector<int>{0, 0, 1, 2, 3});
+  for (int i = 0; i < 2; ++i) {
+    const gcs::ComplexLine line = gcs::complex_lines(figures[i])[0];
+    // (3, 4i, 0)/√−7 is imaginary in x: the orientation with Im x > 0.
+    const Eigen::Vector3cd direction = u / unit * (unit.imag() > 0 ? -1.0 : 1.0);
+    CHECK((line.direction - direction).norm() <= 1e-14);
+    CHECK((line.point - (p - u / unit * along)).norm() <= 1e-14);
+  }
 }
 
 TEST_CASE("thousands of figures are classified") {

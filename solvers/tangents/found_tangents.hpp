@@ -1,0 +1,54 @@
+#pragma once
+/// Common tangents that were found, by whichever method.
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "solvers/tangents/tangent_equations.hpp"
+
+namespace gcs {
+
+using ComplexTangent = Tangent<std::complex<double>>;
+
+/// Two lines that are not further apart (see `difference`) are one: Newton's method has brought simple ones
+/// to 1e-14.
+inline constexpr double same_line = 1e-9;
+
+/// Where nearness_to_isotropic is not above it a line counts as one at infinity: the simple solutions' error
+/// is 1e-13 as a rule, and a line with a direction as near to isotropic as this is 1e10 away.
+inline constexpr double isotropic = 1e-10;
+
+/// Largest difference of two lines' directions or points relative to their size; u and −u are the same.
+/// Precondition: points nearest to the origin.
+double difference(const ComplexTangent& a, const ComplexTangent& b);
+
+ComplexTangent conjugate(const ComplexTangent& line);
+
+/// No further from its conjugate than 1e-7, the root of the rounding: a multiple line that is real, or a
+/// simple one that Newton's method in R has to confirm.
+bool is_nearly_real(const ComplexTangent& line);
+
+struct FoundTangent {
+  ComplexTangent line;  ///< imaginary parts are 0 exactly when it is real
+  bool is_real = false;
+  int multiplicity = 1;
+};
+
+/// The multiple solution near `line`: its real part where `is_real`, settled (tangent_refinement.hpp).
+/// Nothing where that is no common tangent to rounding.
+std::optional<FoundTangent> multiple_tangent(const FourSpheres& spheres, const ComplexTangent& line,
+                                             bool is_real, int multiplicity);
+
+struct CommonTangents {
+  std::vector<FoundTangent> lines;
+  int at_infinity = 0;           ///< isotropic directions, with multiplicities
+  bool infinitely_many = false;  ///< to rounding
+
+  /// Of the twelve, with multiplicities.
+  int accounted_for() const;
+  /// The number of this line in `lines`, or nothing.
+  std::optional<std::size_t> find(const ComplexTangent& line) const;
+};
+
+}  // namespace gcs

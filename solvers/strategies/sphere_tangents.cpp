@@ -186,9 +186,14 @@ class SphereTangents final : public Strategy {
     FollowedTangents followed =
         follow_tangents(local.spheres, request.seed, request.stop, request.monitor, report.work);
     report_lines(request.scene, local, followed.found, report);
-    const bool is_stopped = followed.paths.back().end == PathRecord::End::stopped;
     report.paths = std::move(followed.paths);
-    if (is_stopped) report_stop(report);
+    if (report.paths.back().end == PathRecord::End::stopped) return report_stop(report);
+    const bool any_failed = std::any_of(report.paths.begin(), report.paths.end(), [](const PathRecord& path) {
+      return path.end == PathRecord::End::failed;
+    });
+    if (!any_failed || report.status != SolveStatus::complete) return;
+    report.status = SolveStatus::partial;
+    report.reason = "all lines are accounted for, but not all paths have an end";
   }
 
   bool follows_paths_;

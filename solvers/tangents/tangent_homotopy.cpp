@@ -46,7 +46,7 @@ class EndCollector {
       return {PathRecord::End::at_infinity, "", 0, {}};
     }
     const ComplexTangent line = equations_.line<Complex>(u, end.x[3]);
-    if (end.kind == End::Kind::regular && take_simple(line)) return {PathRecord::End::regular, "", 0, {}};
+    if (end.winding_number == 1 && take_simple(line)) return {PathRecord::End::regular, "", 0, {}};
     if (take_multiple(line)) return {PathRecord::End::singular, "", 0, {}};
     return {PathRecord::End::failed, "the line where it ends is no common tangent to rounding", 0, {}};
   }

@@ -87,7 +87,7 @@ class PathTracker {
   End follow(const Vector& start) {
     Vector x = start;
     if (!move(x, 0, 1 - largest_radius)) return failed(x, "the steps became too small before the endgame");
-    if (Vector end = x; move(end, 1 - largest_radius, 1) && condition_at(end) > clearly_regular)
+    if (Vector end = x; move(end, 1 - largest_radius, 1) && is_regular(end))
       return {End::Kind::regular, end, 1, ""};
     return endgame(x);
   }
@@ -104,9 +104,10 @@ class PathTracker {
   static constexpr double closed = 1e-7;         ///< two samples are one point, relative to 1 + |x|
   static constexpr double agreed = 1e-13;        ///< two means, likewise: rounding
   static constexpr double nearly_agreed = 1e-8;  ///< where rounding lets them agree no better
-  static constexpr double zero = 1e-11;          ///< an equation at a mean that is right to rounding
-  /// Reciprocal conditions. A mean is right to rounding; what the steps reach of a double root is 1e-8 away.
-  static constexpr double singular = 1e-10, clearly_regular = 1e-6;
+  static constexpr double zero = 1e-11;          ///< the equations, relative, at a mean right to rounding
+  static constexpr double singular = 1e-10;      ///< reciprocal condition, in which units differ
+  /// A Newton step at a regular end, relative to 1 + |x|; near a double one steps of 1e-8 only halve.
+  static constexpr double at_rest = 1e-11;
 
   /// A walk around t = 1 and how many rounds it took; 0: it did not close.
   struct Loop {
@@ -205,7 +206,7 @@ class PathTracker {
                                 ? (loop.mean - last.mean).norm() / (1 + loop.mean.norm())
                                 : std::numeric_limits<double>::infinity();
       const bool agree = change <= agreed || (change <= nearly_agreed && change > last_change);
-      if (agree && homotopy_.at(loop.mean, 1).value.norm() <= zero) return end_at(loop);
+      if (agree && is_zero(loop.mean)) return end_at(loop);
       last_change = change;
       last = loop;
       if (!move(x, 1 - radius, 1 - radius_ratio * radius))
@@ -214,11 +215,20 @@ class PathTracker {
     return failed(x, "the circles around the end did not agree");
   }
 
-  /// Reciprocal condition number of the Jacobian at t = 1, an estimate.
-  double condition_at(const Vector& x) const { return homotopy_.at(x, 1).jacobian.partialPivLu().rcond(); }
+  /// Of H(·, 1), relative to what moving x by its own size would change.
+  bool is_zero(const Vector& x) const {
+    const HomotopyValue<n> at = homotopy_.at(x, 1);
+    return at.value.norm() <= zero * at.jacobian.norm() * (1 + x.norm());
+  }
+
+  bool is_regular(const Vector& x) const {
+    const HomotopyValue<n> at = homotopy_.at(x, 1);
+    const Eigen::PartialPivLU<ComplexMatrix<n>> lu(at.jacobian);
+    return lu.rcond() > singular && lu.solve(at.value).norm() <= at_rest * (1 + x.norm());
+  }
 
   End end_at(const Loop& loop) const {
-    const bool regular = loop.rounds == 1 && condition_at(loop.mean) > singular;
+    const bool regular = loop.rounds == 1 && is_regular(loop.mean);
     return {regular ? End::Kind::regular : End::Kind::singular, loop.mean, loop.rounds, ""};
   }
 

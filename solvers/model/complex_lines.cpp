@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "solvers/numeric/bilinear_product.hpp"
 #include "solvers/numeric/complex_double_double.hpp"
 
 namespace gcs {
@@ -13,7 +14,6 @@ using Complex = std::complex<double>;
 using WideVector = std::array<ComplexDoubleDouble, 3>;
 
 /// Without conjugation, unlike Eigen's dot.
-Complex product(const Eigen::Vector3cd& u, const Eigen::Vector3cd& v) { return (u.transpose() * v).value(); }
 
 WideVector cross(const WideVector& a, const WideVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -53,9 +53,9 @@ void set_complex_lines(const std::vector<ComplexLine>& lines, Figure& figure) {
 
 ComplexLine normalised(const ComplexLine& line) {
   ComplexLine result;
-  result.direction = line.direction / std::sqrt(product(line.direction, line.direction));
+  result.direction = line.direction / std::sqrt(bilinear_product(line.direction, line.direction));
   if (is_to_be_turned(result.direction)) result.direction = -result.direction;
-  result.point = line.point - result.direction * product(result.direction, line.point);
+  result.point = line.point - result.direction * bilinear_product(result.direction, line.point);
   return result;
 }
 

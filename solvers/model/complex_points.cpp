@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "solvers/numeric/bilinear_product.hpp"
+
 namespace gcs {
 namespace {
 
@@ -12,14 +14,13 @@ using Complex = std::complex<double>;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 /// Without conjugation, unlike Eigen's dot.
-Complex product(const Eigen::Vector3cd& u, const Eigen::Vector3cd& v) { return (u.transpose() * v).value(); }
 
 Eigen::Vector3cd normal_of(const Eigen::Vector3cd& u, const Eigen::Vector3cd& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
 /// A unit vector along v, of the two the one with a component along v of non-negative real part.
-Eigen::Vector3cd normalised(const Eigen::Vector3cd& v) { return v / std::sqrt(product(v, v)); }
+Eigen::Vector3cd normalised(const Eigen::Vector3cd& v) { return v / std::sqrt(bilinear_product(v, v)); }
 
 bool is_in_frame(const ComplexPoints& points, int dimension, const Reference& reference) {
   const bool axis_is = points.col(reference.origin).isZero(0) &&
@@ -88,7 +89,7 @@ ComplexPoints in_frame(const ComplexPoints& points, int dimension, const Referen
   Eigen::Vector3cd y(-x[1], x[0], 0);
   if (dimension == 3) {
     const Eigen::Vector3cd second = moved.col(reference.plane);
-    y = normalised(second - x * product(x, second));
+    y = normalised(second - x * bilinear_product(x, second));
   }
   Eigen::Matrix3cd axes;
   axes.row(0) = x.transpose();
@@ -102,7 +103,7 @@ ComplexPoints in_frame(const ComplexPoints& points, int dimension, const Referen
 
 Complex squared_distance(const ComplexPoints& points, int a, int b) {
   const Eigen::Vector3cd difference = points.col(a) - points.col(b);
-  return product(difference, difference);
+  return bilinear_product(difference, difference);
 }
 
 Complex squared_distance_excess(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, DoubleDouble square) {
@@ -122,10 +123,10 @@ std::optional<std::array<Eigen::Vector3cd, 2>> trilaterate(const std::array<Eige
   const Eigen::Vector3cd u = centers[1] - centers[0];
   const Eigen::Vector3cd v = centers[2] - centers[0];
   const Eigen::Vector3cd n = normal_of(u, v);
-  const Complex uu = product(u, u);
-  const Complex uv = product(u, v);
-  const Complex vv = product(v, v);
-  const Complex determinant = product(n, n);  // of the Gram matrix of u and v
+  const Complex uu = bilinear_product(u, u);
+  const Complex uv = bilinear_product(u, v);
+  const Complex vv = bilinear_product(v, v);
+  const Complex determinant = bilinear_product(n, n);  // of the Gram matrix of u and v
   if (!(std::abs(determinant) > 64 * rounding * u.squaredNorm() * v.squaredNorm())) return std::nullopt;
   const Complex ru = (squares[0] + uu - squares[1]) / 2.0;
   const Complex rv = (squares[0] + vv - squares[2]) / 2.0;

@@ -10,6 +10,10 @@ namespace gcs {
 /// evaluation. Dimensionless.
 double relative_residual(const Scene& scene, const Figure& figure);
 
+/// A relative residual up to this is that of a double solution which the rounding of the lengths leaves 1e-8
+/// away: its distances, which vary with the square, are right to rounding.
+inline constexpr double double_root_residual = 1e-13;
+
 /// 2-norm condition number of the Jacobian of the distances at the figure, in the frame's free coordinates.
 /// Infinity at a singular figure. Dimensionless.
 double jacobian_condition(const Scene& scene, const Figure& figure);

@@ -8,9 +8,6 @@
 namespace gcs {
 namespace {
 
-/// Near a double solution, 1e-8 away from it, distances are right to rounding.
-constexpr double double_root_residual = 1e-13;
-
 /// More finest pieces than this are a curve of solutions and not the surroundings of a few multiple ones,
 /// each of which takes about 1e-8 / finest in the direction in which it is multiple.
 constexpr std::int64_t max_undecided = 200'000;

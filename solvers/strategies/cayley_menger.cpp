@@ -35,8 +35,6 @@ constexpr int pairs = 8;  // common zeros of two polynomials of bidegree (2, 2):
 constexpr double near_infinity = 1e-6;
 /// Below this reciprocal condition a solution is singular: Newton's method then stops about this far from it.
 constexpr double singular = 1e-6;
-/// Near a double solution, 1e-8 away from it, distances are right to rounding.
-constexpr double double_root_residual = 1e-13;
 /// Below this a face of the octahedron is flat: nothing can be placed on it.
 constexpr double flattest = 1e-12;
 

@@ -193,6 +193,18 @@ TEST_CASE("the 24 paths lead to the lines that the direct method finds") {
   }
 }
 
+TEST_CASE("the paths have ends where centres are nearly coplanar and nearly collinear") {
+  // The relative width of three points on a strip of this breadth is some hundredths.
+  Dice dice(17);
+  for (double height = 1; height > 1e-18; height /= 1e3)
+    for (const double breadth : {1.0, 0.1, 0.03}) {
+      Eigen::Matrix<double, 3, 4> centers = dice.centers();
+      centers.row(1) *= breadth;
+      centers.row(2) *= breadth * height;
+      expect_agreement(spheres(centers, dice.distances()));
+    }
+}
+
 TEST_CASE("infinitely many tangents are named") {
   Eigen::Matrix<double, 3, 4> centers = Eigen::Matrix<double, 3, 4>::Zero();
   const Eigen::Vector4d position(0, 1, 2.5, 4);

@@ -44,21 +44,21 @@ Triangle largest_triangle(const FourSpheres& spheres) {
 /// (a·u) as a form.
 LinearForm linear_form(const Eigen::Vector3d& a) { return {a[2], a[0], a[1]}; }
 
-/// u·u
-QuadraticForm unit_form() {
-  QuadraticForm form = QuadraticForm::Zero();
-  form[monomial_number(2, 0)] = form[monomial_number(0, 2)] = form[monomial_number(0, 0)] = 1;
+/// u·(matrix u), the matrix symmetric.
+QuadraticForm quadratic_form(const Eigen::Matrix3d& matrix) {
+  QuadraticForm form;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j)
+      form[monomial_number((i == 0) + (j == 0), (i == 1) + (j == 1))] = (i == j ? 1 : 2) * matrix(i, j);
   return form;
 }
 
-/// ½[(u·u)(c·c + r_1² − r²) − (c·u)²]
-QuadraticForm distance_form(const Eigen::Vector3d& c, DoubleDouble first_square, DoubleDouble square) {
-  const double constant = c.squaredNorm() + (first_square - square).value();
-  const LinearForm along = linear_form(c);
-  return 0.5 * (constant * unit_form() - form_product<1, 1>(along, along));
-}
-
 }  // namespace
+
+Eigen::Matrix3d distance_matrix(const Eigen::Vector3d& c, DoubleDouble first_square, DoubleDouble square) {
+  const double constant = c.squaredNorm() + (first_square - square).value();
+  return 0.5 * (constant * Eigen::Matrix3d::Identity() - c * c.transpose());
+}
 
 double relative_width(const FourSpheres& spheres) { return largest_triangle(spheres).width; }
 
@@ -71,7 +71,7 @@ TangentEquations::TangentEquations(const FourSpheres& spheres, const Eigen::Matr
   for (int i = 0; i < 3; ++i) {
     const Sphere& sphere = spheres[roles[i + 1]];
     c[i] = turn * (sphere.center - origin_);
-    b[i] = distance_form(c[i], first.square, sphere.square);
+    b[i] = quadratic_form(distance_matrix(c[i], first.square, sphere.square));
   }
   normal_ = c[0].cross(c[1]).normalized();
   const Eigen::Vector3d across_1 = c[1].cross(normal_), across_2 = normal_.cross(c[0]);
@@ -81,27 +81,37 @@ TangentEquations::TangentEquations(const FourSpheres& spheres, const Eigen::Matr
   kappa_ = b[2] - c[2].dot(dual_[0]) * b[0] - c[2].dot(dual_[1]) * b[1];
   l_ = linear_form(normal_);
   s_ = form_product<2, 1>(b[0], linear_form(dual_[0])) + form_product<2, 1>(b[1], linear_form(dual_[1]));
-  rho_ = first.square.value() * form_product<2, 2>(unit_form(), unit_form()) -
+  const QuadraticForm unit = quadratic_form(Eigen::Matrix3d::Identity());  // u·u
+  rho_ = first.square.value() * form_product<2, 2>(unit, unit) -
          dual_[0].squaredNorm() * form_product<2, 2>(b[0], b[0]) -
          2 * dual_[0].dot(dual_[1]) * form_product<2, 2>(b[0], b[1]) -
          dual_[1].squaredNorm() * form_product<2, 2>(b[1], b[1]);
 }
 
 template <class Scalar>
-Tangent<Scalar> TangentEquations::line(const Eigen::Matrix<Scalar, 3, 1>& turned_u, Scalar tau) const {
-  using Vector = Eigen::Matrix<Scalar, 3, 1>;
-  const Scalar uu = (turned_u.transpose() * turned_u).value();
-  const Vector scaled_point = form_value<2>(b_[0], turned_u) * dual_[0].cast<Scalar>() +
-                              form_value<2>(b_[1], turned_u) * dual_[1].cast<Scalar>() +
-                              tau * normal_.cast<Scalar>();
-  const Eigen::Matrix<Scalar, 3, 3> back = turn_.transpose().cast<Scalar>();
+Tangent<Scalar> line_through(const Eigen::Matrix<Scalar, 3, 1>& u,
+                             const Eigen::Matrix<Scalar, 3, 1>& scaled_point, const Eigen::Vector3d& origin) {
+  const Scalar uu = (u.transpose() * u).value();
   Tangent<Scalar> line;
-  line.direction = back * turned_u / std::sqrt(uu);
-  line.point = back * scaled_point / uu + origin_.cast<Scalar>();
+  line.direction = u / std::sqrt(uu);
+  line.point = scaled_point / uu + origin.cast<Scalar>();
   line.point -= line.direction * (line.direction.transpose() * line.point).value();
   return line;
 }
 
+template <class Scalar>
+Tangent<Scalar> TangentEquations::line(const Eigen::Matrix<Scalar, 3, 1>& turned_u, Scalar tau) const {
+  using Vector = Eigen::Matrix<Scalar, 3, 1>;
+  const Vector scaled_point = form_value<2>(b_[0], turned_u) * dual_[0].cast<Scalar>() +
+                              form_value<2>(b_[1], turned_u) * dual_[1].cast<Scalar>() +
+                              tau * normal_.cast<Scalar>();
+  const Eigen::Matrix<Scalar, 3, 3> back = turn_.transpose().cast<Scalar>();
+  return line_through<Scalar>(back * turned_u, back * scaled_point, origin_);
+}
+
+template Tangent<double> line_through(const Eigen::Vector3d&, const Eigen::Vector3d&, const Eigen::Vector3d&);
+template Tangent<std::complex<double>> line_through(const Eigen::Vector3cd&, const Eigen::Vector3cd&,
+                                                    const Eigen::Vector3d&);
 template Tangent<double> TangentEquations::line(const Eigen::Vector3d&, double) const;
 template Tangent<std::complex<double>> TangentEquations::line(const Eigen::Vector3cd&,
                                                               std::complex<double>) const;

@@ -27,6 +27,15 @@ struct Tangent {
   Eigen::Matrix<Scalar, 3, 1> direction;
 };
 
+/// The line with the direction u and P = `scaled_point` from `origin`: its point nearest to the coordinates'
+/// origin and u·u = 1. Not finite when u is isotropic.
+template <class Scalar>
+Tangent<Scalar> line_through(const Eigen::Matrix<Scalar, 3, 1>& u,
+                             const Eigen::Matrix<Scalar, 3, 1>& scaled_point, const Eigen::Vector3d& origin);
+
+/// b(u) as a symmetric matrix, for the centre c from the first one.
+Eigen::Matrix3d distance_matrix(const Eigen::Vector3d& c, DoubleDouble first_square, DoubleDouble square);
+
 class TangentEquations {
  public:
   /// The unknowns are turned by `turn`, a rotation: (x, y, g) = turn · u. Precondition: the centres are not

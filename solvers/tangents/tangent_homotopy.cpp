@@ -1,8 +1,10 @@
 #include "solvers/tangents/tangent_homotopy.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <numbers>
 
+#include "solvers/numeric/bilinear_product.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
 #include "solvers/tangents/tangent_refinement.hpp"
 
@@ -18,25 +20,29 @@ Complex random_phase(std::mt19937_64& random) {
   return std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(random() >> 11U) * 0x1p-53);
 }
 
-/// x² − 1, τ − y², g³ − 1, τ² − 1: weights 2, 2, 3 and 4.
+/// x² − 1, m − y², n − g², y³ − 1, n² − 1: weights 2, 2, 2, 3 and 4.
 SystemValue<unknowns> start_system(const Vector& at) {
-  const Complex x = at[0], y = at[1], g = at[2], tau = at[3];
+  const Complex x = at[0], y = at[1], g = at[2], m = at[3], n = at[4];
   SystemValue<unknowns> system;
-  system.value << x * x - 1.0, tau - y * y, g * g * g - 1.0, tau * tau - 1.0;
+  system.value << x * x - 1.0, m - y * y, n - g * g, y * y * y - 1.0, n * n - 1.0;
   system.jacobian.setZero();
   system.jacobian(0, 0) = 2.0 * x;
   system.jacobian(1, 1) = -2.0 * y;
   system.jacobian(1, 3) = 1;
-  system.jacobian(2, 2) = 3.0 * g * g;
-  system.jacobian(3, 3) = 2.0 * tau;
+  system.jacobian(2, 2) = -2.0 * g;
+  system.jacobian(2, 4) = 1;
+  system.jacobian(3, 1) = 3.0 * y * y;
+  system.jacobian(4, 4) = 2.0 * n;
   return system;
 }
+
+double largest(const Eigen::Matrix3d& matrix) { return matrix.cwiseAbs().maxCoeff(); }
 
 /// The lines of ends, one after the other.
 class EndCollector {
  public:
-  EndCollector(const FourSpheres& spheres, const TangentEquations& equations, WorkCounters& work)
-      : spheres_(spheres), equations_(equations), work_(work) {}
+  EndCollector(const FourSpheres& spheres, const TangentHomotopy& homotopy, WorkCounters& work)
+      : spheres_(spheres), homotopy_(homotopy), work_(work) {}
 
   PathRecord take(const End& end) {
     if (end.kind == End::Kind::failed) return {PathRecord::End::failed, end.cause, 0, {}};
@@ -45,7 +51,7 @@ class EndCollector {
       ++to_infinity_;
       return {PathRecord::End::at_infinity, "", 0, {}};
     }
-    const ComplexTangent line = equations_.line<Complex>(u, end.x[3]);
+    const ComplexTangent line = homotopy_.line(end.x);
     if (end.winding_number == 1 && take_simple(line)) return {PathRecord::End::regular, "", 0, {}};
     if (take_multiple(line)) return {PathRecord::End::singular, "", 0, {}};
     return {PathRecord::End::failed, "the line where it ends is no common tangent to rounding", 0, {}};
@@ -61,7 +67,8 @@ class EndCollector {
     }
     result.at_infinity = to_infinity_ / 2;
     if (result.accounted_for() < tangent_count)
-      result.infinitely_many = dimension_of_weight_12(equations_) > tangent_count;
+      result.infinitely_many =
+          dimension_of_weight_12(TangentEquations(spheres_, Eigen::Matrix3d::Identity())) > tangent_count;
     return result;
   }
 
@@ -99,7 +106,7 @@ class EndCollector {
   }
 
   const FourSpheres& spheres_;
-  const TangentEquations& equations_;
+  const TangentHomotopy& homotopy_;
   WorkCounters& work_;
   CommonTangents found_;
   std::vector<int> singular_ends_;  ///< of each line
@@ -108,31 +115,54 @@ class EndCollector {
 
 }  // namespace
 
-TangentHomotopy::TangentHomotopy(const TangentEquations& equations, std::mt19937_64& random)
-    : equations_(equations),
-      gamma_(random_phase(random)),
-      scale_1_(1 / std::max(std::abs(equations.h()), equations.kappa().cwiseAbs().maxCoeff())),
-      scale_2_(1 / std::max(equations.l().cwiseAbs().maxCoeff(), equations.s().cwiseAbs().maxCoeff())),
-      scale_3_(1 / std::max(1.0, equations.rho().cwiseAbs().maxCoeff())) {
+TangentHomotopy::TangentHomotopy(const FourSpheres& spheres, std::mt19937_64& random)
+    : origin_(spheres[0].center), square_(spheres[0].square.value()), gamma_(random_phase(random)) {
+  Eigen::Matrix3d centers;
+  for (int i = 0; i < 3; ++i) centers.col(i) = spheres[i + 1].center - origin_;
+  const Eigen::ColPivHouseholderQR<Eigen::Matrix3d> decomposition(centers);
+  frame_ = decomposition.householderQ();
+  const Eigen::Matrix3d r = decomposition.matrixR().triangularView<Eigen::Upper>();
+  std::array<Eigen::Matrix3d, 3> b;
+  for (int i = 0; i < 3; ++i) {
+    const int sphere = decomposition.colsPermutation().indices()[i] + 1;
+    b[i] = distance_matrix(r.col(i), spheres[0].square, spheres[sphere].square);
+  }
+  along_ = b[0] / r(0, 0);
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Matrix3d across = b[i + 1] - r(0, i + 1) * along_;
+    const double size = std::max(largest(across), r.col(i + 1).tail<2>().cwiseAbs().maxCoeff());
+    across_[i] = across / size;
+    weight_[i] = r.col(i + 1).tail<2>() / size;
+  }
   for (int axis = 0; axis < 3; ++axis) patch_[axis] = random_phase(random);
 }
 
 SystemValue<unknowns> TangentHomotopy::target(const Vector& x) const {
-  const Eigen::Vector3cd u = x.head<3>();
-  const Complex tau = x[3], on_patch = (patch_.transpose() * u).value();
-  const Complex l = form_value<1>(equations_.l(), u);
+  const Eigen::Vector3cd u = x.head<3>(), along_u = along_ * u, p = scaled_point(x);
+  const Complex on_patch = bilinear_product(patch_, u), uu = bilinear_product(u, u);
   SystemValue<unknowns> system;
-  system.value << on_patch * on_patch - 1.0,
-      scale_1_ * (equations_.h() * tau - form_value<2>(equations_.kappa(), u)),
-      scale_2_ * (tau * l + form_value<3>(equations_.s(), u)),
-      scale_3_ * (tau * tau - form_value<4>(equations_.rho(), u));
-  system.jacobian.row(0) << 2.0 * on_patch * patch_.transpose(), 0;
-  system.jacobian.row(1) << -scale_1_ * form_gradient<2>(equations_.kappa(), u), scale_1_ * equations_.h();
-  system.jacobian.row(2) << scale_2_ * (tau * form_gradient<1>(equations_.l(), u) +
-                                        form_gradient<3>(equations_.s(), u)),
-      scale_2_ * l;
-  system.jacobian.row(3) << -scale_3_ * form_gradient<4>(equations_.rho(), u), scale_3_ * 2.0 * tau;
+  system.value[0] = on_patch * on_patch - 1.0;
+  system.jacobian.row(0) << 2.0 * on_patch * patch_.transpose(), 0, 0;
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector3cd across_u = across_[i] * u;
+    system.value[1 + i] = weight_[i][0] * p[1] + weight_[i][1] * p[2] - bilinear_product(u, across_u);
+    system.jacobian.row(1 + i) << -2.0 * across_u.transpose(), weight_[i].transpose();
+  }
+  system.value[3] = bilinear_product(p, u);
+  system.jacobian.row(3) << 2.0 * u[0] * along_u.transpose() + p.transpose(), u[1], u[2];
+  system.value[4] = bilinear_product(p, p) - square_ * uu * uu;
+  system.jacobian.row(4) << 4.0 * (p[0] * along_u - square_ * uu * u).transpose(), 2.0 * p[1], 2.0 * p[2];
   return system;
+}
+
+Eigen::Vector3cd TangentHomotopy::scaled_point(const Vector& x) const {
+  const Eigen::Vector3cd u = x.head<3>();
+  return {bilinear_product(u, along_ * u), x[3], x[4]};
+}
+
+ComplexTangent TangentHomotopy::line(const Vector& x) const {
+  const Eigen::Vector3cd u = x.head<3>();
+  return line_through<Complex>(frame_ * u, frame_ * scaled_point(x), origin_);
 }
 
 HomotopyValue<unknowns> TangentHomotopy::at(const Vector& x, Complex t) const {
@@ -143,18 +173,18 @@ std::vector<Vector> TangentHomotopy::starts() {
   const auto root = [](int k, int n) { return std::polar(1.0, 2 * std::numbers::pi * k / n); };
   std::vector<Vector> result;
   for (int x = 0; x < 2; ++x)
-    for (int y = 0; y < 4; ++y)  // y⁴ = τ² = 1
-      for (int g = 0; g < 3; ++g) result.push_back({root(x, 2), root(y, 4), root(g, 3), root(2 * y, 4)});
+    for (int y = 0; y < 3; ++y)
+      for (int g = 0; g < 4; ++g)  // g⁴ = n² = 1
+        result.emplace_back(Vector{{root(x, 2), root(y, 3), root(g, 4), root(2 * y, 3), root(2 * g, 4)}});
   return result;
 }
 
 FollowedTangents follow_tangents(const FourSpheres& spheres, std::uint64_t seed, const std::stop_token& stop,
                                  Monitor* monitor, WorkCounters& work) {
   std::mt19937_64 random(seed);
-  const TangentEquations equations(spheres, Eigen::Matrix3d::Identity());
-  const TangentHomotopy homotopy(equations, random);
+  const TangentHomotopy homotopy(spheres, random);
   PathTracker<TangentHomotopy> tracker(homotopy, work);
-  EndCollector collector(spheres, equations, work);
+  EndCollector collector(spheres, homotopy, work);
   const std::vector<Vector> starts = TangentHomotopy::starts();
   FollowedTangents followed;
   for (const Vector& start : starts) {

@@ -1,12 +1,20 @@
 #pragma once
 /// The common tangents of four spheres by following 24 paths, one for each line and orientation.
 ///
-/// The target is (a·u)² = 1, a random complex vector, with the three equations of tangent_equations.hpp:
-/// degrees 2, 2, 3 and 4 in unknowns of weight 1 (u) and 2 (τ), so 2·2·3·4/2 = 24 solutions, two for each
-/// line. Where the centres are not coplanar τ = κ/h makes it the published system of degrees 2, 3 and 4 in u
-/// (Hoffmann, Yuan 2000, section 4.1), but for the normalisation: u·u = 1 there sends isotropic directions to
-/// infinity and distant lines near to it, a random one leaves all solutions at finite places. Start: x² = 1,
-/// τ = y², g³ = 1, τ² = 1, whose 24 solutions are known.
+/// u is along the line, P = p·(u·u) with p·u = 0 and one centre as the origin. Equations (2)–(4) less (1) of
+/// Hoffmann, Yuan 2000, section 4.1, are c_i·P = b_i(u) (tangent_equations.hpp). In an orthonormal frame in
+/// which the matrix of the c_i is triangular, QR with pivots, the first gives P·e_1 as a quadratic form, and
+/// m = P·e_2 and n = P·e_3 stay unknowns:
+///   r_22 m = k_2(u),  r_23 m + r_33 n = k_3(u),  P·u = 0,  P·P = r_1²(u·u)²,  (a·u)² = 1
+/// with a random complex vector a. Eliminating m and n gives the published system of degrees 2, 3 and 4 in u,
+/// but divides by the heights r_22 and r_33, which coplanar centres lose and nearly collinear ones nearly.
+/// The weights of u and of m, n are 1 and 2, those of the equations 2, 2, 3, 4 and 2: 2·2·3·4·2/(2·2) = 24
+/// solutions, two for each line. The published normalisation u·u = 1 sends isotropic directions to infinity
+/// and distant lines near to it, a random one leaves all solutions at finite places. Start: x² = 1, m = y²,
+/// n = g², y³ = 1, n² = 1, whose 24 solutions are known.
+///
+/// Where all centres are collinear but for 1/1000 of their distances, solutions come too near to each other
+/// for double precision: their paths fail.
 
 #include <cstdint>
 #include <random>
@@ -21,22 +29,31 @@ namespace gcs {
 
 class TangentHomotopy {
  public:
-  static constexpr int unknowns = 4;  ///< x, y, g, τ
+  static constexpr int unknowns = 5;  ///< x, y, g, m, n
 
-  /// a and γ are random.
-  TangentHomotopy(const TangentEquations& equations, std::mt19937_64& random);
+  /// a and γ are random. Precondition: the centres are not collinear; lengths are of order 1.
+  TangentHomotopy(const FourSpheres& spheres, std::mt19937_64& random);
 
   HomotopyValue<unknowns> at(const ComplexVector<unknowns>& x, std::complex<double> t) const;
+  /// Of a zero at t = 1; not finite when u is isotropic.
+  ComplexTangent line(const ComplexVector<unknowns>& x) const;
   /// The 24 zeros at t = 0.
   static std::vector<ComplexVector<unknowns>> starts();
 
  private:
   SystemValue<unknowns> target(const ComplexVector<unknowns>& x) const;
 
-  const TangentEquations& equations_;
+  /// P in the frame.
+  Eigen::Vector3cd scaled_point(const ComplexVector<unknowns>& x) const;
+
+  Eigen::Vector3d origin_;
+  Eigen::Matrix3d frame_;
+  double square_ = 0;                      ///< of the first radius
+  Eigen::Matrix3d along_;                  ///< P·e_1 as a quadratic form
+  std::array<Eigen::Matrix3d, 2> across_;  ///< the right sides of the two equations in m and n
+  std::array<Eigen::Vector2d, 2> weight_;  ///< the coefficients of m and n
   std::complex<double> gamma_;
-  Eigen::Vector3cd patch_;              ///< a
-  double scale_1_, scale_2_, scale_3_;  ///< bring the equations to the size 1
+  Eigen::Vector3cd patch_;  ///< a
 };
 
 struct FollowedTangents {

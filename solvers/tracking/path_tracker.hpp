@@ -107,7 +107,9 @@ class PathTracker {
   static constexpr double zero = 1e-11;          ///< the equations, relative, at a mean right to rounding
   static constexpr double singular = 1e-10;      ///< reciprocal condition, in which units differ
   /// A Newton step at a regular end, relative to 1 + |x|; near a double one steps of 1e-8 only halve.
-  static constexpr double at_rest = 1e-11;
+  static constexpr double at_rest = 1e-9;
+  /// The same, relative to the reciprocal condition: below 1/2 a simple zero is near (Kantorovich).
+  static constexpr double convergent = 1e-3;
 
   /// A walk around t = 1 and how many rounds it took; 0: it did not close.
   struct Loop {
@@ -224,7 +226,8 @@ class PathTracker {
   bool is_regular(const Vector& x) const {
     const HomotopyValue<n> at = homotopy_.at(x, 1);
     const Eigen::PartialPivLU<ComplexMatrix<n>> lu(at.jacobian);
-    return lu.rcond() > singular && lu.solve(at.value).norm() <= at_rest * (1 + x.norm());
+    const double reciprocal = lu.rcond(), step = lu.solve(at.value).norm() / (1 + x.norm());
+    return reciprocal > singular && step <= std::min(at_rest, convergent * reciprocal);
   }
 
   End end_at(const Loop& loop) const {

@@ -114,6 +114,14 @@ void refuse_coincident_fixed_points(const JsonCursor& fixed, const Problem& prob
   }
 }
 
+/// A line that is sought by its distances from given points (4p1L). Wherever these are they make a question,
+/// to which infinitely many lines or none may be the answer.
+bool seeks_line_from_given_points(const Positions& fixed) {
+  const auto is_given = [](const auto& position) { return position.has_value(); };
+  return fixed.lines.size() == 1 && !fixed.lines[0] && fixed.points.size() == 4 &&
+         std::all_of(fixed.points.begin(), fixed.points.end(), is_given);
+}
+
 void refuse_missing(const JsonCursor& sketch, const Problem& problem, const Positions& positions) {
   std::vector<int> missing;
   for (int entity = 0; entity < entity_count(problem); ++entity) {
@@ -176,7 +184,7 @@ void read_fixed(const JsonCursor& fixed, Problem& problem) {
   const Positions positions = read_positions(fixed, problem);
   problem.fixed_points = positions.points;
   problem.fixed_lines = positions.lines;
-  if (fixed.members().empty()) return;
+  if (fixed.members().empty() || seeks_line_from_given_points(positions)) return;
   refuse_coincident_fixed_points(fixed, problem);
   if (!hold_still(positions, problem.dimension)) {
     fixed.fail("the fixed positions leave the figure movable as a whole",

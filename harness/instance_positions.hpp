@@ -7,7 +7,8 @@
 namespace gcs {
 
 /// Reads `fixed` into the problem. Refused: two entities at the same place, and positions that leave the
-/// figure movable as a whole. Precondition: points and lines are read.
+/// figure movable as a whole, but for a line sought from four given points, for which this is no error of the
+/// instance. Precondition: points and lines are read.
 void read_fixed(const JsonCursor& fixed, Problem& problem);
 
 /// A line is placed against fixed points or against free ones. Precondition: constraints and `fixed` are

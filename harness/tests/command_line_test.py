@@ -262,6 +262,49 @@ class Solve(CommandLine):
         done = run("solve", "tangents-durand", "--strategy", "full-space")
         self.assert_one_message(done, NOT_SOLVED, "unsupported")
 
+    def tangents(self, points, distances):
+        """A line at the given distances from the given points."""
+        names = [f"c{i + 1}" for i in range(4)]
+        distances = [{"type": "distance", "between": [name, "L"], "length": length}
+                     for name, length in zip(names, distances)]
+        return self.write({"format": "gcsbench-instance/1", "id": "tangents", "dimension": 3, "points": names,
+                           "lines": ["L"], "fixed": dict(zip(names, points)), "constraints": distances},
+                          "tangents.json")
+
+    def assert_infinite(self, instance, *mentioned):
+        for method in ["direct", "homotopy"]:
+            done = run("solve", instance, "--strategy", "sphere-tangents", "--set", f"method={method}", "--out", "-")
+            result = json.loads(done.stdout)
+            self.assertEqual((done.returncode, result["status"]), (NOT_SOLVED, "infinite"))
+            for words in mentioned:
+                self.assertIn(words, result["reason"])
+                self.assertIn(words, done.stderr)
+
+    def test_lines_at_distances_from_collinear_points(self):
+        axis = [[0, 0, z] for z in (0, 1, 2, 4)]
+        with self.subTest("one distance too large for the line that the others leave"):
+            done = run("solve", self.tangents(axis, [1, 1, 1, 2]), "--strategy", "sphere-tangents", "--out", "-")
+            result = json.loads(done.stdout)
+            self.assertEqual((done.returncode, result["status"], result["solutions"]), (DONE, "complete", []))
+        with self.subTest("the rulings of a cylinder"):
+            self.assert_infinite(self.tangents(axis, [1, 1, 1, 1]), "collinear", "turned about")
+        with self.subTest("the rulings of a hyperboloid"):  # squared distances 1 + z²/4
+            distances = [(1 + z * z / 4) ** 0.5 for _, _, z in axis]
+            self.assert_infinite(self.tangents(axis, distances), "collinear", "turned about")
+        with self.subTest("the axis itself"):
+            self.assert_infinite(self.tangents(axis, [0, 0, 0, 0]), "distance 0")
+
+    def test_lines_at_distances_from_coinciding_points(self):
+        points = [[0, 0, 0], [3, 0, 0], [0, 3, 1], [0, 0, 0]]
+        self.assert_infinite(self.tangents(points, [1, 1, 1, 1]), "two centres coincide")
+        done = run("solve", self.tangents(points, [1, 1, 1, 2]), "--strategy", "sphere-tangents")
+        self.assert_one_message(done, BAD_INPUT, "no figure has these lengths")
+
+    def test_degenerate_tangents_are_described(self):
+        done = run("describe", self.tangents([[0, 0, z] for z in (0, 1, 2, 4)], [1, 1, 1, 1]), "--json")
+        self.assertEqual(done.returncode, DONE)
+        self.assertTrue(json.loads(done.stdout))
+
     def test_what_this_version_cannot_do_is_said(self):
         for arguments in [["--certify"], ["--resume", "x.json"], ["--solutions", "all"]]:
             with self.subTest(arguments):

@@ -39,7 +39,7 @@ TEST_CASE("a plan may have driving parameters and then leaves constraints out") 
 TEST_CASE("fixed positions are refused when they do not make sense") {
   check_refused(with(tangents(), "/fixed/p9", {0, 0, 0}), "/fixed/p9", "no point or line 'p9'");
   check_refused(with(tangents(), "/fixed/p1", {0, 0}), "/fixed/p1", "exactly 3");
-  check_refused(with(tangents(), "/fixed/p1", {1, -1, -1}), "/fixed",
+  check_refused(with(space(), "/fixed", {{"p1", {0, 0, 0}}, {"p2", {0, 0, 0}}, {"p3", {0, 1, 0}}}), "/fixed",
                 "'p1' and 'p2' are fixed at the same place");
   check_refused(with(tangents(), "/reference", {{"line", "L"}, {"height", "p1"}}), "/reference", "exclude");
   check_refused(with(tangents(), "/fixed/p4", nullptr), "/fixed", "free ones ('p4')");
@@ -49,6 +49,26 @@ TEST_CASE("fixed positions are refused when they do not make sense") {
       "/fixed", "not all on one line");
   check_refused(with(plane(), "/fixed", {{"p1", {0, 0}}, {"p2", {3, 0}}}), "/constraints/0/between",
                 "both fixed");
+}
+
+TEST_CASE("a line may be sought from four points wherever they are") {
+  const json coincident = with(tangents(), "/fixed/p1", {1, -1, -1});
+  CHECK(parsed(coincident).problem.fixed_points[0] == Eigen::Vector3d(1, -1, -1));
+  json collinear = tangents();
+  for (int i = 1; i <= 4; ++i) collinear["fixed"]["p" + std::to_string(i)] = {i, 2 * i, 0};
+  CHECK(parsed(collinear).problem.fixed_points[3] == Eigen::Vector3d(4, 8, 0));
+  SECTION("but not with a fifth point") {
+    collinear["points"].push_back("p5");
+    collinear["fixed"]["p5"] = {5, 10, 0};
+    check_refused(collinear, "/fixed", "not all on one line");
+  }
+  SECTION("but not without one of the distances") {
+    check_refused(with(coincident, "/constraints/3", nullptr), "/constraints", "under-constrained");
+  }
+  SECTION("but not at the same place with different distances") {
+    check_refused(with(coincident, "/constraints/0/length", 0.7), "/constraints/0",
+                  "no figure has these lengths");
+  }
 }
 
 TEST_CASE("fixed lines hold a figure together with a point off them") {

@@ -1,10 +1,11 @@
-/// Times every strategy in each of its modes on every shipped instance that it supports, through the
-/// same interface as the program. Answers are not assessed here: `gcsbench tables` does that. Kernels
+/// Times every strategy with each of its modes or methods on every shipped instance that it supports, through
+/// the same interface as the program. Answers are not assessed here: `gcsbench tables` does that. Kernels
 /// register themselves with BENCHMARK in files of their own.
 ///   gcsbench_benchmarks --benchmark_filter='rcp.*/disulfide'
+///   gcsbench_benchmarks --benchmark_filter='(cayley-menger|rcp|full-space).*/octahedron'
+///   gcsbench_benchmarks --benchmark_filter='theta-scan|sphere-tangents|plan-scan'
 
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
 
 #include <deque>
 #include <exception>
@@ -26,21 +27,28 @@ struct NamedScene {
   Scene scene;
 };
 
-/// The values of the option `mode`, which are the words between the bars of what it allows; "" where there is
-/// none.
-std::vector<std::string> modes_of(const StrategyEntry& entry) {
-  for (const OptionSpec& option : entry.options) {
-    if (option.name != "mode") continue;
-    std::vector<std::string> modes;
-    std::string_view rest = option.allowed;
-    for (auto bar = rest.find('|'); bar != std::string_view::npos; bar = rest.find('|')) {
-      modes.emplace_back(rest.substr(0, bar));
-      rest.remove_prefix(bar + 1);
-    }
-    modes.emplace_back(rest);
-    return modes;
+/// The words between the bars.
+std::vector<std::string> words_of(std::string_view allowed) {
+  std::vector<std::string> words;
+  for (auto bar = allowed.find('|'); bar != std::string_view::npos; bar = allowed.find('|')) {
+    words.emplace_back(allowed.substr(0, bar));
+    allowed.remove_prefix(bar + 1);
   }
-  return {""};
+  words.emplace_back(allowed);
+  return words;
+}
+
+/// The options that choose each of the strategy's algorithms: all values of `mode` or `method`; none where it
+/// has but one.
+std::vector<OptionMap> algorithms_of(const StrategyEntry& entry) {
+  std::vector<OptionMap> algorithms;
+  for (const OptionSpec& option : entry.options) {
+    if (option.name != "mode" && option.name != "method") continue;
+    for (const std::string& word : words_of(option.allowed))
+      algorithms.push_back({{std::string(option.name), word}});
+  }
+  if (algorithms.empty()) algorithms.emplace_back();
+  return algorithms;
 }
 
 /// One iteration is what somebody who solves once waits for: a fresh strategy, prepare and solve.
@@ -56,11 +64,12 @@ void time_solving(benchmark::State& state, const StrategyEntry& entry, const Opt
   }
 }
 
-void register_solving(const StrategyEntry& entry, const std::string& mode, const NamedScene& named) {
-  const OptionMap options = complete_options(entry, mode.empty() ? OptionMap{} : OptionMap{{"mode", mode}});
+void register_solving(const StrategyEntry& entry, const OptionMap& algorithm, const NamedScene& named) {
+  const OptionMap options = complete_options(entry, algorithm);
   if (why_not(entry, *entry.make(options), named.scene)) return;
-  const std::string name = fmt::format("{}{}/{}", entry.name, mode.empty() ? "" : "/" + mode, named.id);
-  benchmark::RegisterBenchmark(name.c_str(), time_solving, entry, options, named.scene)
+  std::string name(entry.name);
+  for (const auto& choice : algorithm) name += "/" + choice.second;
+  benchmark::RegisterBenchmark((name + "/" + named.id).c_str(), time_solving, entry, options, named.scene)
       ->Unit(benchmark::kMillisecond);
 }
 
@@ -73,7 +82,7 @@ std::deque<NamedScene> shipped_scenes() {
 void register_everything() {
   for (const NamedScene& named : shipped_scenes()) {
     for (const StrategyEntry& entry : all_strategies()) {
-      for (const std::string& mode : modes_of(entry)) register_solving(entry, mode, named);
+      for (const OptionMap& algorithm : algorithms_of(entry)) register_solving(entry, algorithm, named);
     }
   }
 }

@@ -13,8 +13,8 @@
 /// and distant lines near to it, a random one leaves all solutions at finite places. Start: x² = 1, m = y²,
 /// n = g², y³ = 1, n² = 1, whose 24 solutions are known.
 ///
-/// Where all centres are collinear but for 1/1000 of their distances, solutions come too near to each other
-/// for double precision: their paths fail.
+/// Where all centres are collinear but for 1/100 of their distances solutions come near to each other and
+/// some paths fail, at 1/1000 nearly all: too near for double precision.
 
 #include <cstdint>
 #include <random>

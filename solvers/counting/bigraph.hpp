@@ -43,7 +43,7 @@ class VertexClasses {
   std::uint8_t operator[](std::uint8_t vertex) const { return label_[vertex]; }
 
  private:
-  std::array<std::uint8_t, most_bigraph_vertices> label_;
+  std::array<std::uint8_t, most_bigraph_vertices> label_{};
 };
 
 /// Rank of edges on one side: vertices less components of the subgraph that they make.

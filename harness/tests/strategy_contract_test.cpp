@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "harness/instance_io.hpp"
+#include "harness/tests/count_limits.hpp"
+#include "harness/tests/random_scenes.hpp"
 #include "harness/tests/report_agreement.hpp"
 
 using namespace gcs;
@@ -75,9 +77,10 @@ void check_one_solve(const Subject& subject, const Instance& instance) {
   expect_none(subject, instance.id, check_counts(instance.id, scene, report));
 }
 
-/// All that the strategies report on the scene, each against each. Returns the reports.
-std::vector<SolveReport> check_agreement(const Scene& scene, const std::vector<Subject>& all,
-                                         const std::string& instance) {
+/// All that the strategies report on the scene, each against each and against the theoretical counts of its
+/// problem. Returns the reports.
+std::vector<SolveReport> check_agreement(const Scene& scene, const TheoreticalCounts& counts,
+                                         const std::vector<Subject>& all, const std::string& instance) {
   std::vector<SolveReport> reports;
   std::vector<std::string> labels;
   for (const Subject& subject : all) {
@@ -85,6 +88,7 @@ std::vector<SolveReport> check_agreement(const Scene& scene, const std::vector<S
     reports.push_back(solve_anew(subject, scene));
     expect_none(subject, instance, check_completion(reports.back()));
     expect_none(subject, instance, check_report(scene, reports.back()));
+    expect_none(subject, instance, check_limits(scene, counts, reports.back()));
     labels.push_back(subject.label());
     for (std::size_t i = 0; i + 1 < reports.size(); ++i) {
       const auto found = contradiction(scene, reports[i], reports.back());
@@ -165,7 +169,8 @@ TEST_CASE("all strategies agree") {
     std::vector<Subject> all = subjects();
     if (is_in(published_mode, id))
       for (const Subject& subject : published_subjects()) all.push_back(subject);
-    check_agreement(Scene(load_instance(id).problem), all, id);
+    const Problem problem = load_instance(id).problem;
+    check_agreement(Scene(problem), theoretical_counts(problem), all, id);
   }
 }
 
@@ -173,13 +178,30 @@ TEST_CASE("all strategies agree on random lengths") {
   std::mt19937_64 random(8705);
   for (const std::string id : {"k33", "octahedron", "dodecagon", "disulfide"}) {
     const Problem problem = load_instance(id).problem;
+    const TheoreticalCounts counts = theoretical_counts(problem);
     std::size_t solutions = 0;
     for (int i = 0; i < 16; ++i) {
       const Scene scene(with_random_targets(problem, random));
       const std::string name = id + " with random lengths " + std::to_string(i);
-      for (const SolveReport& report : check_agreement(scene, subjects(), name))
+      for (const SolveReport& report : check_agreement(scene, counts, subjects(), name))
         solutions += report.candidates.size();
     }
     CHECK(solutions > 0);
   }
+}
+
+TEST_CASE("no strategy finds more on random graphs than there can be") {
+  std::size_t solutions = 0;
+  for (std::uint64_t seed = 1; seed <= 4 * scene_kind_count; ++seed) {
+    const Problem problem = random_problem(random_scene_kind(seed), seed);
+    const Scene scene(problem);
+    const TheoreticalCounts counts = theoretical_counts(problem);
+    for (const Subject& subject : subjects()) {
+      if (!supports(subject, scene)) continue;
+      const SolveReport report = solve_anew(subject, scene);
+      expect_none(subject, "random graph " + std::to_string(seed), check_limits(scene, counts, report));
+      solutions += report.candidates.size();
+    }
+  }
+  CHECK(solutions > 0);
 }

@@ -7,10 +7,11 @@
 namespace gcs {
 namespace {
 
-/// For one reference; about a second.
-constexpr std::size_t most_states = 500'000;
+/// Of all references together: some seconds.
+constexpr std::int64_t most_states = 2'000'000;
 
-std::optional<Natural> bezout_bound(const BoundProblem& problem, const std::vector<int>& reference) {
+std::optional<Natural> bezout_bound(const BoundProblem& problem, const std::vector<int>& reference,
+                                    std::int64_t& states_left) {
   const auto is_free = [&](int point) {
     return std::find(reference.begin(), reference.end(), point) == reference.end();
   };
@@ -24,7 +25,7 @@ std::optional<Natural> bezout_bound(const BoundProblem& problem, const std::vect
   std::vector<std::array<int, 2>> edges;
   for (const auto& edge : problem.edges)
     if (is_free(edge[0]) || is_free(edge[1])) edges.push_back(edge);
-  const auto orientations = count_orientations(edges, outdegrees, most_states);
+  const auto orientations = count_orientations(edges, outdegrees, states_left);
   if (!orientations) return std::nullopt;
   return Natural::power_of_two(doublings) * *orientations;
 }
@@ -33,8 +34,9 @@ std::optional<Natural> bezout_bound(const BoundProblem& problem, const std::vect
 
 std::optional<BezoutBound> smallest_bezout_bound(const BoundProblem& problem) {
   std::optional<BezoutBound> smallest;
+  std::int64_t states_left = most_states;
   for (std::size_t i = 0; i < problem.references.size(); ++i) {
-    const auto bound = bezout_bound(problem, problem.references[i]);
+    const auto bound = bezout_bound(problem, problem.references[i], states_left);
     if (bound && (!smallest || *bound < smallest->fixed_frame)) smallest = BezoutBound{*bound, i};
   }
   return smallest;

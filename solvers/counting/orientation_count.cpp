@@ -9,8 +9,8 @@ namespace {
 class OrientationCount {
  public:
   OrientationCount(const std::vector<std::array<int, 2>>& edges, const std::vector<int>& outdegrees,
-                   std::size_t most_states)
-      : edges_(edges), start_(outdegrees), states_left_(most_states), degree_(outdegrees.size(), 0) {
+                   std::int64_t& states_left)
+      : edges_(edges), start_(outdegrees), states_left_(states_left), degree_(outdegrees.size(), 0) {
     for (const auto& edge : edges)
       for (const int end : edge) ++degree_[end];
   }
@@ -79,8 +79,8 @@ class OrientationCount {
       }
       orient(edge);
       for (const int end : edge) touched_[end] = true;
-      if (counts_.size() > states_left_) return false;
-      states_left_ -= counts_.size();
+      states_left_ -= static_cast<std::int64_t>(counts_.size());
+      if (states_left_ < 0) return false;
     }
     edges_ = std::move(others);
     return true;
@@ -88,7 +88,7 @@ class OrientationCount {
 
   std::vector<std::array<int, 2>> edges_;  ///< not oriented yet
   State start_;
-  std::size_t states_left_;
+  std::int64_t& states_left_;
   std::vector<int> degree_;  ///< by edges not oriented yet
   std::vector<bool> touched_;
   std::map<State, Natural> counts_;
@@ -97,8 +97,8 @@ class OrientationCount {
 }  // namespace
 
 std::optional<Natural> count_orientations(const std::vector<std::array<int, 2>>& edges,
-                                          const std::vector<int>& outdegrees, std::size_t most_states) {
-  return OrientationCount(edges, outdegrees, most_states).run();
+                                          const std::vector<int>& outdegrees, std::int64_t& states_left) {
+  return OrientationCount(edges, outdegrees, states_left).run();
 }
 
 }  // namespace gcs

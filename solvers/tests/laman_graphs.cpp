@@ -71,10 +71,10 @@ const std::vector<RecordGraph> record_graphs{{6, 7916, 24},
 
 Edges decoded(const RecordGraph& graph) {
   Edges edges;
-  int bit = graph.points * (graph.points - 1) / 2;
-  for (int a = 0; a < graph.points; ++a)
-    for (int b = a + 1; b < graph.points; ++b)
-      if ((graph.code >> --bit & 1) != 0) edges.push_back({a, b});
+  std::uint64_t rest = graph.code;  // the last pair is the lowest bit
+  for (int a = graph.points - 2; a >= 0; --a)
+    for (int b = graph.points - 1; b > a; --b, rest >>= 1)
+      if ((rest & 1) != 0) edges.push_back({a, b});
   return edges;
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "harness/json_document.hpp"
 #include "solvers/counting/theoretical_counts.hpp"

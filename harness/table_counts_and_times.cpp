@@ -161,9 +161,9 @@ std::vector<Table> build_table1(const RunRecord& run, const Publication& paper) 
   Builder builder(run, paper);
   builder.equations();
   builder.heading("Number of solutions");
-  builder.complex_limit("complex, at most");
   builder.all_solutions("complex", {"complex", "HOM4PS-2.0"}, &Counts::complex_up_to_reflection,
                         [](const MeasuredInstance& instance) { return 1 << instance.dimension; });
+  builder.complex_limit("complex, at most");
   builder.all_solutions("real (up to reflections)", {"real", ""}, &Counts::real_up_to_reflection,
                         [](const MeasuredInstance&) { return 1; });
   for (const Variant& variant : variants) builder.solutions_on_path(variant);

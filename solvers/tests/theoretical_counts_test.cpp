@@ -3,6 +3,7 @@
 
 #include "solvers/counting/theoretical_counts.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solvers/counting/orientation_count.hpp"

@@ -7,7 +7,6 @@
 
 #include "harness/instance_io.hpp"
 #include "harness/tests/count_limits.hpp"
-#include "harness/tests/random_scenes.hpp"
 #include "harness/tests/report_agreement.hpp"
 
 using namespace gcs;
@@ -188,20 +187,4 @@ TEST_CASE("all strategies agree on random lengths") {
     }
     CHECK(solutions > 0);
   }
-}
-
-TEST_CASE("no strategy finds more on random graphs than there can be") {
-  std::size_t solutions = 0;
-  for (std::uint64_t seed = 1; seed <= 4 * scene_kind_count; ++seed) {
-    const Problem problem = random_problem(random_scene_kind(seed), seed);
-    const Scene scene(problem);
-    const TheoreticalCounts counts = theoretical_counts(problem);
-    for (const Subject& subject : subjects()) {
-      if (!supports(subject, scene)) continue;
-      const SolveReport report = solve_anew(subject, scene);
-      expect_none(subject, "random graph " + std::to_string(seed), check_limits(scene, counts, report));
-      solutions += report.candidates.size();
-    }
-  }
-  CHECK(solutions > 0);
 }

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "harness/instance_io.hpp"
-#include "harness/tests/count_limits.hpp"
 #include "harness/tests/report_agreement.hpp"
 #include "harness/tests/spoiled_strategy.hpp"
 #include "harness/tests/strategy_contract.hpp"
@@ -193,26 +192,6 @@ TEST_CASE("a claim that is not met is caught by the count") {
   const SolveReport report = solve_anew({spoiled<claim_too_much>()}, disulfide());
   CHECK(check_report(disulfide(), report).empty());
   CHECK(names_of(check_counts("disulfide", disulfide(), report)) == Checks{"count"});
-}
-
-namespace {
-
-/// Five more than 4: the octahedron has 8 classes.
-void invent_solutions(SolveReport& report, const Circumstances&) {
-  for (int i = 1; i <= 5; ++i) {
-    report.candidates.push_back(report.candidates[0]);
-    report.candidates.back().figure.points(0, 3) += 0.1 * i;
-  }
-}
-
-}  // namespace
-
-TEST_CASE("more solutions than there can be are caught by the limit") {
-  const TheoreticalCounts counts = theoretical_counts(octahedron().problem());
-  const SolveReport sound = solve_anew({sound_strategy()}, octahedron());
-  CHECK(check_limits(octahedron(), counts, sound).empty());
-  const SolveReport wrong = solve_anew({spoiled<invent_solutions>()}, octahedron());
-  CHECK(names_of(check_limits(octahedron(), counts, wrong)) == Checks{"limit"});
 }
 
 namespace {

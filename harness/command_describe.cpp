@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "harness/commands.hpp"
+#include "harness/counts_view.hpp"
 #include "harness/instance_io.hpp"
 #include "harness/json_build.hpp"
 #include "harness/solve_run.hpp"
 #include "solvers/construction/derive.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/model/core_reduction.hpp"
 #include "solvers/model/structure.hpp"
 #include "solvers/tracking/path_report.hpp"
@@ -46,6 +48,7 @@ struct Description {
   Structure structure;
   Reference reference;
   CoreReduction reduction;
+  TheoreticalCounts counts;
   std::optional<ConstructionPlan> plan;  ///< empty where S, and so a figure to start from, is not defined
   std::vector<StrategyVerdict> strategies;
 };
@@ -93,6 +96,7 @@ Description describe(Instance instance) {
   description.reference = scene.reference();
   description.reduction =
       reduce_to_core(instance.problem, entities_of(description.reference, instance.problem));
+  description.counts = theoretical_counts(instance.problem);
   description.plan = construction_plan(scene);
   description.strategies = verdicts(scene);
   description.instance = std::move(instance);
@@ -200,6 +204,7 @@ std::string json_description(const Description& description) {
                                        {"sketch", json_boolean(problem.sketch.has_value())},
                                        {"interpolation", interpolation_value(problem)},
                                        {"core", core_value(problem, description.reduction)},
+                                       {"theoretical_counts", counts_value(problem, description.counts)},
                                        {"construction", json_or_null(description.plan, plan_value)},
                                        {"strategies", strategies_value(description.strategies)},
                                        {"published", published ? *published : json_array({})}});
@@ -207,10 +212,6 @@ std::string json_description(const Description& description) {
 }
 
 // ---- text
-
-std::string row(std::string_view label, const std::string& text) {
-  return fmt::format("{:<20}{}\n", label, text);
-}
 
 std::string join(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
@@ -292,6 +293,7 @@ std::string text_description(const Description& description) {
   text += row("sketch", sketch_text(problem));
   text += row("core to solve", core_text(problem, description.reduction));
   text += row("placed after it", placed_text(problem, description.reduction));
+  text += counts_text(problem, description.counts);
   return text + plan_text(description.plan) + strategies_text(description.strategies) +
          published_text(instance.published);
 }

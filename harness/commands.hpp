@@ -37,6 +37,7 @@ struct Invocation {
 /// Each function adds its subcommand to `app`; `invocation` must outlive the parsing and the action.
 void add_list_command(CLI::App& app, Invocation& invocation);
 void add_describe_command(CLI::App& app, Invocation& invocation);
+void add_count_command(CLI::App& app, Invocation& invocation);
 void add_solve_command(CLI::App& app, Invocation& invocation);
 void add_tables_command(CLI::App& app, Invocation& invocation);
 void add_report_command(CLI::App& app, Invocation& invocation);

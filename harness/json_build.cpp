@@ -50,11 +50,11 @@ JsonValue json_number(double value) {
   return result;
 }
 
-JsonValue json_count(std::uint64_t count) {
-  const std::string text = std::to_string(count);
-  if (count > std::uint64_t{1} << 53) return json_text(text);
+JsonValue json_count(const Natural& count) {
+  const std::string text = count.decimal();
+  if (count > Natural::power_of_two(53)) return json_text(text);
   JsonValue result = of_kind(JsonValue::Kind::number);
-  result.number = static_cast<double>(count);
+  result.number = count.approximate();
   result.text = text;
   return result;
 }

@@ -1,13 +1,13 @@
 #pragma once
 /// Makes JSON values. Numbers get the shortest text that reads back as the same double.
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "harness/json_document.hpp"
+#include "solvers/numeric/natural.hpp"
 
 namespace gcs {
 
@@ -23,7 +23,7 @@ JsonValue json_object(JsonMembers members);
 JsonValue json_number(double value);
 
 /// A decimal string above 2^53, which not every reader of JSON can hold as a number.
-JsonValue json_count(std::uint64_t count);
+JsonValue json_count(const Natural& count);
 
 /// An array of texts.
 JsonValue json_texts(const std::vector<std::string>& texts);

@@ -26,6 +26,7 @@ void add_commands(CLI::App& app, gcs::Invocation& invocation) {
   app.fallthrough();             // inherited by the subcommands: `gcsbench solve … --quiet`
   gcs::add_list_command(app, invocation);
   gcs::add_describe_command(app, invocation);
+  gcs::add_count_command(app, invocation);
   gcs::add_solve_command(app, invocation);
   gcs::add_tables_command(app, invocation);
   gcs::add_report_command(app, invocation);

@@ -54,6 +54,13 @@ void visit_length(Record& length, Visit visit) {
 }
 
 template <typename Record, typename Visit>
+void visit_limit(Record& limit, Visit visit) {
+  visit("exact", limit.is_exact);
+  visit("all_signs", limit.all_signs);
+  visit("reference", limit.reference);
+}
+
+template <typename Record, typename Visit>
 void visit_table(Record& table, Visit visit) {
   visit("name", table.name);
   visit("instances", table.instances);
@@ -166,6 +173,8 @@ Json instance_json(const MeasuredInstance& instance) {
   json["lengths"] = Json::array();
   for (const GivenLength& length : instance.lengths)
     visit_length(length, Writer{json["lengths"].emplace_back(Json::object())});
+  json["complex_limit"] = nullptr;
+  if (instance.limit) visit_limit(*instance.limit, Writer{json["complex_limit"]});
   return json;
 }
 
@@ -173,6 +182,8 @@ MeasuredInstance instance_of(const Json& json) {
   MeasuredInstance instance;
   visit_instance(instance, Reader{json});
   for (const Json& entry : json.at("lengths")) visit_length(instance.lengths.emplace_back(), Reader{entry});
+  if (const Json limit = json.value("complex_limit", Json()); !limit.is_null())
+    visit_limit(instance.limit.emplace(), Reader{limit});
   return instance;
 }
 

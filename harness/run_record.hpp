@@ -69,6 +69,13 @@ struct GivenLength {
   bool is_squared = false;
 };
 
+/// How many complex solutions there are at most (see theoretical_counts).
+struct RecordedLimit {
+  bool is_exact = false;               ///< otherwise the m-Bézout bound
+  std::string all_signs;               ///< in decimal
+  std::vector<std::string> reference;  ///< entities held fixed for the bound
+};
+
 /// An instance as far as tables speak of it.
 struct MeasuredInstance {
   std::string id;
@@ -77,6 +84,7 @@ struct MeasuredInstance {
   int equations = 0;        ///< constraints, the papers' m
   int dimension = 3;        ///< of the space
   std::vector<GivenLength> lengths = {};
+  std::optional<RecordedLimit> limit = {};  ///< empty: not known
 };
 
 /// A table that was asked for, with the ids of its instances.

@@ -62,6 +62,15 @@ class Builder {
     });
   }
 
+  /// How many complex solutions there can be.
+  void complex_limit(const std::string& label) {
+    add_row(label, {label, ""}, [&](const MeasuredInstance& instance, const PrintedFigure*) {
+      if (!instance.limit) return std::pair{TableCell{"not known", {}}, empty_entry()};
+      const int note = table_.footnote(origin(*instance.limit));
+      return std::pair{TableCell{instance.limit->all_signs, {note}}, empty_entry()};
+    });
+  }
+
   void solutions_on_path(const Variant& variant) {
     add_row("on S: " + label(variant), {"on path", ""},
             [&](const MeasuredInstance& instance, const PrintedFigure* figure) {
@@ -107,6 +116,12 @@ class Builder {
     return {TableCell{"no strategy yet", {}}, empty_entry()};
   }
 
+  static std::string origin(const RecordedLimit& limit) {
+    if (limit.is_exact) return "Exact at generic lengths: recursion over bigraphs, Capco et al. 2018.";
+    return fmt::format("m-Bézout bound with {} held fixed, Bartzos, Emiris, Schicho 2020.",
+                       fmt::join(limit.reference, ", "));
+  }
+
   static std::string label(const Variant& variant) { return label_of(variant.on("")); }
 
   /// `make_ours` makes our entry and the ratio.
@@ -148,6 +163,7 @@ std::vector<Table> build_table1(const RunRecord& run, const Publication& paper) 
   builder.heading("Number of solutions");
   builder.all_solutions("complex", {"complex", "HOM4PS-2.0"}, &Counts::complex_up_to_reflection,
                         [](const MeasuredInstance& instance) { return 1 << instance.dimension; });
+  builder.complex_limit("complex, at most");
   builder.all_solutions("real (up to reflections)", {"real", ""}, &Counts::real_up_to_reflection,
                         [](const MeasuredInstance&) { return 1; });
   for (const Variant& variant : variants) builder.solutions_on_path(variant);

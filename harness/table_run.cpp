@@ -11,10 +11,12 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
+#include "harness/counts_view.hpp"
 #include "harness/instance_io.hpp"
 #include "harness/strategy_choice.hpp"
 #include "harness/table_output.hpp"
 #include "harness/tables.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/pyramid/pyramid_branches.hpp"
 
 namespace gcs {
@@ -148,6 +150,15 @@ std::vector<GivenLength> given_lengths(const Problem& problem) {
   return lengths;
 }
 
+std::optional<RecordedLimit> complex_limit(const Problem& problem) {
+  const TheoreticalCounts counts = theoretical_counts(problem);
+  const SolutionCount* limit = counts.upper_limit();
+  if (limit == nullptr) return std::nullopt;
+  RecordedLimit recorded{counts.exact.has_value(), limit->all_signs().decimal(), {}};
+  if (!recorded.is_exact) recorded.reference = reference_names(problem, *counts.bound);
+  return recorded;
+}
+
 /// The curve as the figure shows it: one sample a degree, as the paper's Fig. 7.
 RecordedCurve sampled_curve(const std::string& id, const Scene& scene, const Pyramid& pyramid) {
   constexpr int samples = 360;
@@ -184,7 +195,8 @@ RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
   for (const Instance& instance : loaded.instances) {
     record.instances.push_back({instance.id, instance.origin, fingerprint(instance),
                                 static_cast<int>(instance.problem.constraints.size()),
-                                instance.problem.dimension, given_lengths(instance.problem)});
+                                instance.problem.dimension, given_lengths(instance.problem),
+                                complex_limit(instance.problem)});
   }
   record.curves = curves_of(request, loaded);
   return record;

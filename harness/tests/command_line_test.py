@@ -138,7 +138,7 @@ class Usage(CommandLine):
                 self.assert_one_message(done, BAD_INPUT, "order=" + value)
 
     def test_help_and_version(self):
-        for arguments in [["--help"], ["--version"], ["list", "--help"], ["describe", "--help"],
+        for arguments in [["--help"], ["--version"], ["list", "--help"], ["describe", "--help"], ["count", "--help"],
                           ["solve", "--help"]]:
             with self.subTest(arguments):
                 done = run(*arguments)

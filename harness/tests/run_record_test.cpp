@@ -27,6 +27,11 @@ TEST_CASE("a record reads back as what was written") {
   CHECK(again.instances.front().equations == 12);
   REQUIRE(again.instances.front().lengths.size() == 1);
   CHECK(again.instances.front().lengths.front().text == "1.10");
+  REQUIRE(again.instances.front().limit);
+  CHECK_FALSE(again.instances.front().limit->is_exact);
+  CHECK(again.instances.front().limit->all_signs == "64");
+  CHECK(again.instances.front().limit->reference.size() == 3);
+  CHECK_FALSE(again.instances.back().limit);
 }
 
 TEST_CASE("particulars, solutions and curves read back") {

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "harness/instance_io.hpp"
+#include "harness/tests/count_limits.hpp"
 #include "harness/tests/report_agreement.hpp"
 
 using namespace gcs;
@@ -82,9 +83,10 @@ void check_one_solve(const Subject& subject, const Instance& instance) {
   expect_none(subject, instance.id, check_counts(instance.id, scene, report));
 }
 
-/// All that the strategies report on the scene, each against each. Returns the reports.
-std::vector<SolveReport> check_agreement(const Scene& scene, const std::vector<Subject>& all,
-                                         const std::string& instance) {
+/// All that the strategies report on the scene, each against each and against the theoretical counts of its
+/// problem. Returns the reports.
+std::vector<SolveReport> check_agreement(const Scene& scene, const TheoreticalCounts& counts,
+                                         const std::vector<Subject>& all, const std::string& instance) {
   std::vector<SolveReport> reports;
   std::vector<std::string> labels;
   for (const Subject& subject : all) {
@@ -92,6 +94,7 @@ std::vector<SolveReport> check_agreement(const Scene& scene, const std::vector<S
     reports.push_back(solve_anew(subject, scene));
     expect_none(subject, instance, check_completion(reports.back()));
     expect_none(subject, instance, check_report(scene, reports.back()));
+    expect_none(subject, instance, check_limits(scene, counts, reports.back()));
     labels.push_back(subject.label());
     for (std::size_t i = 0; i + 1 < reports.size(); ++i) {
       const auto found = contradiction(scene, reports[i], reports.back());
@@ -172,7 +175,8 @@ TEST_CASE("all strategies agree") {
     std::vector<Subject> all = subjects();
     if (is_in(published_mode, id))
       for (const Subject& subject : published_subjects()) all.push_back(subject);
-    check_agreement(Scene(load_instance(id).problem), all, id);
+    const Problem problem = load_instance(id).problem;
+    check_agreement(Scene(problem), theoretical_counts(problem), all, id);
   }
 }
 
@@ -180,11 +184,12 @@ TEST_CASE("all strategies agree on random lengths") {
   std::mt19937_64 random(8705);
   for (const std::string id : {"k33", "octahedron", "dodecagon", "disulfide"}) {
     const Problem problem = load_instance(id).problem;
+    const TheoreticalCounts counts = theoretical_counts(problem);
     std::size_t solutions = 0;
     for (int i = 0; i < 16; ++i) {
       const Scene scene(with_random_targets(problem, random));
       const std::string name = id + " with random lengths " + std::to_string(i);
-      for (const SolveReport& report : check_agreement(scene, subjects(), name))
+      for (const SolveReport& report : check_agreement(scene, counts, subjects(), name))
         solutions += report.candidates.size();
     }
     CHECK(solutions > 0);

@@ -52,6 +52,7 @@ class Tables(WithFolder):
         self.assertEqual(done.stderr, "")
         self.assertTrue(done.stdout.startswith("### Table 1"))
         self.assertIn("72 [1]", done.stdout)
+        self.assertRegex(done.stdout, r"complex, at most +\| +– \| +64 \[2\]")
         self.assertIn("not measured", done.stdout, "the strategy that was not selected")
         self.assertEqual({path.name for path in self.folder.iterdir()}, TABLE_FILES | {"run.json"})
         record = json.loads((self.folder / "run.json").read_text())

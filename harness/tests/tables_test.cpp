@@ -8,6 +8,7 @@
 #include "harness/table_output.hpp"
 #include "harness/tests/approved.hpp"
 #include "harness/tests/toy_run.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
 
 using namespace gcs;
 
@@ -88,6 +89,19 @@ TEST_CASE("figures that exceed proven bounds are marked with the reason") {
   CHECK(corrected("complex", "dodecagon", "HOM4PS-2.0"));
   CHECK(corrected("on path", "icosahedron", ""));
   CHECK_FALSE(corrected("complex", "disulfide", "HOM4PS-2.0"));
+}
+
+TEST_CASE("published numbers of complex solutions are marked as wrong where they exceed what there can be") {
+  const Publication publication = paper();
+  for (const std::string& id : paper_instances()) {
+    const PrintedFigure* figure = publication.find("table 1", "complex", id, "HOM4PS-2.0");
+    if (figure == nullptr) continue;
+    const TheoreticalCounts counts = theoretical_counts(load_instance(id).problem);
+    REQUIRE(counts.upper_limit());
+    const Natural limit = counts.upper_limit()->all_signs();
+    INFO(id << ": " << figure->printed << ", at most " << limit.decimal());
+    CHECK(figure->correction.has_value() == (figure->value > limit.approximate()));
+  }
 }
 
 TEST_CASE("numbers keep three significant digits and integers all") {

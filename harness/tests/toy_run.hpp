@@ -68,7 +68,13 @@ inline RunRecord run_record() {
   const std::vector<std::string> both{"octahedron", "icosahedron"};
   record.tables = {
       {"table1", both}, {"table2", both}, {"table3", both}, {"hoffmann-yuan", {}}, {"ablation", both}};
-  record.instances = {{"octahedron", "octahedron.json", "00ff", 12, 3, {{{"p1", "p2"}, "1.10", false}}},
+  record.instances = {{"octahedron",
+                       "octahedron.json",
+                       "00ff",
+                       12,
+                       3,
+                       {{{"p1", "p2"}, "1.10", false}},
+                       RecordedLimit{false, "64", {"p1", "p2", "p3"}}},
                       {"icosahedron", "icosahedron.json", "01ff", 30, 3}};
   record.cells = {
       cell({"octahedron", "full-space", {}}, 4, 31, 1.5e-3),

@@ -1,0 +1,66 @@
+#include "harness/counts_view.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/json_build.hpp"
+
+namespace gcs {
+namespace {
+
+std::string in_conventions(const SolutionCount& count) {
+  return fmt::format("{} in the fixed frame, {} up to reflection, {} with all signs",
+                     count.fixed_frame.decimal(), count.up_to_reflection().decimal(),
+                     count.all_signs().decimal());
+}
+
+std::string exact_text(const TheoreticalCounts& counts) {
+  return counts.exact ? "exactly " + in_conventions(*counts.exact) : "not known: " + counts.why_no_exact;
+}
+
+std::string bound_text(const Problem& problem, const TheoreticalCounts& counts) {
+  if (!counts.bound) return "none: " + counts.why_no_bound;
+  return fmt::format("at most {}; reference {}", in_conventions(counts.bound->count),
+                     fmt::join(reference_names(problem, *counts.bound), ", "));
+}
+
+JsonMembers convention_members(const SolutionCount& count) {
+  return {{"fixed_frame", json_count(count.fixed_frame)},
+          {"up_to_reflection", json_count(count.up_to_reflection())},
+          {"all_signs", json_count(count.all_signs())}};
+}
+
+JsonValue exact_value(const SolutionCount& count) { return json_object(convention_members(count)); }
+
+JsonValue bound_value(const Problem& problem, const CountBound& bound) {
+  JsonMembers members = convention_members(bound.count);
+  members.emplace_back("reference", json_texts(reference_names(problem, bound)));
+  return json_object(std::move(members));
+}
+
+JsonValue reason_value(const std::string& reason) { return reason.empty() ? json_null() : json_text(reason); }
+
+}  // namespace
+
+std::string row(std::string_view label, const std::string& text) {
+  return fmt::format("{:<20}{}\n", label, text);
+}
+
+std::string counts_text(const Problem& problem, const TheoreticalCounts& counts) {
+  return row("complex solutions", exact_text(counts)) + row("m-Bézout bound", bound_text(problem, counts));
+}
+
+JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts) {
+  const auto value_of_bound = [&](const CountBound& bound) { return bound_value(problem, bound); };
+  return json_object({{"exact", json_or_null(counts.exact, exact_value)},
+                      {"why_no_exact", reason_value(counts.why_no_exact)},
+                      {"bound", json_or_null(counts.bound, value_of_bound)},
+                      {"why_no_bound", reason_value(counts.why_no_bound)}});
+}
+
+std::vector<std::string> reference_names(const Problem& problem, const CountBound& bound) {
+  std::vector<std::string> names;
+  for (const int entity : bound.reference) names.push_back(problem.name(entity));
+  return names;
+}
+
+}  // namespace gcs

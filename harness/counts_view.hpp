@@ -1,0 +1,27 @@
+#pragma once
+/// Theoretical counts as text and as JSON, and the rows of such texts.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/json_document.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
+
+namespace gcs {
+
+/// A label and what it says, on one line.
+std::string row(std::string_view label, const std::string& text);
+
+/// A row for the exact number and one for the bound, each in all conventions or with the reason why there is
+/// none.
+std::string counts_text(const Problem& problem, const TheoreticalCounts& counts);
+
+/// The members `exact` and `bound`, objects by convention or null, and `why_no_exact` and `why_no_bound`,
+/// sentences or null.
+JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts);
+
+/// The names of the entities that were held fixed.
+std::vector<std::string> reference_names(const Problem& problem, const CountBound& bound);
+
+}  // namespace gcs

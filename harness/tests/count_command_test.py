@@ -1,0 +1,84 @@
+#!/usr/bin/python3
+"""`gcsbench count` from outside: numbers of the literature, conventions, reasons, and bad input.
+
+Usage: count_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import json
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+PROGRAM = ""
+SOURCE = Path()
+
+DONE, BAD_INPUT = 0, 2
+
+
+def run(*arguments, text_in=""):
+    return subprocess.run([PROGRAM, *arguments], input=text_in, capture_output=True, text=True, timeout=120, cwd=SOURCE,
+                          check=False)
+
+
+class Count(unittest.TestCase):
+    def counts(self, instance, text_in=""):
+        done = run("count", instance, "--json", text_in=text_in)
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        return json.loads(done.stdout)
+
+    # Exact: Capco et al. 2018. Bounds: Bartzos, Emiris, Schicho 2020.
+    def test_literature(self):
+        exact = {"k33": 16, "prism": 24, "dodecagon": 6180}
+        bound = {"octahedron": 16, "icosahedron": 54272, "dodecagon": 15360}
+        for instance, number in exact.items():
+            self.assertEqual(self.counts(instance)["exact"]["fixed_frame"], number)
+        for instance, number in bound.items():
+            self.assertEqual(self.counts(instance)["bound"]["fixed_frame"], number)
+
+    def test_conventions(self):
+        self.assertEqual(self.counts("dodecagon")["exact"],
+                         {"fixed_frame": 6180, "up_to_reflection": 3090, "all_signs": 12360})
+        bound = self.counts("hoffmann-yuan")["bound"]
+        self.assertEqual([bound[name] for name in ["fixed_frame", "up_to_reflection", "all_signs"]],
+                         [512, 128, 1024])
+        self.assertEqual(bound["reference"], ["L", "p5"])
+
+    def test_a_number_or_the_reason_why_there_is_none(self):
+        for one in json.loads(run("list", "instances", "--json").stdout)["instances"]:
+            with self.subTest(one["id"]):
+                data = self.counts(one["id"])
+                text = run("count", one["id"]).stdout
+                for what in ["exact", "bound"]:
+                    self.assertEqual(data[what] is None, data["why_no_" + what] is not None)
+                    shown = data["why_no_" + what] or str(data[what]["fixed_frame"])
+                    self.assertIn(shown, text)
+                described = json.loads(run("describe", one["id"], "--json").stdout)["theoretical_counts"]
+                self.assertEqual({"id": one["id"], **described}, data)
+                self.assertIn(text, run("describe", one["id"]).stdout)
+
+    def test_large_numbers_are_exact(self):
+        points = [f"p{i}" for i in range(80)]
+        chain = [{"type": "distance", "between": [points[i], points[j]], "length": 1}
+                 for i in range(80) for j in range(max(0, i - 2), i)]
+        instance = {"format": "gcsbench-instance/1", "id": "chain", "dimension": 2, "points": points,
+                    "constraints": chain}
+        data = self.counts("-", json.dumps(instance))
+        self.assertEqual(data["exact"]["fixed_frame"], str(2**78))
+        self.assertEqual(data["bound"]["all_signs"], str(2**79))
+
+    def test_bad_input(self):
+        cases = {"no JSON": (["count", "-"], "standard input"), "no such instance": (["count", "dodecagn"], "dodecagon"),
+                 "no instance": (["count"], "INSTANCE")}
+        for name, (arguments, mentioned) in cases.items():
+            with self.subTest(name):
+                done = run(*arguments, text_in="{")
+                self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
+                self.assertTrue(done.stderr.startswith("gcsbench: "), done.stderr)
+                self.assertIn(mentioned, done.stderr)
+
+
+if __name__ == "__main__":
+    PROGRAM = str(Path(sys.argv.pop(1)).resolve())
+    SOURCE = Path(sys.argv.pop(1)).resolve()
+    unittest.main()

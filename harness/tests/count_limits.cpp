@@ -1,0 +1,33 @@
+#include "harness/tests/count_limits.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/assess.hpp"
+
+namespace gcs::contract {
+namespace {
+
+void require_at_most(const Natural& found, const Natural& limit, std::string_view what,
+                     Violations& violations) {
+  if (found > limit)
+    violations.push_back({"limit", fmt::format("{} {}, at most {}", found.decimal(), what, limit.decimal())});
+}
+
+}  // namespace
+
+Violations check_limits(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report) {
+  if (counts.upper_limit() == nullptr) return {};
+  Violations violations;
+  const Natural limit = counts.upper_limit()->up_to_reflection();
+  const Assessment assessment = assess(scene, report);
+  require_at_most(assessment.solutions.size(), limit, "classes", violations);
+  const auto generic = assessment.counts.generic;
+  if (!generic) return violations;
+  require_at_most(*generic, limit, "classes at generic lengths", violations);
+  if (counts.exact && report.status == SolveStatus::complete && Natural(*generic) != limit)
+    violations.push_back(
+        {"limit", fmt::format("{} classes at generic lengths, exactly {}", *generic, limit.decimal())});
+  return violations;
+}
+
+}  // namespace gcs::contract

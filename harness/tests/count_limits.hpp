@@ -1,0 +1,14 @@
+#pragma once
+/// Solutions found against theoretical counts.
+
+#include "harness/tests/strategy_contract.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
+
+namespace gcs::contract {
+
+/// `limit`: no more classes are reported, and no more are said to exist at generic lengths, than the exact
+/// count or the bound allows; where the count is exact, the number at generic lengths is this one. `counts`
+/// are those of the scene's problem. Holds for every claim, since classes on S are real ones.
+Violations check_limits(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report);
+
+}  // namespace gcs::contract

@@ -1,0 +1,180 @@
+/// A point that hangs on d others is on d spheres around them, which at generic lengths meet in two points of
+/// C^d: it doubles the number of solutions, and leaves the rest as it is. So counting begins with the core.
+
+#include "solvers/counting/theoretical_counts.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "solvers/counting/bezout_bound.hpp"
+#include "solvers/counting/plane_count.hpp"
+#include "solvers/model/core_reduction.hpp"
+
+namespace gcs {
+namespace {
+
+/// For the bigraph recursion: some seconds, and enough for most 3-connected graphs of 16 points.
+constexpr std::int64_t most_steps = 4'000'000;
+
+using Edge = std::array<int, 2>;
+
+bool has_fixed_entity(const Problem& problem) {
+  const int entities = static_cast<int>(problem.points.size() + problem.lines.size());
+  for (int entity = 0; entity < entities; ++entity)
+    if (problem.is_fixed(entity)) return true;
+  return false;
+}
+
+bool is_zero_length(const DistanceConstraint& constraint) { return constraint.given.value == 0; }
+
+/// Scenes of points: the frame leaves the reflection through the reference, unless all points are in it.
+SolutionCount count_of_points(const Problem& problem, Natural fixed_frame) {
+  const bool is_flat = static_cast<int>(problem.points.size()) == problem.dimension;
+  return {std::move(fixed_frame), is_flat ? 1 : 2, 1 << (problem.dimension - 1)};
+}
+
+/// Line on the x-axis, a point on the positive z-axis: x → −x and y → −y are left.
+SolutionCount count_with_line(Natural fixed_frame) { return {std::move(fixed_frame), 4, 2}; }
+
+/// Points of a part of the problem by consecutive numbers.
+struct PointGraph {
+  std::vector<int> points;  ///< the point of each number
+  std::vector<Edge> edges;
+};
+
+int number_of(const PointGraph& graph, int point) {
+  return static_cast<int>(std::find(graph.points.begin(), graph.points.end(), point) - graph.points.begin());
+}
+
+PointGraph core_graph(const Problem& problem, const CoreReduction& reduction) {
+  PointGraph graph{reduction.core, {}};
+  for (const int constraint : reduction.core_constraints) {
+    const auto& [a, b] = problem.constraints[constraint].between;
+    graph.edges.push_back({number_of(graph, a), number_of(graph, b)});
+  }
+  return graph;
+}
+
+PointGraph whole_graph(const Problem& problem) {
+  PointGraph graph;
+  for (int point = 0; point < static_cast<int>(problem.points.size()); ++point) graph.points.push_back(point);
+  for (const DistanceConstraint& constraint : problem.constraints)
+    if (problem.is_point(constraint.between[0]) && problem.is_point(constraint.between[1]))
+      graph.edges.push_back(constraint.between);
+  return graph;
+}
+
+/// Pairs, or in space triples, of points with all their distances given.
+std::vector<std::vector<int>> reference_simplices(const PointGraph& graph, int dimension) {
+  const std::size_t count = graph.points.size();
+  std::vector<std::vector<bool>> joined(count, std::vector<bool>(count, false));
+  for (const auto& [a, b] : graph.edges) joined[a][b] = joined[b][a] = true;
+  std::vector<std::vector<int>> simplices;
+  for (const auto& [a, b] : graph.edges) {
+    if (dimension == 2) simplices.push_back({std::min(a, b), std::max(a, b)});
+    for (int c = std::max(a, b) + 1; dimension == 3 && c < static_cast<int>(count); ++c)
+      if (joined[a][c] && joined[b][c]) simplices.push_back({std::min(a, b), std::max(a, b), c});
+  }
+  std::sort(simplices.begin(), simplices.end());
+  return simplices;
+}
+
+CountBound bound_of(const SolutionCount& count, const PointGraph& graph, const std::vector<int>& reference) {
+  CountBound bound{count, {}};
+  for (const int number : reference) bound.reference.push_back(graph.points[number]);
+  return bound;
+}
+
+constexpr const char* bound_takes_too_long =
+    "The constraint graph hangs together too widely: counting its orientations would take too long.";
+
+/// Of a problem of points, by the simplices of the given part of it; the rest hangs on this part.
+void bound_points(const Problem& problem, const PointGraph& graph, TheoreticalCounts& counts) {
+  const auto references = reference_simplices(graph, problem.dimension);
+  if (references.empty()) {
+    counts.why_no_bound =
+        "No three points have all their distances given, and the bound needs such a triangle.";
+    return;
+  }
+  const BoundProblem part{problem.dimension, graph.edges, std::vector<bool>(graph.points.size(), false),
+                          references};
+  const auto smallest = smallest_bezout_bound(part);
+  if (!smallest) {
+    counts.why_no_bound = bound_takes_too_long;
+    return;
+  }
+  const int hanging = static_cast<int>(problem.points.size() - graph.points.size());
+  counts.bound = bound_of(count_of_points(problem, Natural::power_of_two(hanging) * smallest->fixed_frame),
+                          graph, references[smallest->reference]);
+}
+
+void count_exactly(const Problem& problem, const CoreReduction& reduction, const PointGraph& core,
+                   TheoreticalCounts& counts) {
+  if (problem.dimension == 3 && !reduction.core_is_trivial) {
+    counts.why_no_exact =
+        "In space no method gives the exact number unless the points can be placed one by "
+        "one.";
+    return;
+  }
+  const auto of_core = reduction.core_is_trivial ? Natural(1) : count_in_plane(core.edges, most_steps);
+  if (!of_core) {
+    counts.why_no_exact = "The core is too large: the recursion over bigraphs would take too long.";
+    return;
+  }
+  const int hanging = static_cast<int>(reduction.placed.size());
+  counts.exact = count_of_points(problem, Natural::power_of_two(hanging) * *of_core);
+}
+
+/// In the core, or, when it has no triangle, with the points that hang on it.
+void count_points(const Problem& problem, TheoreticalCounts& counts) {
+  const CoreReduction reduction = reduce_to_core(problem, {});
+  const PointGraph core = core_graph(problem, reduction);
+  count_exactly(problem, reduction, core, counts);
+  const bool core_has_reference = !reference_simplices(core, problem.dimension).empty();
+  bound_points(problem, core_has_reference ? core : whole_graph(problem), counts);
+}
+
+void bound_points_and_line(const Problem& problem, TheoreticalCounts& counts) {
+  const PointGraph graph = whole_graph(problem);
+  BoundProblem whole{problem.dimension, graph.edges, std::vector<bool>(graph.points.size(), false), {}};
+  for (const DistanceConstraint& constraint : problem.constraints)
+    for (const int side : {0, 1}) {
+      const int point = constraint.between[side];
+      if (problem.is_point(constraint.between[1 - side])) continue;
+      whole.on_line[point] = true;
+      if (!is_zero_length(constraint)) whole.references.push_back({point});
+    }
+  if (whole.references.empty()) {
+    counts.why_no_bound = "No point has a given distance above 0 from the line to make a frame with it.";
+    return;
+  }
+  const auto smallest = smallest_bezout_bound(whole);
+  if (!smallest) {
+    counts.why_no_bound = bound_takes_too_long;
+    return;
+  }
+  counts.bound =
+      bound_of(count_with_line(smallest->fixed_frame), graph, whole.references[smallest->reference]);
+  counts.bound->reference.insert(counts.bound->reference.begin(), static_cast<int>(problem.points.size()));
+}
+
+}  // namespace
+
+TheoreticalCounts theoretical_counts(const Problem& problem) {
+  TheoreticalCounts counts;
+  if (has_fixed_entity(problem)) {
+    counts.why_no_exact = "Positions are fixed, and the count is known only where nothing is.";
+    counts.why_no_bound = "Positions are fixed, and the bound is known only where nothing is.";
+  } else if (problem.lines.empty()) {
+    count_points(problem, counts);
+  } else {
+    counts.why_no_exact = "There is a line, and the exact number is known only for points.";
+    if (problem.lines.size() == 1)
+      bound_points_and_line(problem, counts);
+    else
+      counts.why_no_bound = "There is more than one line, and the bound is known for one at most.";
+  }
+  return counts;
+}
+
+}  // namespace gcs

@@ -1,0 +1,48 @@
+#pragma once
+/// How many complex solutions a problem has at generic lengths, without solving it: exactly
+/// (plane_count.hpp), or at most (bezout_bound.hpp). No lengths whatever leave more isolated ones.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solvers/model/problem.hpp"
+#include "solvers/numeric/natural.hpp"
+
+namespace gcs {
+
+/// One number in the three counting conventions.
+struct SolutionCount {
+  Natural fixed_frame;
+  int images_in_frame = 1;  ///< of a solution under the reflections that the frame leaves
+  int sign_changes = 1;     ///< of the reference coordinates to which the frame gives a sign
+
+  Natural up_to_reflection() const { return fixed_frame / static_cast<std::uint32_t>(images_in_frame); }
+  Natural all_signs() const { return fixed_frame * Natural(static_cast<std::uint64_t>(sign_changes)); }
+};
+
+/// An upper bound, with the entities that were held fixed to compute it: d points, or a line and a point.
+struct CountBound {
+  SolutionCount count;
+  std::vector<int> reference;
+};
+
+struct TheoreticalCounts {
+  std::optional<SolutionCount> exact;
+  std::string why_no_exact;  ///< a sentence; empty when there is an exact count
+  std::optional<CountBound> bound;
+  std::string why_no_bound;  ///< a sentence; empty when there is a bound
+
+  /// At most so many solutions: the exact count if there is one, else the bound if there is one.
+  const SolutionCount* upper_limit() const {
+    if (exact) return &*exact;
+    return bound ? &bound->count : nullptr;
+  }
+};
+
+/// Precondition: the problem is well posed (see analyse_structure). Takes seconds at most.
+/// Exact: points in the plane, if the core is small enough, and points in space of which all but three can be
+/// placed one by one. Bound: points, or points and one line, and nothing fixed.
+TheoreticalCounts theoretical_counts(const Problem& problem);
+
+}  // namespace gcs

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "solvers/scanning/form_contraction.hpp"
 #include "solvers/scanning/form_placing.hpp"
 
 namespace gcs {
@@ -24,12 +25,6 @@ struct Exchange {
   }
   FormVector<N> of(const FormVector<N>& x) const { return {of(x[0]), of(x[1]), of(x[2])}; }
 };
-
-/// What is unknown of a point's coordinates, together.
-template <int N>
-double unknown_of(const FormVector<N>& point) {
-  return point[0].rest + point[1].rest + point[2].rest;
-}
 
 /// How far a symbol moves a point's coordinates, together.
 template <int N>
@@ -92,7 +87,7 @@ class HeightPlacing {
  private:
   static constexpr int most_passes = 4;  ///< what is unknown falls with its square: more do not pay
   static constexpr int size = static_cast<int>(D) + 1;
-  using Matrix = Eigen::Matrix<double, size, size>;
+  using Equations = FormEquations<size, N>;
   using Form = AffineForm<N>;
   using Position = FormVector<N>;
   using Point = Eigen::Vector3d;
@@ -111,15 +106,6 @@ class HeightPlacing {
     }
   };
 
-  /// The equations in (δ, x), with the magnitudes of what the matrix' entries were added from.
-  struct Equations {
-    Matrix matrix, terms;
-    std::array<Form, size> right;
-  };
-
-  static Position form(const Point& x) { return {Form(x[0]), Form(x[1]), Form(x[2])}; }
-  static Form dot(const Point& a, const Position& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
   PointByHeight<N> pass(const PointByHeight<N>& known, const Position& normal, const Form& sigma) const {
     Point middle;
     Position delta = known.position;
@@ -131,9 +117,11 @@ class HeightPlacing {
     const Exchange<N> at_middle{known.exchange.symbol, Form(angle)};
     Form x = known.exchange.value;
     x.mid = 0;
-    const std::array<Form, size> solved =
-        solve(equations(middle, delta, at_middle, x, normal, sigma), delta, x);
-    PointByHeight<N> result{form(middle), {at_middle.symbol, solved[D] + angle}};
+    std::array<double, size> reach;
+    for (std::size_t axis = 0; axis < D; ++axis) reach[axis] = delta[axis].radius();
+    reach[D] = x.radius();
+    const std::array<Form, size> solved = equations(middle, delta, at_middle, x, normal, sigma).solve(reach);
+    PointByHeight<N> result{constant_form<N>(middle), {at_middle.symbol, solved[D] + angle}};
     for (std::size_t axis = 0; axis < D; ++axis) result.position[axis] = result.position[axis] + solved[axis];
     return result;
   }
@@ -145,34 +133,21 @@ class HeightPlacing {
     for (std::size_t i = 0; i < D; ++i) {
       const Expansion c(centers_[i], at_middle);
       const Point d = middle - c.constant;
-      const Position e = form(middle) - form(d) - form(c.constant) - c.others;
-      const Position v = delta - x * form(c.slope) + e;
+      const Position e =
+          constant_form<N>(middle) - constant_form<N>(d) - constant_form<N>(c.constant) - c.others;
+      const Position v = delta - x * constant_form<N>(c.slope) + e;
       result.matrix.row(i) << 2 * d.head<D>().transpose(), -2 * d.dot(c.slope);
       result.terms.row(i) << 2 * d.head<D>().cwiseAbs().transpose(), 2 * d.cwiseAbs().dot(c.slope.cwiseAbs());
-      result.right[i] = squares_[i] - square(form(d)) - 2 * dot(d, e) - square(v);
+      result.right[i] = squares_[i] - square(constant_form<N>(d)) - 2 * dot(d, e) - square(v);
       if (i > 0) continue;
       result.matrix.row(D) << n.constant.template head<D>().transpose(),
           n.slope.dot(d) - n.constant.dot(c.slope);
       result.terms.row(D) << n.constant.template head<D>().cwiseAbs().transpose(),
           n.slope.cwiseAbs().dot(d.cwiseAbs()) + n.constant.cwiseAbs().dot(c.slope.cwiseAbs());
-      result.right[D] = sigma - dot(n.constant, form(d)) - dot(n.constant, e) - dot(d, n.others) -
-                        gcs::dot(x * form(n.slope) + n.others, v);
+      result.right[D] = sigma - dot(n.constant, constant_form<N>(d)) - dot(n.constant, e) - dot(d, n.others) -
+                        dot(x * constant_form<N>(n.slope) + n.others, v);
     }
     return result;
-  }
-
-  /// inverse · right, and what the rounding of the matrix and its inverse leaves over of (δ, x).
-  static std::array<Form, size> solve(const Equations& equations, const Position& delta, const Form& x) {
-    const Matrix inverse = equations.matrix.inverse();
-    const Matrix defect = (inverse * equations.matrix - Matrix::Identity()).cwiseAbs() +
-                          16 * Form::epsilon * inverse.cwiseAbs() * equations.terms;
-    std::array<Form, size> solved;
-    for (int row = 0; row < size; ++row)
-      for (int i = 0; i < size; ++i) {
-        solved[row] = solved[row] + inverse(row, i) * equations.right[i];
-        solved[row].rest += defect(row, i) * (i < static_cast<int>(D) ? delta[i] : x).radius();
-      }
-    return solved;
   }
 
   const std::array<FormVector<N>, D>& centers_;

@@ -304,7 +304,7 @@ class Scan {
   }
 
   static constexpr double worth_a_visit = 0.6;  ///< of a cell: less is left than halving would leave
-  static constexpr double coarse = 0.05;        ///< of the scene
+  static constexpr double coarse = 0.02;        ///< of the scene
   static constexpr double worth_a_test = 0.1;  ///< of the scene: in larger boxes the Jacobian varies too much
 
   const Scene& scene_;

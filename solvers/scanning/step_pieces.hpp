@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solvers/numeric/double_double.hpp"
+#include "solvers/scanning/cylinder_placing.hpp"
 #include "solvers/scanning/height_placing.hpp"
 #include "solvers/scanning/scan_plan.hpp"
 
@@ -229,6 +230,8 @@ class StepPieces {
       meet_cylinder(*circle, radius_square, {0, -pi, 0}, pieces.list);
       meet_cylinder(*circle, radius_square, {0, 0, pi}, pieces.list);
     }
+    for (Piece<N>& piece : pieces.list)
+      piece.position = sharpened_on_cylinder(piece.position, centers, squares, radius_square);
     return pieces;
   }
 
@@ -304,7 +307,7 @@ class StepPieces {
 
   static constexpr double tight = 0.1;     ///< of the branch's own slope: narrower is not worth another pass
   static constexpr double narrowed = 0.7;  ///< less progress than this is left to smaller cells
-  static constexpr double short_enough = 3;  ///< a shorter piece would know little more, for the cell's sake
+  static constexpr double short_enough = 6;  ///< a shorter piece would know little more, for the cell's sake
   static constexpr double fine = 1e-13;      ///< radians: rounding is not far below
 
   int angles_;

@@ -225,7 +225,7 @@ std::string Subject::label() const {
   return label;
 }
 
-/// A plan with two angles is subdivided in the plane of both, which takes a minute; plan_scan_test.cpp has
+/// A plan with two angles is subdivided in the plane of both, which takes long; plan_scan_test.cpp has
 /// one that does not.
 bool takes_too_long(const Subject& subject, const Scene& scene) {
   return subject.entry.name == "plan-scan" && derive_scan_plan(scene).angles() > 1;

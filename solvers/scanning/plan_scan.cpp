@@ -32,20 +32,20 @@ class Narrowing {
     return g.high() >= 0;
   }
 
-  /// Of the narrowest direction, relative to the whole.
-  double share() const {
-    double share = 1;
-    for (int i = 0; i < N; ++i) share = std::min(share, (high_[i] - low_[i]) / 2);
-    return share;
+  /// Leaves what of symbol i is between the bounds of `values`.
+  bool by_values(int i, const AffineForm<N>& values) {
+    low_[i] = std::max(low_[i], values.low());
+    high_[i] = std::min(high_[i], values.high());
+    return low_[i] <= high_[i];
   }
-  Cell<N> of(const Cell<N>& cell) const {
-    Cell<N> part;
-    for (int i = 0; i < N; ++i) {
-      part.mid[i] = cell.mid[i] + cell.half[i] * (low_[i] + high_[i]) / 2;
-      part.half[i] =
-          cell.half[i] * (high_[i] - low_[i]) / 2 + 2 * AffineForm<N>::epsilon * std::abs(part.mid[i]);
-    }
-    return part;
+
+  /// What is left of symbol i.
+  double low(int i) const { return low_[i]; }
+  double high(int i) const { return high_[i]; }
+  /// Symbol i now stands for something else.
+  void reset(int i) {
+    low_[i] = -1;
+    high_[i] = 1;
   }
 
  private:
@@ -72,7 +72,12 @@ class Scan {
       whole.mid[i] = (plan_.ranges[i][0] + plan_.ranges[i][1]) / 2;
       whole.half[i] = (plan_.ranges[i][1] - plan_.ranges[i][0]) / 2;
     }
-    visit(whole, {});
+    pending_.push_back({whole, {}});
+    while (!pending_.empty() && !is_over()) {
+      const Part part = std::move(pending_.back());
+      pending_.pop_back();
+      visit(part);
+    }
     return std::move(outcome_);
   }
 
@@ -80,24 +85,35 @@ class Scan {
   using Form = AffineForm<N>;
   using Position = FormVector<N>;
 
-  /// One cell on its way through the plan.
+  /// A cell and, of the first steps, the pieces of a larger cell that hold the branch.
+  struct Part {
+    Cell<N> cell;
+    std::vector<Choice> within;
+  };
+
+  /// One part on its way through the plan.
   struct Visit {
-    const Cell<N>& cell;
-    std::vector<Choice> within;    ///< of the first steps: the pieces of a larger cell that hold the branch
+    const Part& part;
     std::vector<Choice> choices;   ///< of all steps: the pieces that the branch is on
     std::vector<Position> points;  ///< by point
     Position last{};               ///< the point placed last: what to halve is judged by it
+    /// By symbol: the step whose range it stands for now; −1: the cell's angle.
+    std::array<int, N> range_of = all_angles();
   };
+
+  static std::array<int, N> all_angles() {
+    std::array<int, N> none{};
+    none.fill(-1);
+    return none;
+  }
 
   bool is_over() const { return outcome_.end != ScanOutcome::End::complete; }
 
-  /// Follows all branches that begin with `choices` over the cell.
-  void visit(const Cell<N>& cell, std::vector<Choice> choices) {
-    if (is_over()) return;
+  /// Follows all branches of the part.
+  void visit(const Part& part) {
     if (stop_.stop_requested()) outcome_.end = ScanOutcome::End::stopped;
     if (++outcome_.cells > limits_.max_cells) outcome_.end = ScanOutcome::End::too_many_cells;
-    Visit visit{cell, std::move(choices), std::vector<Choice>(plan_.steps.size()),
-                std::vector<Position>(scene_.point_count())};
+    Visit visit{part, std::vector<Choice>(plan_.steps.size()), std::vector<Position>(scene_.point_count())};
     for (int p = 0; p < scene_.point_count(); ++p)
       if (const auto position = scene_.fixed_point(p))
         visit.points[p] = {Form((*position)[0]), Form((*position)[1]), Form((*position)[2])};
@@ -107,8 +123,9 @@ class Scan {
   void step(Visit& visit, std::size_t k, const Narrowing<N>& narrowing) {
     if (is_over()) return;
     if (k == plan_.steps.size()) return judge(visit, narrowing);
-    const auto within = k < visit.within.size() ? std::optional(visit.within[k]) : std::nullopt;
-    const Pieces<N> pieces = pieces_.of(plan_.steps[k], visit.points, visit.cell, within);
+    const std::vector<Choice>& within = visit.part.within;
+    const Pieces<N> pieces = pieces_.of(plan_.steps[k], visit.points, visit.part.cell,
+                                        k < within.size() ? std::optional(within[k]) : std::nullopt);
     if (pieces.unbounded_where) {
       Narrowing<N> less = narrowing;
       if (less.by_bound(*pieces.unbounded_where)) split(visit, k, less);
@@ -128,76 +145,107 @@ class Scan {
     });
   }
 
-  /// Takes the piece on, unless the branch ends here; goes on with less of the cell where much has gone.
+  /// Takes the piece on, unless the branch ends here.
   void place(Visit& visit, std::size_t k, const Piece<N>& piece, Narrowing<N> narrowing) {
-    const ScanStep& step = plan_.steps[k];
     for (const Form& exists : piece.exists)
       if (!narrowing.by_bound(exists)) return;
+    visit.choices[k] = piece.choice;
+    if (!piece.exchange) return check(visit, k, piece.position, narrowing);
+    if (!narrowing.by_values(piece.exchange->symbol, piece.exchange->value)) return;
+    if (go_on_narrower(visit, k + 1, narrowing)) return;
+    Visit exchanged = visit;
+    for (Position& point : exchanged.points) point = piece.exchange->of(point);
+    exchanged.range_of[piece.exchange->symbol] = static_cast<int>(k);
+    narrowing.reset(piece.exchange->symbol);
+    check(exchanged, k, piece.position, narrowing);
+  }
+
+  /// Goes on with the point there, unless a check excludes it.
+  void check(Visit& visit, std::size_t k, const Position& position, Narrowing<N> narrowing) {
+    const ScanStep& step = plan_.steps[k];
     for (const ScanSphere& check : step.checks)
-      if (!narrowing.by_zero(square(piece.position - visit.points[check.center]) -
+      if (!narrowing.by_zero(square(position - visit.points[check.center]) -
                              pieces_.square_of(check.constraint)))
         return;
-    visit.choices[k] = piece.choice;
-    visit.points[step.place] = piece.position;
-    visit.last = piece.position;
-    if (k >= visit.within.size() && narrowing.share() < worth_a_visit)
-      return this->visit(narrowing.of(visit.cell), choices_up_to(visit, k + 1));
-    this->step(visit, k + 1, narrowing);
+    visit.points[step.place] = position;
+    visit.last = position;
+    if (!go_on_narrower(visit, k + 1, narrowing)) this->step(visit, k + 1, narrowing);
   }
 
-  static std::vector<Choice> choices_up_to(const Visit& visit, std::size_t k) {
-    return {visit.choices.begin(), visit.choices.begin() + static_cast<std::ptrdiff_t>(k)};
+  /// What is left of a part whose first k steps are taken.
+  struct Remainder {
+    Part part;
+    double share = 1;  ///< of the narrowest symbol, relative to the whole
+  };
+
+  Remainder remainder(const Visit& visit, std::size_t k, const Narrowing<N>& narrowing) const {
+    Remainder left{visit.part};
+    std::vector<Choice>& within = left.part.within;
+    if (within.size() < k) within.resize(k);
+    std::copy_n(visit.choices.begin(), k, within.begin());
+    for (int i = 0; i < plan_.angles(); ++i) {
+      const auto [mid, half] = range(left.part, visit, i);
+      const double new_mid = mid + half * (narrowing.low(i) + narrowing.high(i)) / 2;
+      const double new_half =
+          half * (narrowing.high(i) - narrowing.low(i)) / 2 + 2 * Form::epsilon * std::abs(new_mid);
+      left.share = std::min(left.share, new_half / half);
+      if (new_half < half) set_range(left.part, visit, i, new_mid, new_half);
+    }
+    return left;
   }
 
-  /// Goes on with the halves of what is left of the cell, or names it when it is too fine.
-  void split(const Visit& visit, std::size_t k, const Narrowing<N>& narrowing) {
-    const Cell<N> left = narrowing.of(visit.cell);
-    if (narrowing.share() < worth_a_visit) return this->visit(left, choices_up_to(visit, k));
-    if (left.width() <= fine_enough && split_height(visit, k, left)) return;
-    if (left.width() <= limits_.finest) return give_up(visit, left);
-    const int axis = axis_to_halve(visit, left);
-    for (const double sign : {-1.0, 1.0}) {
-      Cell<N> half = left;
-      half.half[axis] /= 2;
-      half.mid[axis] += sign * half.half[axis];
-      this->visit(half, choices_up_to(visit, k));
+  /// Middle and half width of what symbol i stands for.
+  static std::array<double, 2> range(const Part& part, const Visit& visit, int i) {
+    if (visit.range_of[i] < 0) return {part.cell.mid[i], part.cell.half[i]};
+    const Choice& choice = part.within[visit.range_of[i]];
+    return {choice.mid(), choice.half()};
+  }
+  static void set_range(Part& part, const Visit& visit, int i, double mid, double half) {
+    if (visit.range_of[i] < 0) {
+      part.cell.mid[i] = mid;
+      part.cell.half[i] = half;
+    } else {
+      Choice& choice = part.within[visit.range_of[i]];
+      choice.low = std::max(choice.low, mid - half);
+      choice.high = std::min(choice.high, mid + half);
     }
   }
 
-  /// Near a branch end a height moves by the root of what an angle moves: halving the height goes further.
-  /// False where no height is left to halve.
-  bool split_height(const Visit& visit, std::size_t k, const Cell<N>& cell) {
-    std::vector<Choice> choices = choices_up_to(visit, k);
-    const auto height = [](const Choice& choice) { return choice.side != 0 ? choice.width() : 0; };
-    const auto widest =
-        std::max_element(choices.begin(), choices.end(),
-                         [&](const Choice& a, const Choice& b) { return height(a) < height(b); });
-    if (widest == choices.end() || height(*widest) <= limits_.finest) return false;
-    choices.erase(widest + 1, choices.end());
-    Choice lower = choices.back();
-    lower.high = (lower.low + lower.high) / 2;
-    Choice upper = choices.back();
-    upper.low = lower.high;
-    for (const Choice& half : {lower, upper}) {
-      choices.back() = half;
-      this->visit(cell, choices);
-    }
+  /// Where much of the part has gone, goes on with the rest. False where not.
+  bool go_on_narrower(const Visit& visit, std::size_t k, const Narrowing<N>& narrowing) {
+    Remainder left = remainder(visit, k, narrowing);
+    if (!(left.share < worth_a_visit)) return false;
+    pending_.push_back(std::move(left.part));
     return true;
   }
 
-  /// The angle that moves the last point most.
-  int axis_to_halve(const Visit& visit, const Cell<N>& cell) const {
-    int axis = 0;
+  /// Goes on with the halves of what is left of the part, or names it when it is too fine.
+  void split(const Visit& visit, std::size_t k, const Narrowing<N>& narrowing) {
+    if (go_on_narrower(visit, k, narrowing)) return;
+    const Part left = remainder(visit, k, narrowing).part;
+    const int symbol = symbol_to_halve(visit, left);
+    if (symbol < 0) return give_up(visit, left.cell);
+    const auto [mid, half] = range(left, visit, symbol);
+    for (const double sign : {1.0, -1.0}) {
+      pending_.push_back(left);
+      set_range(pending_.back(), visit, symbol, mid + sign * half / 2, half / 2);
+    }
+  }
+
+  /// The one that moves the last point most. −1 where all are too fine.
+  int symbol_to_halve(const Visit& visit, const Part& part) const {
+    int symbol = -1;
     double most = -1;
     for (int i = 0; i < plan_.angles(); ++i) {
+      const double half = range(part, visit, i)[1];
       double move = 0;
       for (const Form& x : visit.last) move += std::abs(x.slope[i]);
-      move = std::max(move, 1e-3 * cell.half[i]);
-      if (!(move > most)) continue;
+      move = std::max(move, 1e-3 * half);
+      if (!(half > limits_.finest && move > most)) continue;
       most = move;
-      axis = i;
+      symbol = i;
     }
-    return axis;
+    return symbol;
   }
 
   Box box_of(const Visit& visit) const {
@@ -256,8 +304,7 @@ class Scan {
   }
 
   static constexpr double worth_a_visit = 0.6;  ///< of a cell: less is left than halving would leave
-  static constexpr double fine_enough = 1e-9;  ///< radians: by now all but branch ends and extrema is decided
-  static constexpr double coarse = 0.05;       ///< of the scene
+  static constexpr double coarse = 0.02;        ///< of the scene
   static constexpr double worth_a_test = 0.1;  ///< of the scene: in larger boxes the Jacobian varies too much
 
   const Scene& scene_;
@@ -267,7 +314,8 @@ class Scan {
   DistanceSystem system_;
   std::vector<DoubleDouble> squares_;
   StepPieces<N> pieces_;
-  std::vector<Box> boxes_;  ///< each with one solution, known
+  std::vector<Part> pending_;  ///< the last is the next
+  std::vector<Box> boxes_;     ///< each with one solution, known
   ScanOutcome outcome_;
 };
 

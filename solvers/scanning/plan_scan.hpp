@@ -6,8 +6,10 @@
 /// and checks narrow the cell. What is left is a small box of points around it, of which Krawczyk's test
 /// proves that it holds one solution or none; where it cannot, the cell is halved. Nothing depends on the
 /// width of the first cells: branch ends (a discriminant may be zero) and extrema of a check only mean
-/// smaller cells around them. The solutions found are all there are, except in the pieces that are named as
-/// undecided when the cells become too fine: there a solution is multiple, or nearly so.
+/// smaller cells around them. Near a branch end a point's height takes the place of an angle
+/// (height_placing.hpp), and the cell is halved in it: what is unknown of the points then falls with the
+/// square of its width there too. The solutions found are all there are, except in the pieces that are named
+/// as undecided when the cells become too fine: there a solution is multiple, or nearly so.
 
 #include <cstdint>
 #include <stop_token>
@@ -19,7 +21,8 @@
 namespace gcs {
 
 struct ScanLimits {
-  double finest = 1e-12;  ///< in radians: half the width of the finest cells
+  /// Half the width of the finest cells: of angles in radians, of heights (see Choice) in the scene's unit.
+  double finest = 1e-12;
   std::int64_t max_cells = 0;
   std::int64_t max_undecided = 0;
 };

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "solvers/numeric/double_double.hpp"
-#include "solvers/scanning/form_placing.hpp"
+#include "solvers/scanning/cylinder_placing.hpp"
+#include "solvers/scanning/height_placing.hpp"
 #include "solvers/scanning/scan_plan.hpp"
 
 namespace gcs {
@@ -23,12 +24,14 @@ struct Cell {
 /// Which part of a step's positions a piece is.
 struct Choice {
   int side = 0;  ///< +1 or −1 where there are two
-  /// If low < high, a range: of the height above the foot, in units of the offset, near the branch end of two
-  /// sides; of the angle on a circle that meets a cylinder.
+  /// If low < high, a range: near the branch end of two sides, of the height above the centres, times the
+  /// length of their line or the area of their parallelogram; of the angle on a circle that meets a cylinder.
   double low = 0;
   double high = 0;
 
-  double width() const { return high - low; }
+  bool is_range() const { return low < high; }
+  double mid() const { return (low + high) / 2; }
+  double half() const { return (high - low) / 2; }
 };
 
 template <int N>
@@ -36,6 +39,9 @@ struct Piece {
   FormVector<N> position;
   std::vector<AffineForm<N>> exists;  ///< all are not negative where the point exists, on this piece
   Choice choice;
+  /// If given, the position is in terms of the range of `choice`, whose symbol runs from −1 at its low to 1
+  /// at its high end and takes the place of the one exchanged; `exists` still has the latter.
+  std::optional<Exchange<N>> exchange;
 };
 
 template <int N>
@@ -71,7 +77,7 @@ class StepPieces {
     if (step.freedom == 2 && step.angles() == 0) return on_two_sides<2>(step, points, within);
     if (step.freedom == 3 && step.angles() == 0) return on_two_sides<3>(step, points, within);
     if (step.freedom == 3 && step.angles() == 1) return on_circle(step, points, cell);
-    return {{{in_frame_or_around(step, points, cell), {}, {}}}, {}};
+    return {{{in_frame_or_around(step, points, cell), {}, {}, {}}}, {}};
   }
 
  private:
@@ -113,7 +119,7 @@ class StepPieces {
     const auto circle = common_circle(centers, squares, up);
     if (!circle) return {{}, room_to_meet(centers, squares)};
     if (!(circle->squared_radius.high() > 0)) return {};
-    return {{{circle->at(angle(cell, step.first_angle)), {circle->squared_radius}, {}}}, {}};
+    return {{{circle->at(angle(cell, step.first_angle)), {circle->squared_radius}, {}, {}}}, {}};
   }
 
   template <std::size_t D>
@@ -123,49 +129,92 @@ class StepPieces {
     std::array<Form, D> squares;
     gather(step, points, centers, squares);
     const SidePlacing<D, N> placing(centers, squares);
-    std::optional<std::optional<TwoPositions<N>>> closed;  // the formula's answer for both sides, once asked
+    std::optional<Meeting> meeting;  // of both sides, once asked
     Pieces<N> pieces;
     for (const int side : {1, -1}) {
       if (side < 0 && step.upper) continue;
       if (within && within->side != side) continue;
-      if (const auto point = placing.verified(side)) {
-        pieces.list.push_back({*point, {}, {side}});
-        continue;
+      const auto point = placing.verified(side);
+      Piece<N> piece{point.value_or(Position{}), {}, {side}, {}};
+      const bool has_range = within && within->is_range();
+      if (!point || has_range) {
+        if (!meeting) meeting = Meeting{room_to_meet(centers, squares), meet<D>(centers, squares)};
+        if (!take_heights(meeting->room, has_range ? &*within : nullptr, piece)) continue;
+        if (!point && !meeting->both) return {{}, meeting->room};
+        if (!point && !place_near_end<D>({centers, squares}, *meeting, points, piece)) continue;
       }
-      if (!closed) closed = meet<D>(centers, squares);
-      if (!*closed) return {{}, room_to_meet(centers, squares)};
-      if (const auto piece = near_branch_end(**closed, side, within)) pieces.list.push_back(*piece);
+      pieces.list.push_back(std::move(piece));
     }
     return pieces;
   }
 
-  /// By the height above the foot, of which a range can be known better than the angles tell.
-  std::optional<Piece<N>> near_branch_end(const TwoPositions<N>& both, int side,
-                                          const std::optional<Choice>& within) const {
-    const Form& discriminant = both.discriminant;
-    if (!(discriminant.high() > 0)) return std::nullopt;
-    Form height = sqrt(discriminant);
-    Choice choice{side, std::max(0.0, height.low()), height.high()};
-    std::vector<Form> exists{discriminant};
-    if (within && within->width() > 0) {
-      choice.low = std::max(choice.low, within->low);
-      choice.high = std::min(choice.high, within->high);
-      if (!(choice.low <= choice.high)) return std::nullopt;
-      exists.push_back(discriminant + -within->low * within->low);
-      exists.push_back(-discriminant + within->high * within->high);
-      if (choice.width() / 2 < height.rest) {
-        height = Form((choice.low + choice.high) / 2);
-        height.rest = choice.width() / 2 * (1 + 8 * Form::epsilon) + 4 * Form::epsilon * choice.high;
-      }
+  /// How circles or spheres meet on both sides, by the closed formula.
+  struct Meeting {
+    Form room;  ///< room_to_meet: the square of what a range of heights is of
+    std::optional<TwoPositions<N>> both;
+  };
+
+  /// Restricts the piece to heights that `room` and `within`, if given, leave. False where there are none.
+  static bool take_heights(const Form& room, const Choice* within, Piece<N>& piece) {
+    if (!(room.high() > 0)) return false;
+    piece.exists.push_back(room);
+    piece.choice.low = std::sqrt(std::max(0.0, room.low()));
+    piece.choice.high = std::sqrt(room.high());
+    if (within == nullptr) return true;
+    piece.choice.low = std::max(piece.choice.low, within->low);
+    piece.choice.high = std::min(piece.choice.high, within->high);
+    piece.exists.push_back(room + -within->low * within->low);
+    piece.exists.push_back(-room + within->high * within->high);
+    return piece.choice.low <= piece.choice.high;
+  }
+
+  /// By the closed formula or, where that leaves less unknown, by the height. False where there is no point.
+  template <std::size_t D>
+  static bool place_near_end(const HeightPlacing<D, N>& placing, const Meeting& meeting,
+                             const std::vector<Position>& points, Piece<N>& piece) {
+    if (!(meeting.both->discriminant.high() > 0)) return false;
+    piece.exists.push_back(meeting.both->discriminant);
+    piece.position = meeting.both->on(piece.choice.side);
+    const auto rough = angle_by_height(meeting.room, piece);
+    if (!rough) return true;
+    const Form height = piece.choice.side * ranging(piece.choice, rough->exchange.symbol);
+    const PointByHeight<N> sharp = placing.sharpened(*rough, meeting.both->offset, height);
+    if (!sharp.is_worth_it(points, piece.position)) return true;
+    piece.position = sharp.position;
+    piece.exchange = sharp.exchange;
+    return true;
+  }
+
+  /// The middle of the range and as much of the symbol as reaches its ends.
+  static Form ranging(const Choice& range, int symbol) {
+    Form form(range.mid());
+    form.slope[symbol] = range.half();
+    form.rest = 4 * Form::epsilon * std::max(std::abs(range.low), std::abs(range.high));
+    return form;
+  }
+
+  /// room = height² solved for the symbol on which the room depends most. Nothing where it depends on none,
+  /// or the range is a point.
+  static std::optional<PointByHeight<N>> angle_by_height(const Form& room, const Piece<N>& piece) {
+    const auto is_less = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto most = std::max_element(room.slope.begin(), room.slope.end(), is_less);
+    if (*most == 0 || !piece.choice.is_range()) return std::nullopt;
+    const int symbol = static_cast<int>(most - room.slope.begin());
+    Form others = room;
+    others.slope[symbol] = 0;
+    Form value = (1 / *most) * (square(ranging(piece.choice, symbol)) - others);
+    if (!(std::abs(value.mid) + value.radius() <= 1)) {
+      value = Form();
+      value.rest = 1;  // all that a symbol can be
     }
-    const Position point = side > 0 ? both.foot + height * both.offset : both.foot - height * both.offset;
-    return Piece<N>{point, std::move(exists), choice};
+    const Exchange<N> exchange{symbol, value};
+    return PointByHeight<N>{exchange.of(piece.position), exchange};
   }
 
   Pieces<N> around_line(const ScanStep& step, const std::vector<Position>& points, const Cell<N>& cell,
                         const std::optional<Choice>& within) const {
     const Form& radius_square = square_of(step.cylinder);
-    if (step.freedom == 1) return {{{Position{Form(), Form(), sqrt(radius_square)}, {}, {}}}, {}};
+    if (step.freedom == 1) return {{{Position{Form(), Form(), sqrt(radius_square)}, {}, {}, {}}}, {}};
     if (step.angles() == 1) return at_angle_around_line(step, points, cell, within);
     std::array<Position, 2> centers;
     std::array<Form, 2> squares;
@@ -181,6 +230,8 @@ class StepPieces {
       meet_cylinder(*circle, radius_square, {0, -pi, 0}, pieces.list);
       meet_cylinder(*circle, radius_square, {0, 0, pi}, pieces.list);
     }
+    for (Piece<N>& piece : pieces.list)
+      piece.position = sharpened_on_cylinder(piece.position, centers, squares, radius_square);
     return pieces;
   }
 
@@ -199,7 +250,7 @@ class StepPieces {
       if (side < 0 && step.upper) continue;
       if (within && within->side != side) continue;
       point[0] = side > 0 ? x : -x;
-      pieces.list.push_back({point, {rest}, {side}});
+      pieces.list.push_back({point, {rest}, {side}, {}});
     }
     return pieces;
   }
@@ -251,12 +302,12 @@ class StepPieces {
 
   static void append(const FormCircle<N>& circle, const Form& phi, const Choice& part,
                      std::vector<Piece<N>>& list) {
-    list.push_back({circle.at(phi), {circle.squared_radius}, part});
+    list.push_back({circle.at(phi), {circle.squared_radius}, part, {}});
   }
 
   static constexpr double tight = 0.1;     ///< of the branch's own slope: narrower is not worth another pass
   static constexpr double narrowed = 0.7;  ///< less progress than this is left to smaller cells
-  static constexpr double short_enough = 3;  ///< a shorter piece would know little more, for the cell's sake
+  static constexpr double short_enough = 6;  ///< a shorter piece would know little more, for the cell's sake
   static constexpr double fine = 1e-13;      ///< radians: rounding is not far below
 
   int angles_;

@@ -1,0 +1,152 @@
+/// Points by their height near a branch end, against points computed at single angles.
+
+#include "solvers/scanning/height_placing.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+#include "solvers/tests/random_numbers.hpp"
+
+using namespace gcs;
+using samples::RandomNumbers;
+
+namespace {
+
+using Form = AffineForm<1>;
+using Vector = Eigen::Vector3d;
+
+FormVector<1> moving(const Vector& middle, const Vector& slope) {
+  FormVector<1> form;
+  for (int axis = 0; axis < 3; ++axis) {
+    form[axis].mid = middle[axis];
+    form[axis].slope[0] = slope[axis];
+  }
+  return form;
+}
+
+Vector at(const FormVector<1>& form, double xi) {
+  Vector value;
+  for (int axis = 0; axis < 3; ++axis) value[axis] = form[axis].mid + form[axis].slope[0] * xi;
+  return value;
+}
+
+Vector random_vector(RandomNumbers& random, double reach) {
+  return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
+
+/// Three spheres, one of whose centres moves, such that they touch at one point when the symbol is 0.
+struct TouchingSpheres {
+  std::array<FormVector<1>, 3> centers;
+  std::array<Form, 3> squares;
+  Vector touched;
+
+  TouchingSpheres(RandomNumbers& random, double reach) {
+    touched = random_vector(random, 1);
+    const Vector u = random_vector(random, 1), v = random_vector(random, 1);
+    const std::array<Vector, 3> ways{u, v, random.uniform(-1, 1) * u + random.uniform(-1, 1) * v};
+    for (std::size_t i = 0; i < 3; ++i) {
+      centers[i] = moving(touched - ways[i], i == 2 ? random_vector(random, reach) : Vector::Zero());
+      squares[i] = Form(ways[i].squaredNorm());
+    }
+  }
+
+  Vector center(int i, double xi) const { return at(centers[i], xi); }
+  Vector normal(double xi) const {
+    return (center(1, xi) - center(0, xi)).cross(center(2, xi) - center(0, xi));
+  }
+
+  /// The point above the plane of the centres, or nothing.
+  std::optional<Vector> above(double xi) const {
+    Eigen::Matrix3d rows;
+    Vector right;
+    for (int i = 1; i < 3; ++i) {
+      const Vector way = center(i, xi) - center(0, xi);
+      rows.row(i) = way;
+      right[i] = (squares[0].mid - squares[i].mid + way.squaredNorm()) / 2;
+    }
+    rows.row(0) = normal(xi);
+    right[0] = 0;
+    const Vector foot = rows.partialPivLu().solve(right);
+    const double square = squares[0].mid - foot.squaredNorm();
+    if (square < 0) return std::nullopt;
+    return center(0, xi) + foot + std::sqrt(square) * normal(xi).normalized();
+  }
+};
+
+/// From all that a symbol can be and a box around the point of contact.
+PointByHeight<1> rough(const TouchingSpheres& spheres, double width) {
+  PointByHeight<1> known;
+  known.exchange.symbol = 0;
+  known.exchange.value.rest = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    known.position[axis].mid = spheres.touched[axis];
+    known.position[axis].rest = width;
+  }
+  return known;
+}
+
+FormVector<1> normal_form(const TouchingSpheres& spheres) {
+  const auto& c = spheres.centers;
+  return cross(c[1] - c[0], c[2] - c[0]);
+}
+
+/// Heights from 0 to `top`.
+Form heights_to(double top) {
+  Form sigma(top / 2);
+  sigma.slope[0] = top / 2;
+  sigma.rest = 4 * Form::epsilon * top;
+  return sigma;
+}
+
+}  // namespace
+
+TEST_CASE("a point by its height holds every point of the branch down to its end") {
+  RandomNumbers random(11);
+  int compared = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double reach = std::exp2(-random.uniform(8, 30));
+    const TouchingSpheres spheres(random, reach);
+    if (spheres.normal(0).norm() < 0.1) continue;
+    double top = 0;
+    double width = 0;
+    for (int j = -64; j <= 64; ++j) {
+      const auto point = spheres.above(j / 64.0);
+      if (!point) continue;
+      top = std::max(top, spheres.normal(j / 64.0).dot(*point - spheres.center(0, j / 64.0)));
+      width = std::max(width, (*point - spheres.touched).cwiseAbs().maxCoeff());
+    }
+    if (top == 0) continue;
+    const HeightPlacing<3, 1> placing(spheres.centers, spheres.squares);
+    const PointByHeight<1> sharp =
+        placing.sharpened(rough(spheres, 1.1 * width), normal_form(spheres), heights_to(top));
+    for (int j = -64; j <= 64; ++j) {
+      const double xi = j / 64.0;
+      const auto point = spheres.above(xi);
+      if (!point) continue;
+      const double eta = 2 * spheres.normal(xi).dot(*point - spheres.center(0, xi)) / top - 1;
+      // The height of the computed point has the root of the rounding of its square: 1e-16 / height.
+      const double noise = 1e-14 / std::max(1e-7, (eta + 1) * top);
+      const double off = (*point - at(sharp.position, eta)).cwiseAbs().maxCoeff();
+      const Form& value = sharp.exchange.value;
+      REQUIRE(off <= unknown_of(sharp.position) + noise);
+      REQUIRE(std::abs(xi - value.mid - value.slope[0] * eta) <= value.rest + noise / reach);
+      ++compared;
+    }
+  }
+  CHECK(compared > 5000);
+}
+
+TEST_CASE("what is unknown of a point by its height falls with the square of the height") {
+  RandomNumbers random(12);
+  const TouchingSpheres spheres(random, 1e-3);
+  double before = 0;
+  for (const double top : {1e-3, 1e-4, 1e-5}) {
+    const HeightPlacing<3, 1> placing(spheres.centers, spheres.squares);
+    const PointByHeight<1> sharp =
+        placing.sharpened(rough(spheres, 10 * top), normal_form(spheres), heights_to(top));
+    const double unknown = unknown_of(sharp.position);
+    CHECK(moved_by(0, sharp.position) > 0.1 * top);
+    if (before > 0) CHECK(unknown < 0.03 * before);
+    before = unknown;
+  }
+}

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -37,12 +35,13 @@ struct Judged {
 
 bool is_finite(const LinePosition& line) { return line.point.allFinite() && line.direction.allFinite(); }
 
-/// Complex points are compared up to motions, complex lines by their coordinates where positions are fixed.
+/// Up to motions, complex figures are compared with one line at most.
 bool is_usable_as_complex(const Scene& scene, const Figure& figure) {
+  if (figure.imaginary.cols() != scene.point_count() || figure.imaginary_lines.size() != figure.lines.size())
+    return false;
+  if (!scene.is_anchored() && figure.lines.size() > 1) return false;
   const Figure framed = scene.in_frame(figure);
-  return figure.imaginary.cols() == scene.point_count() &&
-         figure.imaginary_lines.size() == figure.lines.size() && scene.has_lines() == scene.is_anchored() &&
-         framed.points.allFinite() && framed.imaginary.allFinite() &&
+  return framed.points.allFinite() && framed.imaginary.allFinite() &&
          std::isfinite(extent(scene.representative(figure)));
 }
 
@@ -76,34 +75,13 @@ double effective_condition(const Scene& scene, const Judged& judged) {
   return judged.condition * stretch * stretch;
 }
 
-bool same_class(const Scene& scene, const Judged& a, const Judged& b) {
-  const double tolerance =
-      merging_tolerance(std::max(effective_condition(scene, a), effective_condition(scene, b)));
-  const std::array<Figure, 2> pair{a.representative, b.representative};
-  return reflection_classes(scene, pair, tolerance).count() == 1;
-}
-
-/// All candidates at the finest tolerance, then the few ill-conditioned ones against each other at their own:
-/// one coarse tolerance for all would merge well-conditioned neighbours.
+/// Every candidate at its own tolerance: one coarse tolerance for all would merge well-conditioned
+/// neighbours.
 std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged) {
-  ReflectionClasses classes = reflection_classes(scene, representatives(judged), merging_tolerance(0));
-  std::vector<int> merged_into(classes.first.size());
-  std::iota(merged_into.begin(), merged_into.end(), 0);
-  std::vector<int> ill_conditioned;
-  for (int c = 0; c < classes.count(); ++c) {
-    const Judged& candidate = judged[classes.first[c]];
-    if (merging_tolerance(effective_condition(scene, candidate)) == merging_tolerance(0)) continue;
-    const auto same = [&](int earlier) {
-      return same_class(scene, judged[classes.first[earlier]], candidate);
-    };
-    const auto found = std::find_if(ill_conditioned.begin(), ill_conditioned.end(), same);
-    if (found == ill_conditioned.end())
-      ill_conditioned.push_back(c);
-    else
-      merged_into[c] = *found;
-  }
-  for (int& c : classes.class_of) c = merged_into[c];
-  return classes.class_of;
+  std::vector<double> tolerances;
+  for (const Judged& candidate : judged)
+    tolerances.push_back(merging_tolerance(effective_condition(scene, candidate)));
+  return reflection_classes(scene, representatives(judged), tolerances).class_of;
 }
 
 /// Appends the coordinates in units of `grain` of the scene's size, cut to integers so that rounding does not

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "solvers/model/complex_points.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 #include "solvers/numeric/complex_double_double.hpp"
 
@@ -12,8 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using WideVector = std::array<ComplexDoubleDouble, 3>;
-
-/// Without conjugation, unlike Eigen's dot.
 
 WideVector cross(const WideVector& a, const WideVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -62,6 +61,29 @@ ComplexLine normalised(const ComplexLine& line) {
 std::vector<ComplexLine> normalised(std::vector<ComplexLine> lines) {
   for (ComplexLine& line : lines) line = normalised(line);
   return lines;
+}
+
+Eigen::Vector3cd foot(const ComplexLine& line, const Eigen::Vector3cd& point) {
+  const Complex along = bilinear_product(line.direction, Eigen::Vector3cd(point - line.point));
+  return line.point + line.direction * (along / bilinear_product(line.direction, line.direction));
+}
+
+Figure moved_to_line(const Figure& figure, int line, int height) {
+  std::vector<ComplexLine> lines = complex_lines(figure);
+  ComplexPoints points = complex_points(figure);
+  const Eigen::Vector3cd origin = foot(lines[line], points.col(height));
+  Eigen::Matrix3cd axes;
+  axes.row(0) = normalised(lines[line]).direction.transpose();
+  const Eigen::Vector3cd up = points.col(height) - origin;
+  axes.row(2) = up.transpose() / std::sqrt(bilinear_product(up, up));
+  axes.row(1) = cross_product(axes.row(2).transpose(), axes.row(0).transpose()).transpose();
+  points = axes * (points.colwise() - origin);
+  points.col(height).head<2>().setZero();
+  for (ComplexLine& other : lines) other = {axes * (other.point - origin), axes * other.direction};
+  lines[line] = {Eigen::Vector3cd::Zero(), Eigen::Vector3cd::UnitX()};
+  Figure result = complex_figure(points);
+  set_complex_lines(lines, result);
+  return result;
 }
 
 Complex squared_distance_excess(const Eigen::Vector3cd& point, const ComplexLine& line, DoubleDouble square) {

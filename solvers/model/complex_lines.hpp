@@ -28,6 +28,14 @@ void set_complex_lines(const std::vector<ComplexLine>& lines, Figure& figure);
 ComplexLine normalised(const ComplexLine& line);
 std::vector<ComplexLine> normalised(std::vector<ComplexLine> lines);
 
+/// The point q of the line with (p − q)·direction = 0.
+Eigen::Vector3cd foot(const ComplexLine& line, const Eigen::Vector3cd& point);
+
+/// The figure moved by a complex rotation and a translation that put the line on the x-axis and the point
+/// `height` on the z-axis, with a coordinate of non-negative real part. Not finite when the point lies on an
+/// isotropic perpendicular of the line.
+Figure moved_to_line(const Figure& figure, int line, int height);
+
 /// d² − square for the distance d of a point: (w × u)·(w × u)/(u·u) − square with w from the line's point to
 /// this one and the direction u. The numerator is in double-double: right to rounding however much cancels.
 std::complex<double> squared_distance_excess(const Eigen::Vector3cd& point, const ComplexLine& line,

@@ -15,10 +15,6 @@ constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 /// Without conjugation, unlike Eigen's dot.
 
-Eigen::Vector3cd normal_of(const Eigen::Vector3cd& u, const Eigen::Vector3cd& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
 /// A unit vector along v, of the two the one with a component along v of non-negative real part.
 Eigen::Vector3cd normalised(const Eigen::Vector3cd& v) { return v / std::sqrt(bilinear_product(v, v)); }
 
@@ -94,7 +90,7 @@ ComplexPoints in_frame(const ComplexPoints& points, int dimension, const Referen
   Eigen::Matrix3cd axes;
   axes.row(0) = x.transpose();
   axes.row(1) = y.transpose();
-  axes.row(2) = normal_of(x, y).transpose();
+  axes.row(2) = cross_product(x, y).transpose();
   moved = axes * moved;
   moved.col(reference.axis).tail<2>().setZero();
   if (dimension == 3) moved(2, reference.plane) = 0;
@@ -122,7 +118,7 @@ std::optional<std::array<Eigen::Vector3cd, 2>> trilaterate(const std::array<Eige
                                                            const std::array<Complex, 3>& squares) {
   const Eigen::Vector3cd u = centers[1] - centers[0];
   const Eigen::Vector3cd v = centers[2] - centers[0];
-  const Eigen::Vector3cd n = normal_of(u, v);
+  const Eigen::Vector3cd n = cross_product(u, v);
   const Complex uu = bilinear_product(u, u);
   const Complex uv = bilinear_product(u, v);
   const Complex vv = bilinear_product(v, v);

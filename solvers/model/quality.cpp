@@ -65,18 +65,11 @@ double error_of(const Scene& scene, const Figure& figure, int constraint) {
   return std::abs(excess) / std::max(std::abs(sum), shortest_length(scene));
 }
 
-/// A + iB as [A, −B; B, A], which has the same singular values, each twice.
-Eigen::MatrixXd real_embedding(const Eigen::MatrixXd& real, const Eigen::MatrixXd& imaginary) {
-  Eigen::MatrixXd embedded(2 * real.rows(), 2 * real.cols());
-  embedded << real, -imaginary, imaginary, real;
-  return embedded;
-}
-
 /// Of the matrix with rows of length 1.
 template <class Matrix>
 double condition(Matrix matrix) {
   matrix.rowwise().normalize();
-  const Eigen::VectorXd singular = Eigen::JacobiSVD<Matrix>(matrix).singularValues();
+  const Eigen::VectorXd singular = Eigen::BDCSVD<Matrix>(matrix).singularValues();
   const double smallest = singular.minCoeff();
   return smallest > 0 ? singular.maxCoeff() / smallest : std::numeric_limits<double>::infinity();
 }
@@ -106,14 +99,12 @@ double jacobian_condition(const Scene& scene, const Figure& figure) {
   if (scene.has_lines()) return condition(line_jacobian(scene, figure));
   const DistanceSystem system(scene);
   Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
-  system.jacobian(scene.has_lines() ? scene.in_frame(figure, system.reference()).points : figure.points,
-                  jacobian);
-  if (!figure.is_real()) {
-    Eigen::MatrixXd imaginary(system.equations(), system.unknowns());
-    system.jacobian(figure.imaginary, imaginary);
-    jacobian = real_embedding(jacobian, imaginary);
-  }
-  return condition(std::move(jacobian));
+  system.jacobian(figure.points, jacobian);
+  if (figure.is_real()) return condition(std::move(jacobian));
+  Eigen::MatrixXcd complex = jacobian.cast<std::complex<double>>();
+  system.jacobian(figure.imaginary, jacobian);
+  complex.imag() = jacobian;
+  return condition(std::move(complex));
 }
 
 }  // namespace gcs

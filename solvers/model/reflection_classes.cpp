@@ -65,11 +65,25 @@ Signature coordinates(const Figure& figure, double size) {
   return signature;
 }
 
-/// Of a complex figure the squared distances, real and imaginary parts, over the size: the group is that of
-/// complex rotations and reflections. Twice as many numbers as a real figure has, and so never equal to one.
+/// As points_and_feet for a complex figure.
+ComplexPoints complex_points_and_feet(const Figure& figure) {
+  const ComplexPoints points = complex_points(figure);
+  const std::vector<ComplexLine> lines = complex_lines(figure);
+  const Eigen::Index n = points.cols();
+  ComplexPoints result(3, n * (1 + static_cast<Eigen::Index>(lines.size())));
+  result.leftCols(n) = points;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (Eigen::Index p = 0; p < n; ++p)
+      result.col(n * (static_cast<Eigen::Index>(i) + 1) + p) = foot(lines[i], points.col(p));
+  return result;
+}
+
+/// Of a complex figure with one line at most the squared distances, real and imaginary parts, over the size:
+/// the group is that of complex rotations and reflections. Twice as many numbers as a real figure has, and so
+/// never equal to one.
 Signature squared_distances(const Figure& figure, double size) {
   Signature signature;
-  const ComplexPoints points = complex_points(figure);
+  const ComplexPoints points = complex_points_and_feet(figure);
   for (int a = 0; a < static_cast<int>(points.cols()); ++a) {
     for (int b = 0; b < a; ++b) {
       const std::complex<double> square = squared_distance(points, a, b) / size;
@@ -113,52 +127,70 @@ double magnitude(const Signature& signature) {
 }
 
 /// The classes found so far, ordered by the sum of the first figure's signature: equal figures have close
-/// sums.
+/// sums. Classes of different tolerance, to a factor of ten, are kept apart, so that coarse ones do not widen
+/// the search for all.
 class ClassIndex {
  public:
-  explicit ClassIndex(double tolerance) : tolerance_(tolerance) {}
-
   /// The first class that the signature equals, or −1.
-  int find(const Signature& signature) const {
+  int find(const Signature& signature, double tolerance) const {
     const double sum = total(signature);
-    const double window = static_cast<double>(signature.size()) *
-                          (tolerance_ + 4 * std::numeric_limits<double>::epsilon() * magnitude(signature));
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * magnitude(signature);
     int found = -1;
-    const auto end = by_sum_.upper_bound(sum + window);
-    for (auto entry = by_sum_.lower_bound(sum - window); entry != end; ++entry) {
-      const auto& [number, first] = entry->second;
-      if ((found < 0 || number < found) && equal(signature, first, tolerance_)) found = number;
+    for (const auto& [bound, classes] : by_tolerance_) {
+      const double window = static_cast<double>(signature.size()) * (std::max(tolerance, bound) + rounding);
+      const auto end = classes.upper_bound(sum + window);
+      for (auto entry = classes.lower_bound(sum - window); entry != end; ++entry) {
+        const Member& first = entry->second;
+        if ((found < 0 || first.number < found) &&
+            equal(signature, first.signature, std::max(tolerance, first.tolerance)))
+          found = first.number;
+      }
     }
     return found;
   }
 
-  void add(int number, Signature signature) {
+  void add(int number, Signature signature, double tolerance) {
     const double sum = total(signature);
-    by_sum_.emplace(sum, std::pair(number, std::move(signature)));
+    by_tolerance_[next_power_of_ten(tolerance)].emplace(sum, Member{number, tolerance, std::move(signature)});
   }
 
  private:
+  struct Member {
+    int number = 0;
+    double tolerance = 0;
+    Signature signature{};
+  };
+
+  static double next_power_of_ten(double tolerance) {
+    return tolerance > 0 ? std::max(tolerance, std::pow(10, std::ceil(std::log10(tolerance)))) : 0;
+  }
+
   static double total(const Signature& signature) {
     return std::accumulate(signature.begin(), signature.end(), 0.0);
   }
 
-  double tolerance_;
-  std::multimap<double, std::pair<int, Signature>> by_sum_;
+  std::map<double, std::multimap<double, Member>> by_tolerance_;
 };
 
 }  // namespace
 
 ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance) {
+  return reflection_classes(scene, figures, std::vector<double>(figures.size(), tolerance));
+}
+
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures,
+                                     std::span<const double> tolerances) {
   ReflectionClasses classes;
-  ClassIndex index(tolerance * scene.size());
+  ClassIndex index;
   for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
+    const double tolerance = tolerances[i] * scene.size();
     Signature signature = signature_of(scene, figures[i]);
     const bool finite = std::isfinite(magnitude(signature));  // else its sum has no place in an order
-    int found = finite ? index.find(signature) : -1;
+    int found = finite ? index.find(signature, tolerance) : -1;
     if (found < 0) {
       found = classes.count();
       classes.first.push_back(i);
-      if (finite) index.add(found, std::move(signature));
+      if (finite) index.add(found, std::move(signature), tolerance);
     }
     classes.class_of.push_back(found);
   }

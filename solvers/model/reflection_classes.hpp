@@ -19,10 +19,13 @@ struct ReflectionClasses {
 /// mirror images, so no frame and no sign has to be chosen. A line takes part by the feet of the
 /// perpendiculars from all points (the distances of four points to a line leave twelve lines) and by its
 /// angles to other lines; its direction is up to sign. With fixed positions the coordinates themselves are
-/// compared and no reflection is divided out. Without them, of complex figures (points only) the squared
-/// distances are compared, to tolerance · scene.size()². No complex figure equals a real one. A figure
-/// belongs to the first class whose first figure it equals; one that is not finite equals none. Time: n log n
-/// for n figures.
+/// compared and no reflection is divided out. Without them, of complex figures (with one line at most) the
+/// squared distances are compared, to tolerance · scene.size()². No complex figure equals a real one. A
+/// figure belongs to the first class whose first figure it equals; one that is not finite equals none. Time:
+/// n log n for n figures.
 ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance);
+/// The same with a tolerance for every figure: of two the larger one counts.
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures,
+                                     std::span<const double> tolerances);
 
 }  // namespace gcs

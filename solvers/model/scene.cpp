@@ -154,6 +154,17 @@ void clear_frame_zeros(const Reference& reference, Figure& figure) {
   if (reference.plane >= 0) figure.points(2, reference.plane) = 0;
 }
 
+/// A complex rotation costs accuracy: a figure that is in the frame already is left alone.
+Figure complex_in_line_frame(const Figure& figure, const Reference& reference) {
+  const LinePosition &line = figure.lines[reference.line],
+                     &imaginary = figure.imaginary_lines[reference.line];
+  const auto height = figure.points.col(reference.height), lower = figure.imaginary.col(reference.height);
+  const bool is_there = line.point.isZero(0) && line.direction == Eigen::Vector3d::UnitX() &&
+                        imaginary.point.isZero(0) && imaginary.direction.isZero(0) &&
+                        height.head<2>().isZero(0) && lower.head<2>().isZero(0) && height[2] > 0;
+  return is_there ? figure : moved_to_line(figure, reference.line, reference.height);
+}
+
 /// The point of the line nearest to the origin, and the direction whose first non-zero component is positive.
 LinePosition normalised(const LinePosition& line) {
   LinePosition result;
@@ -234,7 +245,10 @@ std::optional<Eigen::Vector3d> Scene::fixed_point(int point) const {
 
 Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
   if (anchored_) return figure;
-  if (!figure.is_real()) return complex_figure(gcs::in_frame(complex_points(figure), dimension(), reference));
+  if (!figure.is_real())
+    return reference.line >= 0
+               ? complex_in_line_frame(figure, reference)
+               : complex_figure(gcs::in_frame(complex_points(figure), dimension(), reference));
   const RigidMotion motion =
       reference.line >= 0 ? motion_to_line(reference, figure) : motion_to_points(problem_, reference, figure);
   Figure result = moved(motion, figure);

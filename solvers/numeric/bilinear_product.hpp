@@ -11,4 +11,9 @@ inline std::complex<double> bilinear_product(const Eigen::Vector3cd& u, const Ei
   return (u.transpose() * v).value();
 }
 
+/// Orthogonal to u and v for the bilinear product; Eigen's conjugates.
+inline Eigen::Vector3cd cross_product(const Eigen::Vector3cd& u, const Eigen::Vector3cd& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
 }  // namespace gcs

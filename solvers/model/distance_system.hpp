@@ -30,6 +30,8 @@ class DistanceSystem {
   /// Two points, or a point and the line, numbered as in DistanceConstraint; the line comes second.
   const std::vector<std::array<int, 2>>& edges() const { return edges_; }
   bool is_line(int entity) const { return entity >= point_count_; }
+  /// What the frame or the file gives for coordinate `axis` of a point.
+  double given_coordinate(int point, int axis) const { return fixed_coordinates_(axis, point); }
   /// Index of the unknown that is coordinate `axis` of `entity`, or −1 when the frame fixes it.
   int unknown(int entity, int axis) const { return unknown_[3 * entity + axis]; }
 

@@ -43,6 +43,15 @@ inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
   return two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
+/// The quotient by two corrections of the double one.
+inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
+  const double first = a.hi / b.hi;
+  const DoubleDouble rest = a - b * DoubleDouble{first, 0};
+  const double second = rest.hi / b.hi;
+  const DoubleDouble last = rest - b * DoubleDouble{second, 0};
+  return two_sum(first, second) + DoubleDouble{last.hi / b.hi, 0};
+}
+
 /// Square root by one Newton step from the double one. Precondition: a ≥ 0.
 inline DoubleDouble sqrt(DoubleDouble a) {
   const double root = std::sqrt(a.hi);

@@ -1,0 +1,174 @@
+#include "solvers/complex_tracking/complex_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "solvers/complex_tracking/mirror_images.hpp"
+#include "solvers/model/complex_points.hpp"
+#include "solvers/model/distance_system.hpp"
+
+namespace gcs {
+namespace {
+
+/// Of a regular end: Newton's last correction was far below its own square root.
+constexpr double regular_uncertainty = 1e-12;
+/// Of a singular end: Cauchy's formula is right to the rounding of its samples, which a double root feels by
+/// its square root.
+constexpr double singular_uncertainty = 1e-7;
+
+double uncertainty(const PathEnd& end) {
+  return end.kind == PathEnd::Kind::regular ? regular_uncertainty : singular_uncertainty;
+}
+
+bool is_finite_end(const PathEnd& end) {
+  return end.kind == PathEnd::Kind::regular || end.kind == PathEnd::Kind::singular;
+}
+
+/// The real solution next to x, if there is one.
+std::optional<Figure> real_figure(const DistanceSystem& system, const std::vector<DoubleDouble>& squares,
+                                  const ComplexVectorX& x, double nearby) {
+  Eigen::VectorXd real(system.unknowns());
+  double size = 0;
+  for (int i = 0; i < system.unknowns(); ++i) {
+    real[i] = x[i].real();
+    size = std::max(size, std::abs(x[i]));
+  }
+  const double tolerance = nearby * (1 + size);
+  const auto is_off = [&](const std::complex<double>& value) { return std::abs(value.imag()) > tolerance; };
+  if (std::any_of(x.begin(), x.end(), is_off)) return std::nullopt;
+  const Eigen::VectorXd start = real;
+  const bool converged = refine(system, squares, real).converged;
+  if (!converged || (real - start).cwiseAbs().maxCoeff() > tolerance) return std::nullopt;
+  return system.figure(real);
+}
+
+Figure complex_figure(const DistanceSystem& system, const ComplexVectorX& x) {
+  Eigen::VectorXd real(system.unknowns()), imaginary(system.unknowns());
+  for (int i = 0; i < system.unknowns(); ++i) {
+    real[i] = x[i].real();
+    imaginary[i] = x[i].imag();
+  }
+  Figure figure = system.figure(real);
+  figure.imaginary = Eigen::Matrix3Xd::Zero(3, system.point_count());
+  system.place(imaginary, figure.imaginary);
+  for (std::size_t i = 0; i < figure.lines.size(); ++i)
+    figure.imaginary_lines.push_back({Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+  return figure;
+}
+
+PathRecord record_of(const PathEnd& end) {
+  PathRecord record;
+  switch (end.kind) {
+    case PathEnd::Kind::regular:
+      record.end = PathRecord::End::regular;
+      break;
+    case PathEnd::Kind::singular:
+      record.end = PathRecord::End::singular;
+      break;
+    case PathEnd::Kind::at_infinity:
+      record.end = PathRecord::End::at_infinity;
+      break;
+    case PathEnd::Kind::failed:
+      record.end = PathRecord::End::failed;
+      break;
+    case PathEnd::Kind::stopped:
+      record.end = PathRecord::End::stopped;
+      break;
+  }
+  record.cause = end.cause;
+  return record;
+}
+
+/// The finite ends, distinct, with the number of paths that end at each.
+class DistinctEnds {
+ public:
+  DistinctEnds(const std::vector<PathEnd>& ends, std::vector<int> axes, std::mt19937_64& random)
+      : set_(std::move(axes), random) {
+    for (const PathEnd& end : ends) {
+      if (!is_finite_end(end)) continue;
+      const int number = set_.insert(end.x, uncertainty(end));
+      if (number == static_cast<int>(paths_.size())) {
+        paths_.push_back(0);
+        singular_.push_back(false);
+      }
+      ++paths_[number];
+      if (end.kind == PathEnd::Kind::singular) singular_[number] = true;
+    }
+  }
+
+  int size() const { return set_.size(); }
+  const ComplexVectorX& operator[](int i) const { return set_[i]; }
+  int paths(int i) const { return paths_[i]; }
+  bool is_singular(int i) const { return singular_[i]; }
+
+  /// Regular ends at which several paths arrived.
+  int jumps() const {
+    int count = 0;
+    for (int i = 0; i < size(); ++i) count += !singular_[i] && paths_[i] > 1;
+    return count;
+  }
+
+  int without_conjugate() const {
+    int count = 0;
+    for (int i = 0; i < size(); ++i) {
+      ComplexVectorX conjugate = set_[i];
+      for (std::complex<double>& value : conjugate) value = std::conj(value);
+      count += set_.find(conjugate, singular_[i] ? singular_uncertainty : regular_uncertainty) < 0;
+    }
+    return count;
+  }
+
+ private:
+  SolutionSet set_;
+  std::vector<int> paths_;
+  std::vector<bool> singular_;
+};
+
+std::string number_of(int count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// What keeps the ends from being all solutions; empty when nothing does.
+std::string what_is_missing(const std::vector<PathEnd>& ends, const DistinctEnds& distinct) {
+  std::map<std::string, int> causes;
+  for (const PathEnd& end : ends)
+    if (end.kind == PathEnd::Kind::failed) ++causes[end.cause];
+  std::string missing;
+  const auto append = [&missing](const std::string& text) {
+    missing += (missing.empty() ? "" : "; ") + text;
+  };
+  for (const auto& [cause, count] : causes) append(number_of(count, "path") + " failed: " + cause);
+  if (const int jumps = distinct.jumps(); jumps > 0)
+    append("several paths ended at each of " + number_of(jumps, "regular solution") + ": a step has jumped");
+  if (const int lonely = distinct.without_conjugate(); lonely > 0)
+    append("the conjugates of " + number_of(lonely, "solution") + " are missing");
+  return missing;
+}
+
+}  // namespace
+
+SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
+                           const WorkCounters& work, std::mt19937_64& random) {
+  SolveReport report;
+  report.claim = Claim::all_complex;
+  report.work = work;
+  const std::vector<DoubleDouble> squares = target_squares(scene);
+  const DistinctEnds distinct(ends, mirror_axes(scene, system), random);
+  for (int i = 0; i < distinct.size(); ++i) {
+    const double nearby = distinct.is_singular(i) ? singular_uncertainty : 1e-9;
+    const std::optional<Figure> real = real_figure(system, squares, distinct[i], nearby);
+    report.candidates.push_back({real ? *real : complex_figure(system, distinct[i]),
+                                 distinct.is_singular(i) ? distinct.paths(i) : 1});
+  }
+  for (const PathEnd& end : ends) report.paths.push_back(record_of(end));
+  const bool stopped = std::any_of(ends.begin(), ends.end(),
+                                   [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
+  report.reason = stopped ? "stopped on the way" : what_is_missing(ends, distinct);
+  report.status = stopped                 ? SolveStatus::stopped
+                  : report.reason.empty() ? SolveStatus::complete
+                                          : SolveStatus::partial;
+  return report;
+}
+
+}  // namespace gcs

@@ -1,0 +1,21 @@
+#pragma once
+/// From the ends of paths to solutions of a scene, with what they prove or leave open.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solvers/complex_tracking/endgame.hpp"
+#include "solvers/complex_tracking/square_system.hpp"
+#include "solvers/strategy.hpp"
+
+namespace gcs {
+
+/// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
+/// Newton's method on the real part agrees; a record for every path. The status is partial where paths
+/// failed, where two ended at one regular solution (a step has jumped), or where the conjugate of a finite
+/// end is not among the ends.
+SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
+                           const WorkCounters& work, std::mt19937_64& random);
+
+}  // namespace gcs

@@ -1,0 +1,456 @@
+#pragma once
+/// Predictor and corrector for distance equations, one path per SIMD lane.
+///
+/// Predictor: the Taylor series of x(s). The equations are quadratic, so with d the differences of
+/// coordinates, d = Σ d_k h^k, the coefficients follow from one factorised Jacobian (rows d_0):
+///   d_0 · d_k = A_k/2 − (1/2) Σ_{0<a<k} d_a · d_{k−a}
+/// The step is a fixed part of the radius of convergence ρ, which the last coefficients tell, so that the
+/// neglected part is `tolerance` times ℓ = ρ|x_1|, the way that the path goes until the series diverges: a
+/// length that scales with the scene and is short where other branches are near.
+///
+/// Corrector: one step of Newton's method with a residual in two doubles, in place of a second
+/// factorisation: the Jacobian at the predicted point serves the correction and the next series. A step whose
+/// correction is larger than the prediction's error should be is taken back; the series is then taken anew
+/// with the Jacobian at the corrected point, for near singular ones feel the difference. That no step jumps
+/// to another path is likely, not proven.
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "solvers/complex_tracking/lane_tracker.hpp"
+#include "solvers/complex_tracking/lanes.hpp"
+
+namespace gcs::GCS_LANES {
+
+template <class Real>
+struct Complex {
+  Real re;
+  Real im;
+};
+
+template <class Real>
+Complex<Real> operator+(const Complex<Real>& a, const Complex<Real>& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+template <class Real>
+Complex<Real> operator-(const Complex<Real>& a, const Complex<Real>& b) {
+  return {a.re - b.re, a.im - b.im};
+}
+template <class Real>
+Complex<Real> operator-(const Complex<Real>& a) {
+  return {-a.re, -a.im};
+}
+template <class Real>
+Complex<Real> operator*(Real a, const Complex<Real>& b) {
+  return {a * b.re, a * b.im};
+}
+template <class Real>
+Complex<Real> fused(Real a, const Complex<Real>& b, const Complex<Real>& c) {
+  return {fused(a, b.re, c.re), fused(a, b.im, c.im)};
+}
+/// c + a·b
+template <class Real>
+Complex<Real> fused(const Complex<Real>& a, const Complex<Real>& b, const Complex<Real>& c) {
+  return {fused_minus(a.im, b.im, fused(a.re, b.re, c.re)), fused(a.im, b.re, fused(a.re, b.im, c.im))};
+}
+/// c − a·b
+template <class Real>
+Complex<Real> fused_minus(const Complex<Real>& a, const Complex<Real>& b, const Complex<Real>& c) {
+  return {fused(a.im, b.im, fused_minus(a.re, b.re, c.re)),
+          fused_minus(a.im, b.re, fused_minus(a.re, b.im, c.im))};
+}
+template <class Real>
+Complex<Real> inverse(const Complex<Real>& a) {
+  const Real square = fused(a.re, a.re, a.im * a.im);
+  return {a.re / square, -a.im / square};
+}
+template <class Real>
+Complex<Real> product(const Complex<Real>& a, const Complex<Real>& b) {
+  return {fused_minus(a.im, b.im, a.re * b.re), fused(a.im, b.re, a.re * b.im)};
+}
+/// The larger of |re| and |im|.
+template <class Real>
+Real size_of(const Complex<Real>& a) {
+  return larger(absolute(a.re), absolute(a.im));
+}
+template <class Real>
+Complex<Real> selected(Real mask, const Complex<Real>& a, const Complex<Real>& b) {
+  return {selected(mask, a.re, b.re), selected(mask, a.im, b.im)};
+}
+
+template <class Real>
+class KernelTracker final : public LaneTracker {
+ public:
+  using Number = Complex<Real>;
+
+  KernelTracker(const SquareSystem& system, const Elimination& elimination, const TrackingOptions& options)
+      : system_(system),
+        elimination_(elimination),
+        options_(options),
+        n_(system.unknowns),
+        order_(options.order),
+        x_(n_),
+        predicted_(n_),
+        change_(n_),
+        difference_(system.differences.size()),
+        series_((order_ + 1) * n_),
+        difference_series_(system.differences.size() * (order_ + 1)),
+        entries_(elimination.entries),
+        end_(n_) {
+    for (auto& coefficient : route_) coefficient.resize(n_);
+  }
+
+  int lanes() const override { return Real::count; }
+  bool is_busy(int lane) const override { return paths_[lane].phase != Phase::idle; }
+  LegState state(int lane) const override { return paths_[lane].state; }
+
+  void load(int lane, const Leg& leg) override {
+    for (int i = 0; i < n_; ++i) {
+      set(x_[i], lane, leg.start[i]);
+      for (int k = 0; k <= Route::degree; ++k) set(route_[k][i], lane, leg.route->coefficients[k][i]);
+      set(end_[i], lane, leg.route->end[i]);
+      for (int k = 0; k <= order_; ++k) set(series_[k * n_ + i], lane, 0);
+      set(series_[i], lane, leg.start[i]);
+    }
+    paths_[lane] = Path{};
+    paths_[lane].phase = Phase::starting;
+    paths_[lane].most_steps = leg.most_steps;
+  }
+
+  void read(int lane, std::complex<double>* x) const override {
+    for (int i = 0; i < n_; ++i) x[i] = {x_[i].re.lane(lane), x_[i].im.lane(lane)};
+  }
+
+  void step() override {
+    const Real h = step_lengths();
+    predict(h);
+    factorise();
+    correct();
+    if (const Real accepted = judge(); any_moves()) extend_series(accepted);
+  }
+
+ private:
+  enum class Phase { idle, starting, moving, renewing, arriving };
+
+  struct Path {
+    Phase phase = Phase::idle;
+    LegState state{};
+    double h = 0;      ///< the step to try
+    double reach = 0;  ///< ℓ at the point where the series was taken
+    int rejected_in_a_row = 0;
+    int most_steps = 0;  ///< 0: as the options say
+  };
+
+  /// The same in all lanes.
+  static Number number(std::complex<double> z) {
+    return {constant(z.real(), Real{}), constant(z.imag(), Real{})};
+  }
+
+  static void set(Number& value, int lane, std::complex<double> z) {
+    value.re.set_lane(lane, z.real());
+    value.im.set_lane(lane, z.imag());
+  }
+
+  Real step_lengths() const {
+    Real h;
+    for (int lane = 0; lane < Real::count; ++lane)
+      h.set_lane(lane, paths_[lane].phase == Phase::moving ? paths_[lane].h : 0);
+    return h;
+  }
+
+  void predict(Real h) {
+    for (int i = 0; i < n_; ++i) {
+      Number sum = series_[order_ * n_ + i];
+      for (int k = order_ - 1; k >= 0; --k) sum = fused(h, sum, series_[k * n_ + i]);
+      predicted_[i] = sum;
+    }
+  }
+
+  /// Differences, Jacobian and its factors at the predicted point.
+  void factorise() {
+    const auto& differences = system_.differences;
+    for (const int entry : elimination_.fill) entries_[entry] = {};
+    for (int e = 0, d = 0; e < n_; ++e) {
+      for (; d < system_.first[e + 1]; ++d) {
+        const auto [minuend, subtrahend, value] = differences[d];
+        const Number v = subtrahend >= 0 ? predicted_[subtrahend] : Number{constant(value, Real{}), Real{}};
+        difference_[d] = predicted_[minuend] - v;
+        entries_[elimination_.entries_of[d][0]] = difference_[d];
+        if (subtrahend >= 0) entries_[elimination_.entries_of[d][1]] = -difference_[d];
+      }
+    }
+    for (std::size_t l = 0; l < system_.linear.size(); ++l)
+      entries_[elimination_.entries_of_linear[l]] = number(0.5 * system_.linear[l].coefficient);
+    for (int k = 0; k < n_; ++k) eliminate(elimination_.steps[k], elimination_.steps[k + 1]);
+  }
+
+  void eliminate(const Elimination::Step& step, const Elimination::Step& next) {
+    const Number inverse_pivot = inverse(entries_[step.pivot]);
+    entries_[step.pivot] = inverse_pivot;
+    for (int l = step.first_lower; l < next.first_lower; ++l) {
+      const auto& [row, entry, targets] = elimination_.lower[l];
+      const Number factor = product(entries_[entry], inverse_pivot);
+      entries_[entry] = factor;
+      const int* target = &elimination_.targets[0] + targets;
+      for (int u = step.first_upper; u < next.first_upper; ++u, ++target)
+        entries_[*target] = fused_minus(factor, entries_[elimination_.upper[u].entry], entries_[*target]);
+    }
+  }
+
+  /// J z = right, in the order of elimination: right[k] belongs to the k-th equation, z[k] to the k-th
+  /// unknown. In place.
+  void solve(std::vector<Number>& right) const {
+    for (int k = 0; k < n_; ++k) {
+      for (int l = elimination_.steps[k].first_lower; l < elimination_.steps[k + 1].first_lower; ++l) {
+        const auto& [row, entry, targets] = elimination_.lower[l];
+        right[row] = fused_minus(entries_[entry], right[k], right[row]);
+      }
+    }
+    for (int k = n_ - 1; k >= 0; --k) {
+      Number sum = right[k];
+      for (int u = elimination_.steps[k].first_upper; u < elimination_.steps[k + 1].first_upper; ++u)
+        sum = fused_minus(entries_[elimination_.upper[u].entry], right[elimination_.upper[u].column], sum);
+      right[k] = product(sum, entries_[elimination_.steps[k].pivot]);
+    }
+  }
+
+  /// A of equation e at s + h of every lane.
+  Number parameter(int e, Real s, Real arriving) const {
+    Number sum = route_[Route::degree][e];
+    for (int k = Route::degree - 1; k >= 0; --k) sum = fused(s, sum, route_[k][e]);
+    return selected(arriving, end_[e], sum);
+  }
+
+  /// (Σ d² + Σ c·w − A)/2, right to the rounding of the differences' own inputs.
+  Number residual(int e, const Number& square) const {
+    Compensated<Real> re, im;
+    for (int d = system_.first[e]; d < system_.first[e + 1]; ++d) {
+      const auto [minuend, subtrahend, value] = system_.differences[d];
+      const Number& u = predicted_[minuend];
+      const Number v = subtrahend >= 0 ? predicted_[subtrahend] : Number{constant(value, Real{}), Real{}};
+      const Number& high = difference_[d];
+      const Number low{lost(u.re, v.re, high.re), lost(u.im, v.im, high.im)};
+      const Real two_re = high.re + high.re, two_im = high.im + high.im;
+      re.add_product(high.re, high.re);
+      re.add_product(-high.im, high.im);
+      re.low = fused_minus(two_im, low.im, fused(two_re, low.re, re.low));
+      im.add_product(two_re, high.im);
+      im.low = fused(two_im, low.re, fused(two_re, low.im, im.low));
+    }
+    for (int l = system_.first_linear[e]; l < system_.first_linear[e + 1]; ++l) {
+      const Number coefficient = number(system_.linear[l].coefficient);
+      const Number& w = predicted_[system_.linear[l].unknown];
+      re.add_product(coefficient.re, w.re);
+      re.add_product(-coefficient.im, w.im);
+      im.add_product(coefficient.re, w.im);
+      im.add_product(coefficient.im, w.re);
+    }
+    re.add(constant(system_.given[e], Real{}));
+    re.add(-square.re);
+    im.add(-square.im);
+    const Real half = constant(0.5, Real{});
+    return {half * re.value(), half * im.value()};
+  }
+
+  void correct() {
+    Real s, arriving;
+    for (int lane = 0; lane < Real::count; ++lane) {
+      const Path& path = paths_[lane];
+      const double target = path.phase == Phase::moving ? path.state.s + path.h : path.state.s;
+      s.set_lane(lane, target);
+      arriving.set_lane(lane, target == 1 ? 1 : 0);
+    }
+    for (int k = 0; k < n_; ++k) {
+      const int e = elimination_.equation[k];
+      change_[k] = residual(e, parameter(e, s, arriving));
+    }
+    solve(change_);
+  }
+
+  /// Decides on every lane's step; x_ of the accepted ones moves. Not 0 for an accepted lane.
+  Real judge() {
+    Real correction, extent;
+    for (int k = 0; k < n_; ++k) {
+      correction = larger(correction, size_of(change_[k]));
+      // A number that is none must not pass for small.
+      extent = extent + size_of(change_[k]);
+    }
+    Real largest;
+    for (int i = 0; i < n_; ++i) largest = larger(size_of(predicted_[i]), largest);
+    Real accepted;
+    for (int lane = 0; lane < Real::count; ++lane) {
+      const bool finite = std::isfinite(extent.lane(lane));
+      const double size = finite ? correction.lane(lane) : std::numeric_limits<double>::infinity();
+      accepted.set_lane(lane, decide(paths_[lane], size, 1 + largest.lane(lane)) ? 1 : 0);
+    }
+    for (int k = 0; k < n_; ++k) {
+      const int i = elimination_.unknown[k];
+      x_[i] = selected(accepted, predicted_[i] - change_[k], x_[i]);
+    }
+    return accepted;
+  }
+
+  bool decide(Path& path, double correction, double scale) {
+    path.state.last_correction = correction / scale;
+    switch (path.phase) {
+      case Phase::idle:
+        return false;
+      case Phase::starting:
+        if (!(correction <= furthest_start * scale)) return finish(path, LegEnd::too_small);
+        path.phase = Phase::moving;
+        return true;
+      case Phase::renewing:
+        path.phase = Phase::moving;
+        return std::isfinite(correction);
+      case Phase::moving:
+        return decide_step(path, correction);
+      case Phase::arriving:
+        if (!(correction <= furthest_start * scale)) return finish(path, LegEnd::too_small);
+        finish(path, LegEnd::arrived);
+        return true;
+    }
+    return false;
+  }
+
+  bool decide_step(Path& path, double correction) {
+    ++path.state.steps;
+    if (path.state.steps > options_.most_steps) return finish(path, LegEnd::too_many);
+    if (path.most_steps > 0 && path.state.steps > path.most_steps) return finish(path, LegEnd::out_of_steps);
+    if (!(correction <= allowance * options_.tolerance * path.reach)) {
+      ++path.state.rejected;
+      reject(path);
+      return false;
+    }
+    path.rejected_in_a_row = 0;
+    path.state.s += path.h;
+    if (path.state.s == 1) path.phase = Phase::arriving;
+    return true;
+  }
+
+  /// First the series is taken again, with a Jacobian at the point itself; then the step is halved.
+  static void reject(Path& path) {
+    ++path.rejected_in_a_row;
+    if (path.rejected_in_a_row > most_rejected)
+      finish(path, LegEnd::too_small);
+    else if (path.rejected_in_a_row == 1)
+      path.phase = Phase::renewing;
+    else
+      path.h /= 2;
+  }
+
+  static bool finish(Path& path, LegEnd end) {
+    path.state.end = end;
+    path.phase = Phase::idle;
+    return false;
+  }
+
+  bool any_moves() const {
+    return std::any_of(paths_.begin(), paths_.end(),
+                       [](const Path& path) { return path.phase != Phase::idle; });
+  }
+
+  /// The series at x_ of the accepted lanes; the others keep theirs.
+  void extend_series(Real accepted) {
+    for (int i = 0; i < n_; ++i) store(accepted, 0, i, x_[i]);
+    for (std::size_t d = 0; d < system_.differences.size(); ++d) {
+      const auto [minuend, subtrahend, value] = system_.differences[d];
+      const Number v = subtrahend >= 0 ? x_[subtrahend] : Number{constant(value, Real{}), Real{}};
+      difference_series_[d * (order_ + 1)] = x_[minuend] - v;
+    }
+    Real s;
+    for (int lane = 0; lane < Real::count; ++lane) s.set_lane(lane, paths_[lane].state.s);
+    std::array<Real, sizes_kept> last;
+    Real first;
+    for (int k = 1; k <= order_; ++k) {
+      for (int step = 0; step < n_; ++step) change_[step] = right_side(elimination_.equation[step], k, s);
+      solve(change_);
+      Real size;
+      for (int step = 0; step < n_; ++step) {
+        size = larger(size, size_of(change_[step]));
+        store(accepted, k, elimination_.unknown[step], change_[step]);
+      }
+      for (std::size_t d = 0; d < system_.differences.size(); ++d) {
+        const auto [minuend, subtrahend, value] = system_.differences[d];
+        const Number& u = coefficient_[minuend];
+        difference_series_[d * (order_ + 1) + k] = subtrahend >= 0 ? u - coefficient_[subtrahend] : u;
+      }
+      if (k == 1) first = size;
+      if (k > order_ - sizes_kept) last[k - (order_ - sizes_kept) - 1] = size;
+    }
+    for (int lane = 0; lane < Real::count; ++lane)
+      if (accepted.lane(lane) != 0) choose_step(lane, first, last);
+  }
+
+  void store(Real accepted, int k, int i, const Number& value) {
+    coefficient_[i] = value;
+    series_[k * n_ + i] = selected(accepted, value, series_[k * n_ + i]);
+  }
+
+  /// A_k/2 − (1/2) Σ d_a · d_{k−a} of equation e.
+  Number right_side(int e, int k, Real s) const {
+    Number sum = route_series(e, k, s);
+    Number middle{};
+    for (int d = system_.first[e]; d < system_.first[e + 1]; ++d) {
+      const Number* c = &difference_series_[d * (order_ + 1)];
+      for (int a = 1; 2 * a < k; ++a) sum = fused_minus(c[a], c[k - a], sum);
+      if (k % 2 == 0) middle = fused(c[k / 2], c[k / 2], middle);
+    }
+    return fused(constant(-0.5, Real{}), middle, sum);
+  }
+
+  /// Half the k-th Taylor coefficient of A_e at s.
+  Number route_series(int e, int k, Real s) const {
+    if (k > Route::degree) return {};
+    Number sum{};
+    double binomial = 1;  // of (j over k)
+    std::array<double, Route::degree + 1> factor{};
+    for (int j = k; j <= Route::degree; ++j) {
+      factor[j] = binomial / 2;
+      binomial = binomial * (j + 1) / (j + 1 - k);
+    }
+    for (int j = Route::degree; j >= k; --j) sum = fused(s, sum, constant(factor[j], Real{}) * route_[j][e]);
+    return sum;
+  }
+
+  void choose_step(int lane, Real first, const std::array<Real, 3>& last) {
+    Path& path = paths_[lane];
+    if (path.phase != Phase::moving) return;
+    double radius = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < sizes_kept; ++i) {
+      const int k = order_ - sizes_kept + 1 + i;
+      radius = std::min(radius, std::pow(first.lane(lane) / last[i].lane(lane), 1.0 / (k - 1)));
+    }
+    // A path that stands still has no radius; its whole leg is one step.
+    path.reach = first.lane(lane) > 0 ? radius * first.lane(lane) : std::numeric_limits<double>::max();
+    const double h = first.lane(lane) > 0 ? radius * std::pow(options_.tolerance, 1.0 / order_) : 1;
+    path.h = std::min(h, 1 - path.state.s);
+    if (path.state.s + path.h > almost_one) path.h = 1 - path.state.s;
+    if (!(path.state.s + path.h > path.state.s)) finish(path, LegEnd::too_small);
+  }
+
+  static constexpr int sizes_kept = 3;            ///< of the last coefficients: some vanish by symmetry
+  static constexpr double allowance = 16;         ///< times the expected error: one bad step in a radius
+  static constexpr double furthest_start = 1e-6;  ///< a start point's or end point's distance from its zero
+  static constexpr int most_rejected = 24;  ///< in a row: halving on would not help, precision is missing
+  static constexpr double almost_one = 1 - 1e-14;
+
+  const SquareSystem& system_;
+  const Elimination& elimination_;
+  const TrackingOptions options_;
+  const int n_;
+  const int order_;
+  std::array<Path, Real::count> paths_{};
+  std::vector<Number> x_;
+  std::vector<Number> predicted_;
+  std::vector<Number> change_;
+  std::vector<Number> coefficient_ = std::vector<Number>(x_.size());
+  std::vector<Number> difference_;
+  std::vector<Number> series_;             ///< [order][unknown]
+  std::vector<Number> difference_series_;  ///< [difference][order]
+  std::vector<Number> entries_;            ///< the Jacobian, then its factors with inverse pivots
+  std::array<std::vector<Number>, Route::degree + 1> route_;
+  std::vector<Number> end_;
+};
+
+}  // namespace gcs::GCS_LANES

@@ -1,0 +1,51 @@
+#include "solvers/complex_tracking/lane_tracker.hpp"
+
+namespace gcs {
+
+std::unique_ptr<LaneTracker> make_portable_lane_tracker(const SquareSystem&, const Elimination&,
+                                                        const TrackingOptions&);
+#ifdef GCS_X86
+std::unique_ptr<LaneTracker> make_avx2_lane_tracker(const SquareSystem&, const Elimination&,
+                                                    const TrackingOptions&);
+std::unique_ptr<LaneTracker> make_avx512_lane_tracker(const SquareSystem&, const Elimination&,
+                                                      const TrackingOptions&);
+#endif
+
+std::string_view name(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::portable:
+      return "portable";
+    case InstructionSet::avx2:
+      return "AVX2";
+    case InstructionSet::avx512:
+      return "AVX-512";
+  }
+  return "";
+}
+
+bool is_available(InstructionSet set) {
+  if (set == InstructionSet::portable) return true;
+#ifdef GCS_X86
+  if (set == InstructionSet::avx512) return __builtin_cpu_supports("avx512f") != 0;
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+#else
+  return false;
+#endif
+}
+
+InstructionSet widest_instruction_set() {
+  if (is_available(InstructionSet::avx512)) return InstructionSet::avx512;
+  return is_available(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::portable;
+}
+
+std::unique_ptr<LaneTracker> make_lane_tracker(InstructionSet set, const SquareSystem& system,
+                                               const Elimination& elimination,
+                                               const TrackingOptions& options) {
+#ifdef GCS_X86
+  if (set == InstructionSet::avx512) return make_avx512_lane_tracker(system, elimination, options);
+  if (set == InstructionSet::avx2) return make_avx2_lane_tracker(system, elimination, options);
+#endif
+  return make_portable_lane_tracker(system, elimination, options);
+}
+
+}  // namespace gcs

@@ -1,0 +1,83 @@
+#pragma once
+/// Follows several paths x(s) of f(x; A(s)) = 0 side by side, s from 0 to 1; see lane_kernel.hpp for how.
+
+#include <array>
+#include <complex>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "solvers/complex_tracking/elimination.hpp"
+#include "solvers/complex_tracking/square_system.hpp"
+
+namespace gcs {
+
+/// A(s) = Σ coefficients[k]·s^k, k ≤ 3; `end` is A(1) without the rounding of that sum.
+struct Route {
+  static constexpr int degree = 3;
+  std::array<ComplexVectorX, degree + 1> coefficients;
+  ComplexVectorX end;
+};
+
+struct TrackingOptions {
+  int order = 14;           ///< of the Taylor predictor
+  double tolerance = 1e-6;  ///< of a prediction, relative to how far the path goes until its series diverges
+  int most_steps = 2000;    ///< of a path, rejected ones included, unless its leg says otherwise
+};
+
+enum class LegEnd {
+  arrived,
+  out_of_steps,  ///< the leg's own limit did not suffice
+  too_small,     ///< the step became too small to count
+  too_many       ///< TrackingOptions::most_steps did not suffice
+};
+
+/// A path to be followed: its start and the parameters on its way. Both are referred to, not copied.
+struct Leg {
+  const std::complex<double>* start = nullptr;  ///< `unknowns` numbers
+  const Route* route = nullptr;
+  int most_steps = 0;  ///< 0: as the options say
+};
+
+/// Where a path was left and what it took.
+struct LegState {
+  LegEnd end = LegEnd::too_many;
+  double s = 0;
+  int steps = 0;
+  int rejected = 0;
+  double last_correction =
+      0;  ///< of Newton's method, the largest component's, relative to 1 + the largest |x_i|
+};
+
+class LaneTracker {
+ public:
+  virtual ~LaneTracker() = default;
+  virtual int lanes() const = 0;
+  virtual void load(int lane, const Leg& leg) = 0;
+  /// One step of every lane that holds a path.
+  virtual void step() = 0;
+  virtual bool is_busy(int lane) const = 0;
+  /// Of the path that the lane held last. Precondition: it is no longer busy.
+  virtual LegState state(int lane) const = 0;
+  virtual void read(int lane, std::complex<double>* x) const = 0;
+};
+
+enum class InstructionSet { portable, avx2, avx512 };
+
+std::string_view name(InstructionSet set);
+/// Whether this machine and this build have it.
+bool is_available(InstructionSet set);
+/// The widest that is available.
+InstructionSet widest_instruction_set();
+
+/// Precondition: the instruction set is available. `system` and `elimination` are referred to, not copied.
+std::unique_ptr<LaneTracker> make_lane_tracker(InstructionSet set, const SquareSystem& system,
+                                               const Elimination& elimination,
+                                               const TrackingOptions& options);
+
+/// One lane in arithmetic of about 106 bits: the same steps, for paths that doubles cannot follow.
+std::unique_ptr<LaneTracker> make_wide_tracker(const SquareSystem& system, const Elimination& elimination,
+                                               const TrackingOptions& options);
+
+}  // namespace gcs

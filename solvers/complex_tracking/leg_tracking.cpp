@@ -1,0 +1,170 @@
+#include "solvers/complex_tracking/leg_tracking.hpp"
+
+#include <atomic>
+#include <thread>
+
+namespace gcs {
+namespace {
+
+/// Keeps the lanes of one tracker full until no leg is left.
+class LegFeeder {
+ public:
+  LegFeeder(LaneTracker& tracker, int unknowns, std::span<const Leg> legs, std::atomic<std::size_t>& next,
+            std::vector<LegResult>& results)
+      : tracker_(tracker),
+        unknowns_(unknowns),
+        legs_(legs),
+        next_(next),
+        results_(results),
+        leg_in_(tracker.lanes(), none) {}
+
+  void run(const std::function<bool()>& stopped) {
+    while (refill() && !stopped()) {
+      tracker_.step();
+      for (int lane = 0; lane < tracker_.lanes(); ++lane)
+        if (leg_in_[lane] != none && !tracker_.is_busy(lane)) take_result(lane);
+    }
+  }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  /// False when all lanes are empty.
+  bool refill() {
+    bool busy = false;
+    for (int lane = 0; lane < tracker_.lanes(); ++lane) {
+      if (leg_in_[lane] == none) load(lane);
+      busy = busy || leg_in_[lane] != none;
+    }
+    return busy;
+  }
+
+  void load(int lane) {
+    const std::size_t leg = next_.fetch_add(1);
+    if (leg >= legs_.size()) return;
+    leg_in_[lane] = leg;
+    tracker_.load(lane, legs_[leg]);
+  }
+
+  void take_result(int lane) {
+    LegResult& result = results_[leg_in_[lane]];
+    result.state = tracker_.state(lane);
+    result.x.resize(static_cast<std::size_t>(unknowns_));
+    tracker_.read(lane, result.x.data());
+    leg_in_[lane] = none;
+  }
+
+  LaneTracker& tracker_;
+  int unknowns_;
+  std::span<const Leg> legs_;
+  std::atomic<std::size_t>& next_;
+  std::vector<LegResult>& results_;
+  std::vector<std::size_t> leg_in_;
+};
+
+TrackingOptions wide(TrackingOptions options) {
+  // Of twice the digits a prediction a hundred times as good needs few.
+  options.order += 8;
+  options.tolerance *= 1e-2;
+  return options;
+}
+
+bool is_lost(const LegResult& result) {
+  return result.state.end == LegEnd::too_small || result.state.end == LegEnd::too_many;
+}
+
+/// The last correction of an end that Newton's method in doubles settles: its next one would be its square.
+bool is_unsettled(const LegResult& result) {
+  constexpr double settled = 1e-10;
+  return result.state.end == LegEnd::arrived && result.state.last_correction > settled;
+}
+
+std::vector<std::size_t> places_of(const std::vector<LegResult>& results, bool (*wanted)(const LegResult&)) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (wanted(results[i])) places.push_back(i);
+  return places;
+}
+
+/// The parameters stay where the route ends.
+Route standing(const Route& route) {
+  const ComplexVectorX zero(route.end.size());
+  return {{route.end, zero, zero, zero}, route.end};
+}
+
+void add_work(const std::vector<LegResult>& results, WorkCounters& work) {
+  for (const LegResult& result : results) {
+    const int tried = result.state.steps + 2;  // with the start and the end
+    work.iterations += result.state.steps - result.state.rejected;
+    work.rejected_steps += result.state.rejected;
+    work.newton_iterations += tried;
+    work.evaluations += tried;
+    work.jacobians += tried;
+    work.factorisations += tried;
+  }
+}
+
+}  // namespace
+
+LegTracking::LegTracking(const SquareSystem& system, const Elimination& elimination,
+                         const TrackingOptions& options, InstructionSet set, int threads)
+    : system_(system) {
+  for (int i = 0; i < threads; ++i) {
+    trackers_.push_back(make_lane_tracker(set, system, elimination, options));
+    wide_trackers_.push_back(make_wide_tracker(system, elimination, wide(options)));
+  }
+}
+
+std::vector<LegResult> LegTracking::follow(std::span<const Leg> legs, const std::function<bool()>& stopped,
+                                           WorkCounters& work) {
+  std::vector<LegResult> results = follow_with(trackers_, legs, stopped, work);
+  follow_lost_again(legs, results, stopped, work);
+  settle_ends(legs, results, stopped, work);
+  return results;
+}
+
+void LegTracking::follow_lost_again(std::span<const Leg> legs, std::vector<LegResult>& results,
+                                    const std::function<bool()>& stopped, WorkCounters& work) {
+  const std::vector<std::size_t> places = places_of(results, is_lost);
+  std::vector<Leg> lost;
+  for (const std::size_t place : places) lost.push_back(legs[place]);
+  std::vector<LegResult> again = follow_with(wide_trackers_, lost, stopped, work);
+  for (std::size_t i = 0; i < places.size(); ++i) results[places[i]] = std::move(again[i]);
+}
+
+void LegTracking::settle_ends(std::span<const Leg> legs, std::vector<LegResult>& results,
+                              const std::function<bool()>& stopped, WorkCounters& work) {
+  const std::vector<std::size_t> places = places_of(results, is_unsettled);
+  std::vector<Route> routes;
+  for (const std::size_t place : places) routes.push_back(standing(*legs[place].route));
+  std::vector<Leg> unsettled;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    unsettled.push_back({results[places[i]].x.data(), &routes[i]});
+  std::vector<LegResult> settled = follow_with(wide_trackers_, unsettled, stopped, work);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    settled[i].state.steps += results[places[i]].state.steps;
+    settled[i].state.rejected += results[places[i]].state.rejected;
+    results[places[i]] = std::move(settled[i]);
+  }
+}
+
+std::vector<LegResult> LegTracking::follow_with(Trackers& trackers, std::span<const Leg> legs,
+                                                const std::function<bool()>& stopped,
+                                                WorkCounters& work) const {
+  std::vector<LegResult> results(legs.size());
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&](LaneTracker& tracker) {
+    LegFeeder(tracker, system_.unknowns, legs, next, results).run(stopped);
+  };
+  const std::size_t lanes = static_cast<std::size_t>(trackers.front()->lanes());
+  {
+    std::vector<std::jthread> helpers;
+    for (std::size_t i = 1; i < trackers.size() && i * lanes < legs.size(); ++i)
+      helpers.emplace_back([&run, &tracker = *trackers[i]] { run(tracker); });
+    if (!legs.empty()) run(*trackers.front());
+  }
+  add_work(results, work);
+  return results;
+}
+
+}  // namespace gcs

@@ -1,0 +1,48 @@
+#pragma once
+/// Follows any number of paths on any number of threads, with the same bits for each whatever the others are.
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solvers/complex_tracking/lane_tracker.hpp"
+#include "solvers/work.hpp"
+
+namespace gcs {
+
+struct LegResult {
+  LegState state;
+  ComplexVectorX x;  ///< at state.s
+};
+
+/// Follows legs of one system.
+class LegTracking {
+ public:
+  /// `threads` ≥ 1. `system` and `elimination` are referred to.
+  LegTracking(const SquareSystem& system, const Elimination& elimination, const TrackingOptions& options,
+              InstructionSet set, int threads);
+
+  /// One result for every leg, in their order. What doubles cannot follow is followed again, from its start,
+  /// in arithmetic of twice the precision, and ends that doubles cannot settle are settled there. Returns
+  /// early when `stopped()` says so; legs that were not followed then end as LegEnd::too_many at s = 0.
+  /// `stopped` is called from any of the threads. Adds to `work`.
+  std::vector<LegResult> follow(std::span<const Leg> legs, const std::function<bool()>& stopped,
+                                WorkCounters& work);
+
+ private:
+  using Trackers = std::vector<std::unique_ptr<LaneTracker>>;  // one per thread
+
+  std::vector<LegResult> follow_with(Trackers& trackers, std::span<const Leg> legs,
+                                     const std::function<bool()>& stopped, WorkCounters& work) const;
+  void follow_lost_again(std::span<const Leg> legs, std::vector<LegResult>& results,
+                         const std::function<bool()>& stopped, WorkCounters& work);
+  void settle_ends(std::span<const Leg> legs, std::vector<LegResult>& results,
+                   const std::function<bool()>& stopped, WorkCounters& work);
+
+  const SquareSystem& system_;
+  Trackers trackers_;
+  Trackers wide_trackers_;
+};
+
+}  // namespace gcs

@@ -1,0 +1,91 @@
+#include "solvers/complex_tracking/mirror_images.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "solvers/model/distance_system.hpp"
+
+namespace gcs {
+namespace {
+
+/// What equal solutions may differ by beside their uncertainties, relative to 1 + the largest |x_i|:
+/// rounding.
+constexpr double equality = 1e-9;
+
+double largest(const ComplexVectorX& x) {
+  double result = 0;
+  for (const std::complex<double>& value : x) result = std::max(result, std::abs(value));
+  return result;
+}
+
+}  // namespace
+
+std::vector<int> mirror_axes(const Scene& scene, const DistanceSystem& system) {
+  std::vector<int> axes(static_cast<std::size_t>(system.unknowns()), -1);
+  if (scene.is_anchored()) return axes;
+  for (int point = 0; point < system.point_count(); ++point)
+    for (int axis = 0; axis < system.dimension(); ++axis)
+      if (const int unknown = system.unknown(point, axis); unknown >= 0) axes[unknown] = axis;
+  return axes;
+}
+
+SolutionSet::SolutionSet(std::vector<int> axes, std::mt19937_64& random) : axes_(std::move(axes)) {
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < axes_.size(); ++i) weights_.push_back(normal(random));
+}
+
+/// Of the weighted sums over an axis the square is the same for all reflections.
+SolutionSet::Key SolutionSet::key_of(const ComplexVectorX& x, double uncertainty) const {
+  std::array<std::complex<double>, 3> sums{};
+  std::complex<double> fixed = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    (axes_[i] < 0 ? fixed : sums[axes_[i]]) += weights_[i] * x[i];
+    size += std::abs(weights_[i]) * std::abs(x[i]);
+  }
+  Key key;
+  key.value = fixed.real() + fixed.imag();
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::complex<double> square = sums[axis] * sums[axis];
+    key.value += (axis + 1) * (square.real() + square.imag());
+  }
+  // The derivative of the key is at most 12 size + 2 in each weighted unknown.
+  key.window = (equality + uncertainty) * (1 + largest(x)) * static_cast<double>(x.size()) * (12 * size + 2);
+  return key;
+}
+
+bool SolutionSet::equal(const ComplexVectorX& x, const ComplexVectorX& y, double uncertainty) const {
+  const double tolerance = (equality + uncertainty) * (1 + std::max(largest(x), largest(y)));
+  std::array<bool, 4> same{true, true, true, true}, opposite{false, true, true, true};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const int group = axes_[i] + 1;  // 0: no reflection
+    same[group] = same[group] && std::abs(x[i] - y[i]) <= tolerance;
+    opposite[group] = opposite[group] && std::abs(x[i] + y[i]) <= tolerance;
+  }
+  for (int group = 0; group < 4; ++group)
+    if (!same[group] && !opposite[group]) return false;
+  return true;
+}
+
+int SolutionSet::find(const ComplexVectorX& x, double uncertainty) const {
+  // The set's own uncertainties are within the factor 2 of the window, or told apart by `equal`.
+  const Key key = key_of(x, 2 * uncertainty);
+  const auto end = by_key_.upper_bound(key.value + key.window);
+  for (auto entry = by_key_.lower_bound(key.value - key.window); entry != end; ++entry)
+    if (equal(x, solutions_[entry->second], uncertainty + uncertainties_[entry->second]))
+      return entry->second;
+  return -1;
+}
+
+int SolutionSet::insert(const ComplexVectorX& x, double uncertainty) {
+  if (const int known = find(x, uncertainty); known >= 0) return known;
+  const int number = size();
+  solutions_.push_back(x);
+  uncertainties_.push_back(uncertainty);
+  by_key_.emplace(key_of(x, uncertainty).value, number);
+  return number;
+}
+
+}  // namespace gcs

@@ -12,6 +12,7 @@
 #include "harness/tests/known_counts.hpp"
 #include "harness/tests/report_agreement.hpp"
 #include "harness/tests/report_difference.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/quality.hpp"
@@ -225,10 +226,22 @@ std::string Subject::label() const {
   return label;
 }
 
+/// More complex solutions than a test has time for; where no exact count is known, a trace test takes many
+/// times the time of the search.
+bool has_many_solutions(const Scene& scene) {
+  const TheoreticalCounts counts = theoretical_counts(scene.problem());
+  const auto is_above = [](const SolutionCount& count, std::uint64_t most) {
+    return count.up_to_reflection() > Natural(most);
+  };
+  if (counts.exact) return is_above(counts.exact.value(), 100);
+  return !counts.bound || is_above(counts.bound->count, 32);
+}
+
 /// A plan with two angles is subdivided in the plane of both, which takes long; plan_scan_test.cpp has
 /// one that does not.
 bool takes_too_long(const Subject& subject, const Scene& scene) {
-  return subject.entry.name == "plan-scan" && derive_scan_plan(scene).angles() > 1;
+  return (subject.entry.name == "plan-scan" && derive_scan_plan(scene).angles() > 1) ||
+         (subject.entry.name == "monodromy" && has_many_solutions(scene));
 }
 
 bool supports(const Subject& subject, const Scene& scene) {

@@ -1,11 +1,13 @@
 #include "solvers/polyhedral/cell_enumeration.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
+#include <random>
 #include <thread>
 #include <utility>
 
@@ -28,6 +30,7 @@ struct Node {
   Dictionary polyhedron;
   CellEdges edges;      ///< not_chosen where there is none yet
   EdgeBits candidates;  ///< that may be lowest somewhere in the polyhedron
+  int newest = -1;      ///< the support whose edge was chosen last
 };
 
 /// Divided by the largest absolute value.
@@ -59,12 +62,16 @@ class Enumeration {
   int edge_number(int i, int a, int b) const { return first_edge_[i] + a * forms_[i].points() + b; }
   int candidates_left(const Node& node, int i) const;
   std::vector<int> open_supports(const Node& node) const;
+  bool is_affected(const Node& node, int i) const;
   void narrow(Node& node, int i, SimplexWork& work) const;
   int choose_support(Node& node, SimplexWork& work) const;
+  void add_candidates(const Node& node, int i, double* target) const;
+  bool may_be_independent(const Node& node) const;
 
   const std::stop_token& stop_;
   std::vector<SupportForms> forms_;
-  std::vector<int> first_edge_;  ///< one more than supports
+  std::vector<int> first_edge_;    ///< one more than supports
+  std::vector<double> weight_of_;  ///< random, one per edge
 };
 
 Enumeration::Enumeration(const Supports& supports, const Lifting& lifting, const std::stop_token& stop)
@@ -74,6 +81,9 @@ Enumeration::Enumeration(const Supports& supports, const Lifting& lifting, const
     forms_.emplace_back(supports[i], heights[i]);
     first_edge_.push_back(first_edge_.back() + forms_[i].points() * forms_[i].points());
   }
+  std::mt19937_64 random(0);
+  for (int edge = 0; edge < first_edge_.back(); ++edge)
+    weight_of_.push_back(1 + static_cast<double>(random() >> 11U) * 0x1p-53);
 }
 
 std::vector<Node> Enumeration::root() const {
@@ -114,32 +124,62 @@ void Enumeration::narrow(Node& node, int i, SimplexWork& work) const {
   }
 }
 
-/// Narrows the candidates of all open supports; the one with fewest, of equal ones that with most points, or
-/// −1 where one has none. A single candidate leaves no choice: the others need not be looked at.
+bool Enumeration::is_affected(const Node& node, int i) const {
+  return node.newest < 0 || forms_[i].meets(forms_[node.newest]);
+}
+
+/// The open support with fewest candidates, or −1 where one has none. Those that meet the newest are
+/// narrowed, and the chosen one itself; a single candidate leaves no choice, so the others need not be looked
+/// at.
 int Enumeration::choose_support(Node& node, SimplexWork& work) const {
-  int best = -1;
-  std::pair<int, int> fewest;
+  std::vector<bool> is_narrowed(forms_.size(), false);
   for (const int i : open_supports(node)) {
+    if (!is_affected(node, i)) continue;
     narrow(node, i, work);
-    const std::pair<int, int> size(candidates_left(node, i), -forms_[i].points());
-    if (size.first == 0) return -1;
-    if (best < 0 || size < fewest) {
-      best = i;
-      fewest = size;
-    }
-    if (size.first == 1) break;
+    is_narrowed[i] = true;
+    if (candidates_left(node, i) <= 1) break;
   }
-  return best;
+  int best = open_supports(node).front();
+  while (candidates_left(node, best) > 0 && !is_narrowed[best]) {
+    narrow(node, best, work);
+    is_narrowed[best] = true;
+    best = open_supports(node).front();
+  }
+  return candidates_left(node, best) > 0 ? best : -1;
+}
+
+/// Adds the candidates of support i with their weights.
+void Enumeration::add_candidates(const Node& node, int i, double* target) const {
+  for (int a = 0; a < forms_[i].points(); ++a)
+    for (int b = a + 1; b < forms_[i].points(); ++b)
+      if (const int edge = edge_number(i, a, b); contains(node.candidates, edge))
+        node.polyhedron.add_restricted(forms_[i].excess(b, a), weight_of_[edge], target);
+}
+
+/// Whether a candidate can be taken of every open support so that all are independent along the polyhedron,
+/// as the edges of a cell are: they can if and only if general elements of their spans are (R. Rado: A
+/// theorem on independence relations, Quart. J. Math. 13 (1942)).
+bool Enumeration::may_be_independent(const Node& node) const {
+  // Rounding in the dictionary is some orders below; random combinations come as near to dependence with a
+  // probability of this order.
+  constexpr double independent = 1e-11;
+  const int dimension = node.polyhedron.dimension();
+  Eigen::MatrixXd combinations = Eigen::MatrixXd::Zero(1 + dimension, dimension);
+  int column = 0;
+  for (const int i : open_supports(node)) add_candidates(node, i, combinations.col(column++).data());
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(combinations.bottomRows(dimension));
+  lu.setThreshold(independent);
+  return lu.isInvertible();
 }
 
 std::vector<Node> Enumeration::children(Node node, SimplexWork& work) const {
   std::vector<Node> result;
   const int i = choose_support(node, work);
-  if (i < 0) return result;
+  if (i < 0 || !may_be_independent(node)) return result;
   for (int a = 0; a < forms_[i].points(); ++a) {
     const auto is_candidate = [&](int b) { return contains(node.candidates, edge_number(i, a, b)); };
     visit_edges_from(a, node.polyhedron, forms_[i], work, is_candidate, [&](int b, const Dictionary& lowest) {
-      result.push_back({lowest.face(b), node.edges, node.candidates});
+      result.push_back({lowest.face(b), node.edges, node.candidates, i});
       result.back().edges[i] = {a, b};
     });
   }

@@ -26,15 +26,18 @@ Dictionary::Dictionary(int unknowns)
   for (int v = 0; v < unknowns; ++v) row(v)[1 + v] = 1;
 }
 
+void Dictionary::add_restricted(const AffineForm& form, double weight, double* target) const {
+  target[0] += weight * form.constant;
+  for (const auto& [unknown, coefficient] : form.terms) {
+    const double* const source = row(unknown);
+    for (int j = 0; j <= columns_; ++j) target[j] += weight * coefficient * source[j];
+  }
+}
+
 void Dictionary::append(const AffineForm& form, int label) {
   table_.resize(table_.size() + stride_, 0.0);
   row_label_.push_back(label);
-  double* const target = row(rows() - 1);
-  target[0] = form.constant;
-  for (const auto& [unknown, coefficient] : form.terms) {
-    const double* const source = row(unknown);
-    for (int j = 0; j <= columns_; ++j) target[j] += coefficient * source[j];
-  }
+  add_restricted(form, 1, row(rows() - 1));
 }
 
 void Dictionary::drop(int r) {

@@ -45,6 +45,11 @@ class Dictionary {
   /// can_vanish said so of this slack, and nothing was done since.
   Dictionary face(int label) const;
 
+  int dimension() const { return columns_; }
+  /// Adds weight · form, as an affine function of the columns, to target: the constant, then a coefficient
+  /// for each of the dimension() columns.
+  void add_restricted(const AffineForm& form, double weight, double* target) const;
+
  private:
   enum class Move { reached, blocked };
 

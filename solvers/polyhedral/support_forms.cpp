@@ -13,10 +13,18 @@ AffineForm difference(const Exponents& c, const Exponents& a, double lifting) {
 }  // namespace
 
 SupportForms::SupportForms(const Support& support, const std::vector<double>& lifting)
-    : points_(static_cast<int>(support.size())) {
+    : points_(static_cast<int>(support.size())), differs_(support.front().size(), false) {
   for (int c = 0; c < points_; ++c)
     for (int a = 0; a < points_; ++a)
       forms_.push_back(difference(support[c], support[a], lifting[c] - lifting[a]));
+  for (const AffineForm& form : forms_)
+    for (const AffineForm::Term& term : form.terms) differs_[term.unknown] = true;
+}
+
+bool SupportForms::meets(const SupportForms& other) const {
+  for (std::size_t v = 0; v < differs_.size(); ++v)
+    if (differs_[v] && other.differs_[v]) return true;
+  return false;
 }
 
 }  // namespace gcs

@@ -72,13 +72,14 @@ bool SphereUnknowns::determines_reference() const {
          static_cast<std::ptrdiff_t>(entities.size() * (entities.size() - 1) / 2);
 }
 
+/// Without a frame, that is when the file fixes points, a reference is but a hint: its free points are not
+/// known.
 bool SphereUnknowns::is_known_by(bool reference_is_known, int point) const {
+  int unknown = 0;
+  for (int axis = 0; axis < system_.dimension(); ++axis) unknown += system_.unknown(point, axis) >= 0;
+  if (unknown == 0 || unknown == system_.dimension() || !reference_is_known) return unknown == 0;
   const Reference& reference = system_.reference();
-  for (const int known : {reference.origin, reference.axis, reference.plane, reference.height})
-    if (reference_is_known && point == known) return true;
-  for (int axis = 0; axis < system_.dimension(); ++axis)
-    if (system_.unknown(point, axis) >= 0) return false;
-  return true;
+  return point == reference.axis || point == reference.plane || point == reference.height;
 }
 
 /// s_j − p_j·p_j.

@@ -46,7 +46,8 @@ struct MixedCellOptions {
 };
 
 /// Every cell is proved in integers: its normal solves the equations of its edges, and all other points are
-/// higher. Precondition: as many supports as unknowns, none empty.
+/// higher. That no cell is missing rests on linear programs in doubles; a lifting with a decision too close
+/// for them is given up for the next. Precondition: as many supports as unknowns, none empty.
 MixedCells mixed_cells(const Supports& supports, const MixedCellOptions& options);
 
 /// The stable mixed cells, whose volumes add up to the stable mixed volume: a bound on the number of all

@@ -18,66 +18,10 @@
 #include <limits>
 #include <vector>
 
+#include "solvers/complex_tracking/complex_lanes.hpp"
 #include "solvers/complex_tracking/lane_tracker.hpp"
-#include "solvers/complex_tracking/lanes.hpp"
 
 namespace gcs::GCS_LANES {
-
-template <class Real>
-struct Complex {
-  Real re;
-  Real im;
-};
-
-template <class Real>
-Complex<Real> operator+(const Complex<Real>& a, const Complex<Real>& b) {
-  return {a.re + b.re, a.im + b.im};
-}
-template <class Real>
-Complex<Real> operator-(const Complex<Real>& a, const Complex<Real>& b) {
-  return {a.re - b.re, a.im - b.im};
-}
-template <class Real>
-Complex<Real> operator-(const Complex<Real>& a) {
-  return {-a.re, -a.im};
-}
-template <class Real>
-Complex<Real> operator*(Real a, const Complex<Real>& b) {
-  return {a * b.re, a * b.im};
-}
-template <class Real>
-Complex<Real> fused(Real a, const Complex<Real>& b, const Complex<Real>& c) {
-  return {fused(a, b.re, c.re), fused(a, b.im, c.im)};
-}
-/// c + a·b
-template <class Real>
-Complex<Real> fused(const Complex<Real>& a, const Complex<Real>& b, const Complex<Real>& c) {
-  return {fused_minus(a.im, b.im, fused(a.re, b.re, c.re)), fused(a.im, b.re, fused(a.re, b.im, c.im))};
-}
-/// c − a·b
-template <class Real>
-Complex<Real> fused_minus(const Complex<Real>& a, const Complex<Real>& b, const Complex<Real>& c) {
-  return {fused(a.im, b.im, fused_minus(a.re, b.re, c.re)),
-          fused_minus(a.im, b.re, fused_minus(a.re, b.im, c.im))};
-}
-template <class Real>
-Complex<Real> inverse(const Complex<Real>& a) {
-  const Real square = fused(a.re, a.re, a.im * a.im);
-  return {a.re / square, -a.im / square};
-}
-template <class Real>
-Complex<Real> product(const Complex<Real>& a, const Complex<Real>& b) {
-  return {fused_minus(a.im, b.im, a.re * b.re), fused(a.im, b.re, a.re * b.im)};
-}
-/// The larger of |re| and |im|.
-template <class Real>
-Real size_of(const Complex<Real>& a) {
-  return larger(absolute(a.re), absolute(a.im));
-}
-template <class Real>
-Complex<Real> selected(Real mask, const Complex<Real>& a, const Complex<Real>& b) {
-  return {selected(mask, a.re, b.re), selected(mask, a.im, b.im)};
-}
 
 template <class Real>
 class KernelTracker final : public LaneTracker {
@@ -131,6 +75,12 @@ class KernelTracker final : public LaneTracker {
   }
 
  private:
+  static constexpr int sizes_kept = 3;            ///< of the last coefficients: some vanish by symmetry
+  static constexpr double allowance = 16;         ///< times the expected error: one bad step in a radius
+  static constexpr double furthest_start = 1e-6;  ///< a start point's or end point's distance from its zero
+  static constexpr int most_rejected = 24;  ///< in a row: halving on would not help, precision is missing
+  static constexpr double almost_one = 1 - 1e-14;
+
   enum class Phase { idle, starting, moving, renewing, arriving };
 
   struct Path {
@@ -192,7 +142,7 @@ class KernelTracker final : public LaneTracker {
       const auto& [row, entry, targets] = elimination_.lower[l];
       const Number factor = product(entries_[entry], inverse_pivot);
       entries_[entry] = factor;
-      const int* target = &elimination_.targets[0] + targets;
+      const int* target = elimination_.targets.data() + targets;
       for (int u = step.first_upper; u < next.first_upper; ++u, ++target)
         entries_[*target] = fused_minus(factor, entries_[elimination_.upper[u].entry], entries_[*target]);
     }
@@ -413,7 +363,7 @@ class KernelTracker final : public LaneTracker {
     return sum;
   }
 
-  void choose_step(int lane, Real first, const std::array<Real, 3>& last) {
+  void choose_step(int lane, Real first, const std::array<Real, sizes_kept>& last) {
     Path& path = paths_[lane];
     if (path.phase != Phase::moving) return;
     double radius = std::numeric_limits<double>::infinity();
@@ -428,12 +378,6 @@ class KernelTracker final : public LaneTracker {
     if (path.state.s + path.h > almost_one) path.h = 1 - path.state.s;
     if (!(path.state.s + path.h > path.state.s)) finish(path, LegEnd::too_small);
   }
-
-  static constexpr int sizes_kept = 3;            ///< of the last coefficients: some vanish by symmetry
-  static constexpr double allowance = 16;         ///< times the expected error: one bad step in a radius
-  static constexpr double furthest_start = 1e-6;  ///< a start point's or end point's distance from its zero
-  static constexpr int most_rejected = 24;  ///< in a row: halving on would not help, precision is missing
-  static constexpr double almost_one = 1 - 1e-14;
 
   const SquareSystem& system_;
   const Elimination& elimination_;

@@ -1,0 +1,64 @@
+#pragma once
+/// Complex numbers in lanes. The standard's would take care of infinities in every product.
+
+#include "solvers/complex_tracking/lanes.hpp"
+
+namespace gcs::GCS_LANES {
+
+template <class Real>
+struct Complex {
+  Real re;
+  Real im;
+};
+
+template <class Real>
+Complex<Real> operator+(const Complex<Real>& a, const Complex<Real>& b) {
+  return {a.re + b.re, a.im + b.im};
+}
+template <class Real>
+Complex<Real> operator-(const Complex<Real>& a, const Complex<Real>& b) {
+  return {a.re - b.re, a.im - b.im};
+}
+template <class Real>
+Complex<Real> operator-(const Complex<Real>& a) {
+  return {-a.re, -a.im};
+}
+template <class Real>
+Complex<Real> operator*(Real a, const Complex<Real>& b) {
+  return {a * b.re, a * b.im};
+}
+template <class Real>
+Complex<Real> fused(Real a, const Complex<Real>& b, const Complex<Real>& c) {
+  return {fused(a, b.re, c.re), fused(a, b.im, c.im)};
+}
+/// c + a·b
+template <class Real>
+Complex<Real> fused(const Complex<Real>& a, const Complex<Real>& b, const Complex<Real>& c) {
+  return {fused_minus(a.im, b.im, fused(a.re, b.re, c.re)), fused(a.im, b.re, fused(a.re, b.im, c.im))};
+}
+/// c − a·b
+template <class Real>
+Complex<Real> fused_minus(const Complex<Real>& a, const Complex<Real>& b, const Complex<Real>& c) {
+  return {fused(a.im, b.im, fused_minus(a.re, b.re, c.re)),
+          fused_minus(a.im, b.re, fused_minus(a.re, b.im, c.im))};
+}
+template <class Real>
+Complex<Real> inverse(const Complex<Real>& a) {
+  const Real square = fused(a.re, a.re, a.im * a.im);
+  return {a.re / square, -a.im / square};
+}
+template <class Real>
+Complex<Real> product(const Complex<Real>& a, const Complex<Real>& b) {
+  return {fused_minus(a.im, b.im, a.re * b.re), fused(a.im, b.re, a.re * b.im)};
+}
+/// The larger of |re| and |im|.
+template <class Real>
+Real size_of(const Complex<Real>& a) {
+  return larger(absolute(a.re), absolute(a.im));
+}
+template <class Real>
+Complex<Real> selected(Real mask, const Complex<Real>& a, const Complex<Real>& b) {
+  return {selected(mask, a.re, b.re), selected(mask, a.im, b.im)};
+}
+
+}  // namespace gcs::GCS_LANES

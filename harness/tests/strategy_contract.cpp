@@ -230,11 +230,8 @@ std::string Subject::label() const {
 /// times the time of the search.
 bool has_many_solutions(const Scene& scene) {
   const TheoreticalCounts counts = theoretical_counts(scene.problem());
-  const auto is_above = [](const SolutionCount& count, std::uint64_t most) {
-    return count.up_to_reflection() > Natural(most);
-  };
-  if (counts.exact) return is_above(counts.exact.value(), 100);
-  return !counts.bound || is_above(counts.bound->count, 32);
+  const SolutionCount* limit = counts.upper_limit();
+  return !limit || limit->up_to_reflection() > Natural(counts.exact ? 100 : 32);
 }
 
 /// A plan with two angles is subdivided in the plane of both, which takes long; plan_scan_test.cpp has

@@ -41,18 +41,6 @@ Route segment(const ComplexVectorX& from, const ComplexVectorX& to, Complex firs
   return route;
 }
 
-double largest(const ComplexVectorX& x) {
-  double result = 0;
-  for (const Complex& value : x) result = std::max(result, std::abs(value));
-  return result;
-}
-
-double distance(const ComplexVectorX& x, const ComplexVectorX& y) {
-  double result = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) result = std::max(result, std::abs(x[i] - y[i]));
-  return result;
-}
-
 /// Sum of samples[k]·e^(−2πi k p/M)/M: the term of power p/w times radius^(p/w).
 ComplexVectorX fourier(const std::vector<ComplexVectorX>& samples, int power) {
   const int m = static_cast<int>(samples.size());

@@ -14,12 +14,6 @@ namespace {
 /// rounding.
 constexpr double equality = 1e-9;
 
-double largest(const ComplexVectorX& x) {
-  double result = 0;
-  for (const std::complex<double>& value : x) result = std::max(result, std::abs(value));
-  return result;
-}
-
 }  // namespace
 
 std::vector<int> mirror_axes(const Scene& scene, const DistanceSystem& system) {

@@ -17,11 +17,6 @@ struct Node {
   static constexpr int open = -1, followed = -2;
 };
 
-struct Arc {
-  std::complex<double> gamma;
-  ComplexVectorX bend;
-};
-
 /// A leg from solution `solution` of node `node` along arc `arc`.
 struct Task {
   int node = 0;
@@ -50,7 +45,7 @@ class Search {
       nodes_.push_back({squares_at(family.system, x), SolutionSet(family.mirror_axes, random)});
     add(0, start, 0);
     found_.squares = nodes_[0].squares;
-    while (static_cast<int>(arcs_.size()) < std::min(options.first_arcs, options.arcs)) add_arc();
+    while (static_cast<int>(gammas_.size()) < std::min(options.first_arcs, options.arcs)) add_arc();
   }
 
   GenericSolutions run(LegTracking& tracking, const Completeness& completeness,
@@ -84,21 +79,21 @@ class Search {
   bool is_quiet_and_done(const Completeness& completeness) {
     if (completeness.test && completeness.test(found()))
       found_.end = SearchEnd::complete;
-    else if (static_cast<int>(arcs_.size()) == options_.arcs)
+    else if (static_cast<int>(gammas_.size()) == options_.arcs)
       found_.end = SearchEnd::quiet;
     return found_.end != SearchEnd::stopped;
   }
 
   GenericSolutions found() {
     found_.solutions = nodes_[0].solutions.solutions();
-    found_.arcs_used = static_cast<int>(arcs_.size());
+    found_.arcs_used = static_cast<int>(gammas_.size());
     return found_;
   }
 
   /// The next legs to follow, at most `legs_at_once`: first what the first arcs have not been tried on.
   std::vector<Task> next_tasks() {
     std::vector<Task> tasks;
-    for (int arc = 0; arc < static_cast<int>(arcs_.size()); ++arc)
+    for (int arc = 0; arc < static_cast<int>(gammas_.size()); ++arc)
       for (int node = 0; node < 2; ++node) take_tasks(node, arc, tasks);
     return tasks;
   }
@@ -122,13 +117,13 @@ class Search {
 
   ComplexVectorX start_of(const Task& task) const {
     const ComplexVectorX& x = nodes_[task.node].solutions[task.solution];
-    return task.node == 0 ? x : scaled(x, arcs_[task.arc].gamma);
+    return task.node == 0 ? x : scaled(x, gammas_[task.arc]);
   }
 
   /// Sorts in the end of the task's leg.
   void arrive(const Task& task, const ComplexVectorX& end, double uncertainty) {
     const int other = 1 - task.node;
-    const int number = add(other, other == 1 ? scaled(end, 1.0 / arcs_[task.arc].gamma) : end, uncertainty);
+    const int number = add(other, other == 1 ? scaled(end, 1.0 / gammas_[task.arc]) : end, uncertainty);
     int& back = nodes_[other].images[task.arc][number];
     if (back >= 0 && back != task.solution) consistent_ = false;
     back = task.solution;
@@ -143,7 +138,7 @@ class Search {
       const double size = std::sqrt(std::abs(nodes_[0].squares[e]) * std::abs(nodes_[1].squares[e]));
       bend[e] *= family_.is_free[e] ? options_.bend * size : 0;
     }
-    arcs_.push_back({gamma, bend});
+    gammas_.push_back(gamma);
     routes_.push_back(route(nodes_[0].squares, scaled(nodes_[1].squares, gamma * gamma), bend));
     routes_.push_back(route(scaled(nodes_[1].squares, gamma * gamma), nodes_[0].squares, bend));
     for (Node& node : nodes_) {
@@ -187,7 +182,7 @@ class Search {
   const MonodromyOptions options_;
   std::mt19937_64& random_;
   std::vector<Node> nodes_;
-  std::vector<Arc> arcs_;
+  ComplexVectorX gammas_;      // of each arc
   std::vector<Route> routes_;  // of each arc: from node 0, then from node 1
   bool consistent_ = true;
   GenericSolutions found_;  ///< but for the solutions

@@ -1,5 +1,6 @@
 #include "solvers/complex_tracking/square_system.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "solvers/model/distance_system.hpp"
@@ -63,6 +64,18 @@ ComplexVectorX squares_at(const SquareSystem& system, const ComplexVectorX& x) {
     squares.push_back(sum);
   }
   return squares;
+}
+
+double largest(const ComplexVectorX& x) {
+  double result = 0;
+  for (const std::complex<double>& value : x) result = std::max(result, std::abs(value));
+  return result;
+}
+
+double distance(const ComplexVectorX& x, const ComplexVectorX& y) {
+  double result = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) result = std::max(result, std::abs(x[i] - y[i]));
+  return result;
 }
 
 ComplexVectorX random_complex_vector(int size, std::mt19937_64& random) {

@@ -98,12 +98,6 @@ Route reversed(const Route& route) {
   return back;
 }
 
-double distance(const ComplexVectorX& x, const ComplexVectorX& y) {
-  double largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i] - y[i]));
-  return largest;
-}
-
 /// Random starts and a route for each.
 struct Task {
   std::vector<ComplexVectorX> starts;

@@ -1,6 +1,8 @@
 #pragma once
 /// Complex numbers in lanes. The standard's would take care of infinities in every product.
 
+#include <complex>
+
 #include "solvers/complex_tracking/lanes.hpp"
 
 namespace gcs::GCS_LANES {
@@ -59,6 +61,17 @@ Real size_of(const Complex<Real>& a) {
 template <class Real>
 Complex<Real> selected(Real mask, const Complex<Real>& a, const Complex<Real>& b) {
   return {selected(mask, a.re, b.re), selected(mask, a.im, b.im)};
+}
+
+/// The same in all lanes.
+template <class Real>
+Complex<Real> number(std::complex<double> z, Real) {
+  return {constant(z.real(), Real{}), constant(z.imag(), Real{})};
+}
+template <class Real>
+void set(Complex<Real>& value, int lane, std::complex<double> z) {
+  value.re.set_lane(lane, z.real());
+  value.im.set_lane(lane, z.imag());
 }
 
 }  // namespace gcs::GCS_LANES

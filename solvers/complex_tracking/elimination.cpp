@@ -2,51 +2,39 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace gcs {
 namespace {
 
 using Pattern = Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-Eigen::MatrixXcd jacobian_at(const SquareSystem& system, const ComplexVectorX& x) {
-  Eigen::MatrixXcd jacobian = Eigen::MatrixXcd::Zero(system.equations(), system.unknowns);
-  for (int e = 0; e < system.equations(); ++e) {
-    for (int d = system.first[e]; d < system.first[e + 1]; ++d) {
-      const auto [minuend, subtrahend, constant] = system.differences[d];
-      const std::complex<double> difference = x[minuend] - (subtrahend < 0 ? constant : x[subtrahend]);
-      jacobian(e, minuend) = difference;
-      if (subtrahend >= 0) jacobian(e, subtrahend) = -difference;
-    }
-    for (int l = system.first_linear[e]; l < system.first_linear[e + 1]; ++l)
-      jacobian(e, system.linear[l].unknown) = system.linear[l].coefficient / 2.0;
+std::vector<Eigen::MatrixXcd> matrices(int n, const std::vector<ComplexVectorX>& jacobians) {
+  std::vector<Eigen::MatrixXcd> result;
+  for (const ComplexVectorX& jacobian : jacobians) {
+    Eigen::MatrixXcd& matrix = result.emplace_back(n, n);
+    for (int e = 0; e < n; ++e)
+      for (int i = 0; i < n; ++i) matrix(e, i) = jacobian[e * n + i];
   }
-  return jacobian;
+  return result;
 }
 
-Pattern pattern_of(const SquareSystem& system) {
-  Pattern pattern = Pattern::Constant(system.equations(), system.unknowns, false);
-  for (int e = 0; e < system.equations(); ++e) {
-    for (int d = system.first[e]; d < system.first[e + 1]; ++d) {
-      pattern(e, system.differences[d].minuend) = true;
-      if (system.differences[d].subtrahend >= 0) pattern(e, system.differences[d].subtrahend) = true;
-    }
-    for (int l = system.first_linear[e]; l < system.first_linear[e + 1]; ++l)
-      pattern(e, system.linear[l].unknown) = true;
-  }
+Pattern pattern_of(const std::vector<Eigen::MatrixXcd>& samples) {
+  Pattern pattern = Pattern::Constant(samples.front().rows(), samples.front().cols(), false);
+  for (const Eigen::MatrixXcd& sample : samples) pattern = pattern || (sample.array() != 0.0).matrix();
   return pattern;
 }
 
 /// Eliminates the same pattern at several placements at once and picks the pivots.
 class PivotSearch {
  public:
-  PivotSearch(const SquareSystem& system, std::mt19937_64& random) : pattern_(pattern_of(system)) {
-    constexpr int samples = 6;
-    for (int i = 0; i < samples; ++i)
-      samples_.push_back(jacobian_at(system, random_complex_vector(system.unknowns, random)));
-    row_is_open_.assign(system.unknowns, true);
-    column_is_open_.assign(system.unknowns, true);
-  }
+  explicit PivotSearch(std::vector<Eigen::MatrixXcd> samples)
+      : pattern_(pattern_of(samples)),
+        samples_(std::move(samples)),
+        row_is_open_(static_cast<std::size_t>(pattern_.rows()), true),
+        column_is_open_(static_cast<std::size_t>(pattern_.cols()), true) {}
 
   /// Row and column of the next pivot, which is then eliminated.
   std::array<int, 2> next() {
@@ -122,68 +110,61 @@ class PivotSearch {
 };
 
 /// Number of each entry of the filled pattern, −1 elsewhere.
-Eigen::MatrixXi numbered(const Pattern& pattern) {
-  Eigen::MatrixXi entry = Eigen::MatrixXi::Constant(pattern.rows(), pattern.cols(), -1);
-  int next = 0;
+std::vector<int> numbered(const Pattern& pattern, int& count) {
+  std::vector<int> numbers;
+  count = 0;
   for (int i = 0; i < pattern.rows(); ++i)
-    for (int j = 0; j < pattern.cols(); ++j)
-      if (pattern(i, j)) entry(i, j) = next++;
-  return entry;
+    for (int j = 0; j < pattern.cols(); ++j) numbers.push_back(pattern(i, j) ? count++ : -1);
+  return numbers;
 }
 
-void append_steps(const Eigen::MatrixXi& entry, Elimination& elimination) {
+void append_steps(Elimination& elimination) {
   const auto& [rows, columns] = std::tie(elimination.equation, elimination.unknown);
   const int n = elimination.unknowns;
   for (int k = 0; k < n; ++k) {
-    elimination.steps.push_back({entry(rows[k], columns[k]), static_cast<int>(elimination.lower.size()),
+    elimination.steps.push_back({elimination.entry(rows[k], columns[k]),
+                                 static_cast<int>(elimination.lower.size()),
                                  static_cast<int>(elimination.upper.size())});
     std::vector<int> uppers;
     for (int j = k + 1; j < n; ++j) {
-      if (entry(rows[k], columns[j]) < 0) continue;
-      elimination.upper.push_back({j, entry(rows[k], columns[j])});
+      const int entry = elimination.entry(rows[k], columns[j]);
+      if (entry < 0) continue;
+      elimination.upper.push_back({j, entry});
       uppers.push_back(j);
     }
     for (int i = k + 1; i < n; ++i) {
-      if (entry(rows[i], columns[k]) < 0) continue;
-      elimination.lower.push_back(
-          {i, entry(rows[i], columns[k]), static_cast<int>(elimination.targets.size())});
-      for (const int j : uppers) elimination.targets.push_back(entry(rows[i], columns[j]));
+      const int entry = elimination.entry(rows[i], columns[k]);
+      if (entry < 0) continue;
+      elimination.lower.push_back({i, entry, static_cast<int>(elimination.targets.size())});
+      for (const int j : uppers) elimination.targets.push_back(elimination.entry(rows[i], columns[j]));
     }
   }
   elimination.steps.push_back(
       {-1, static_cast<int>(elimination.lower.size()), static_cast<int>(elimination.upper.size())});
 }
 
-void append_entries(const SquareSystem& system, const Eigen::MatrixXi& entry, Elimination& elimination) {
-  const Pattern original = pattern_of(system);
-  for (int e = 0; e < system.equations(); ++e) {
-    for (int d = system.first[e]; d < system.first[e + 1]; ++d) {
-      const auto [minuend, subtrahend, constant] = system.differences[d];
-      elimination.entries_of.push_back({entry(e, minuend), subtrahend >= 0 ? entry(e, subtrahend) : -1});
-    }
-    for (int l = system.first_linear[e]; l < system.first_linear[e + 1]; ++l)
-      elimination.entries_of_linear.push_back(entry(e, system.linear[l].unknown));
-    for (int j = 0; j < system.unknowns; ++j)
-      if (entry(e, j) >= 0 && !original(e, j)) elimination.fill.push_back(entry(e, j));
-  }
-}
-
 }  // namespace
 
-Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random) {
+Elimination order_elimination(int unknowns, const std::vector<ComplexVectorX>& jacobians) {
   Elimination elimination;
-  elimination.unknowns = system.unknowns;
-  PivotSearch search(system, random);
-  for (int k = 0; k < system.unknowns; ++k) {
+  elimination.unknowns = unknowns;
+  PivotSearch search(matrices(unknowns, jacobians));
+  for (int k = 0; k < unknowns; ++k) {
     const auto [row, column] = search.next();
     elimination.equation.push_back(row);
     elimination.unknown.push_back(column);
   }
-  const Eigen::MatrixXi entry = numbered(search.pattern());
-  elimination.entries = entry.maxCoeff() + 1;
-  append_steps(entry, elimination);
-  append_entries(system, entry, elimination);
+  elimination.entry_numbers = numbered(search.pattern(), elimination.entries);
+  append_steps(elimination);
   return elimination;
+}
+
+Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random) {
+  constexpr int samples = 6;
+  std::vector<ComplexVectorX> jacobians;
+  for (int i = 0; i < samples; ++i)
+    jacobians.push_back(jacobian_at(system, random_complex_vector(system.unknowns, random)));
+  return order_elimination(system.unknowns, jacobians);
 }
 
 }  // namespace gcs

@@ -6,7 +6,6 @@
 /// several random placements. At a placement where a pivot happens to be small the factorisation is inexact;
 /// Newton's method tells, and shortens the step or gives the path to a tracker that pivots.
 
-#include <array>
 #include <random>
 #include <vector>
 
@@ -39,12 +38,16 @@ struct Elimination {
   std::vector<Lower> lower;
   std::vector<Upper> upper;
   std::vector<int> targets;
-  std::vector<std::array<int, 2>> entries_of;  ///< of a difference's minuend and subtrahend (−1: none)
-  std::vector<int> entries_of_linear;          ///< of a linear term
-  std::vector<int> fill;                       ///< entries that the Jacobian does not have
+  std::vector<int> entry_numbers;  ///< [equation·unknowns + unknown], −1 where there is no entry
+
+  int entry(int e, int i) const { return entry_numbers[e * unknowns + i]; }
 };
 
-/// Precondition: the Jacobian is regular at random points.
+/// `jacobians` are samples for one system, unknowns × unknowns row by row, all regular; entries are those
+/// that are not 0 in all of them.
+Elimination order_elimination(int unknowns, const std::vector<ComplexVectorX>& jacobians);
+
+/// The samples are Jacobians at random points. Precondition: there they are regular.
 Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random);
 
 }  // namespace gcs

@@ -1,10 +1,8 @@
 #pragma once
-/// Predictor and corrector for distance equations, one path per SIMD lane.
+/// Predictor and corrector, one path per SIMD lane, for any kind of equations that come with their Jacobian
+/// and the right-hand sides of their Taylor series: SquareEquations, MonomialEquations.
 ///
-/// Predictor: the Taylor series of x(s). The equations are quadratic, so with d the differences of
-/// coordinates, d = Σ d_k h^k, the coefficients follow from one factorised Jacobian (rows d_0):
-///   d_0 · d_k = A_k/2 − (1/2) Σ_{0<a<k} d_a · d_{k−a}
-/// The step is a fixed part of the radius of convergence ρ, which the last coefficients tell, so that the
+/// Predictor: the Taylor series of x(s), whose coefficients follow from one factorised Jacobian. The step is a fixed part of the radius of convergence ρ, which the last coefficients tell, so that the
 /// neglected part is `tolerance` times ℓ = ρ|x_1|, the way that the path goes until the series diverges: a
 /// length that scales with the scene and is short where other branches are near.
 ///
@@ -23,13 +21,14 @@
 
 namespace gcs::GCS_LANES {
 
-template <class Real>
+template <class Equations>
 class KernelTracker final : public LaneTracker {
  public:
-  using Number = Complex<Real>;
+  using Number = typename Equations::Number;
+  using Real = decltype(Number::re);
 
-  KernelTracker(const SquareSystem& system, const Elimination& elimination, const TrackingOptions& options)
-      : system_(system),
+  KernelTracker(const typename Equations::System& system, const Elimination& elimination, const TrackingOptions& options)
+      : equations_(system, elimination, options.order),
         elimination_(elimination),
         options_(options),
         n_(system.unknowns),
@@ -37,13 +36,8 @@ class KernelTracker final : public LaneTracker {
         x_(n_),
         predicted_(n_),
         change_(n_),
-        difference_(system.differences.size()),
         series_((order_ + 1) * n_),
-        difference_series_(system.differences.size() * (order_ + 1)),
-        entries_(elimination.entries),
-        end_(n_) {
-    for (auto& coefficient : route_) coefficient.resize(n_);
-  }
+        entries_(elimination.entries) {}
 
   int lanes() const override { return Real::count; }
   bool is_busy(int lane) const override { return paths_[lane].phase != Phase::idle; }
@@ -52,11 +46,10 @@ class KernelTracker final : public LaneTracker {
   void load(int lane, const Leg& leg) override {
     for (int i = 0; i < n_; ++i) {
       set(x_[i], lane, leg.start[i]);
-      for (int k = 0; k <= Route::degree; ++k) set(route_[k][i], lane, leg.route->coefficients[k][i]);
-      set(end_[i], lane, leg.route->end[i]);
       for (int k = 0; k <= order_; ++k) set(series_[k * n_ + i], lane, 0);
       set(series_[i], lane, leg.start[i]);
     }
+    equations_.load(lane, *leg.route);
     paths_[lane] = Path{};
     paths_[lane].phase = Phase::starting;
     paths_[lane].most_steps = leg.most_steps;
@@ -77,6 +70,7 @@ class KernelTracker final : public LaneTracker {
  private:
   static constexpr int sizes_kept = 3;            ///< of the last coefficients: some vanish by symmetry
   static constexpr double allowance = 16;         ///< times the expected error: one bad step in a radius
+  static constexpr double rounding = 1e-15;       ///< a correction of that size says nothing about the step
   static constexpr double furthest_start = 1e-6;  ///< a start point's or end point's distance from its zero
   static constexpr int most_rejected = 24;  ///< in a row: halving on would not help, precision is missing
   static constexpr double almost_one = 1 - 1e-14;
@@ -91,16 +85,6 @@ class KernelTracker final : public LaneTracker {
     int rejected_in_a_row = 0;
     int most_steps = 0;  ///< 0: as the options say
   };
-
-  /// The same in all lanes.
-  static Number number(std::complex<double> z) {
-    return {constant(z.real(), Real{}), constant(z.imag(), Real{})};
-  }
-
-  static void set(Number& value, int lane, std::complex<double> z) {
-    value.re.set_lane(lane, z.real());
-    value.im.set_lane(lane, z.imag());
-  }
 
   Real step_lengths() const {
     Real h;
@@ -117,21 +101,17 @@ class KernelTracker final : public LaneTracker {
     }
   }
 
-  /// Differences, Jacobian and its factors at the predicted point.
+  /// The equations at the predicted point, with the Jacobian's factors.
   void factorise() {
-    const auto& differences = system_.differences;
-    for (const int entry : elimination_.fill) entries_[entry] = {};
-    for (int e = 0, d = 0; e < n_; ++e) {
-      for (; d < system_.first[e + 1]; ++d) {
-        const auto [minuend, subtrahend, value] = differences[d];
-        const Number v = subtrahend >= 0 ? predicted_[subtrahend] : Number{constant(value, Real{}), Real{}};
-        difference_[d] = predicted_[minuend] - v;
-        entries_[elimination_.entries_of[d][0]] = difference_[d];
-        if (subtrahend >= 0) entries_[elimination_.entries_of[d][1]] = -difference_[d];
-      }
+    Real s, arriving;
+    for (int lane = 0; lane < Real::count; ++lane) {
+      const Path& path = paths_[lane];
+      const double target = path.phase == Phase::moving ? path.state.s + path.h : path.state.s;
+      s.set_lane(lane, target);
+      arriving.set_lane(lane, target == 1 ? 1 : 0);
     }
-    for (std::size_t l = 0; l < system_.linear.size(); ++l)
-      entries_[elimination_.entries_of_linear[l]] = number(0.5 * system_.linear[l].coefficient);
+    for (Number& entry : entries_) entry = {};
+    equations_.evaluate(predicted_, s, arriving, entries_);
     for (int k = 0; k < n_; ++k) eliminate(elimination_.steps[k], elimination_.steps[k + 1]);
   }
 
@@ -165,56 +145,8 @@ class KernelTracker final : public LaneTracker {
     }
   }
 
-  /// A of equation e at s + h of every lane.
-  Number parameter(int e, Real s, Real arriving) const {
-    Number sum = route_[Route::degree][e];
-    for (int k = Route::degree - 1; k >= 0; --k) sum = fused(s, sum, route_[k][e]);
-    return selected(arriving, end_[e], sum);
-  }
-
-  /// (Σ d² + Σ c·w − A)/2, right to the rounding of the differences' own inputs.
-  Number residual(int e, const Number& square) const {
-    Compensated<Real> re, im;
-    for (int d = system_.first[e]; d < system_.first[e + 1]; ++d) {
-      const auto [minuend, subtrahend, value] = system_.differences[d];
-      const Number& u = predicted_[minuend];
-      const Number v = subtrahend >= 0 ? predicted_[subtrahend] : Number{constant(value, Real{}), Real{}};
-      const Number& high = difference_[d];
-      const Number low{lost(u.re, v.re, high.re), lost(u.im, v.im, high.im)};
-      const Real two_re = high.re + high.re, two_im = high.im + high.im;
-      re.add_product(high.re, high.re);
-      re.add_product(-high.im, high.im);
-      re.low = fused_minus(two_im, low.im, fused(two_re, low.re, re.low));
-      im.add_product(two_re, high.im);
-      im.low = fused(two_im, low.re, fused(two_re, low.im, im.low));
-    }
-    for (int l = system_.first_linear[e]; l < system_.first_linear[e + 1]; ++l) {
-      const Number coefficient = number(system_.linear[l].coefficient);
-      const Number& w = predicted_[system_.linear[l].unknown];
-      re.add_product(coefficient.re, w.re);
-      re.add_product(-coefficient.im, w.im);
-      im.add_product(coefficient.re, w.im);
-      im.add_product(coefficient.im, w.re);
-    }
-    re.add(constant(system_.given[e], Real{}));
-    re.add(-square.re);
-    im.add(-square.im);
-    const Real half = constant(0.5, Real{});
-    return {half * re.value(), half * im.value()};
-  }
-
   void correct() {
-    Real s, arriving;
-    for (int lane = 0; lane < Real::count; ++lane) {
-      const Path& path = paths_[lane];
-      const double target = path.phase == Phase::moving ? path.state.s + path.h : path.state.s;
-      s.set_lane(lane, target);
-      arriving.set_lane(lane, target == 1 ? 1 : 0);
-    }
-    for (int k = 0; k < n_; ++k) {
-      const int e = elimination_.equation[k];
-      change_[k] = residual(e, parameter(e, s, arriving));
-    }
+    for (int k = 0; k < n_; ++k) change_[k] = equations_.residual(elimination_.equation[k], predicted_);
     solve(change_);
   }
 
@@ -254,7 +186,7 @@ class KernelTracker final : public LaneTracker {
         path.phase = Phase::moving;
         return std::isfinite(correction);
       case Phase::moving:
-        return decide_step(path, correction);
+        return decide_step(path, correction, scale);
       case Phase::arriving:
         if (!(correction <= furthest_start * scale)) return finish(path, LegEnd::too_small);
         finish(path, LegEnd::arrived);
@@ -263,11 +195,12 @@ class KernelTracker final : public LaneTracker {
     return false;
   }
 
-  bool decide_step(Path& path, double correction) {
+  bool decide_step(Path& path, double correction, double scale) {
     ++path.state.steps;
     if (path.state.steps > options_.most_steps) return finish(path, LegEnd::too_many);
     if (path.most_steps > 0 && path.state.steps > path.most_steps) return finish(path, LegEnd::out_of_steps);
-    if (!(correction <= allowance * options_.tolerance * path.reach)) {
+    const double error = std::max(rounding * scale, options_.tolerance * std::min(path.reach, scale));
+    if (!(correction <= allowance * error)) {
       ++path.state.rejected;
       reject(path);
       return false;
@@ -303,28 +236,21 @@ class KernelTracker final : public LaneTracker {
   /// The series at x_ of the accepted lanes; the others keep theirs.
   void extend_series(Real accepted) {
     for (int i = 0; i < n_; ++i) store(accepted, 0, i, x_[i]);
-    for (std::size_t d = 0; d < system_.differences.size(); ++d) {
-      const auto [minuend, subtrahend, value] = system_.differences[d];
-      const Number v = subtrahend >= 0 ? x_[subtrahend] : Number{constant(value, Real{}), Real{}};
-      difference_series_[d * (order_ + 1)] = x_[minuend] - v;
-    }
     Real s;
     for (int lane = 0; lane < Real::count; ++lane) s.set_lane(lane, paths_[lane].state.s);
+    equations_.begin_series(x_, s);
     std::array<Real, sizes_kept> last;
     Real first;
     for (int k = 1; k <= order_; ++k) {
-      for (int step = 0; step < n_; ++step) change_[step] = right_side(elimination_.equation[step], k, s);
+      for (int step = 0; step < n_; ++step)
+        change_[step] = equations_.right_side(elimination_.equation[step], k);
       solve(change_);
       Real size;
       for (int step = 0; step < n_; ++step) {
         size = larger(size, size_of(change_[step]));
         store(accepted, k, elimination_.unknown[step], change_[step]);
       }
-      for (std::size_t d = 0; d < system_.differences.size(); ++d) {
-        const auto [minuend, subtrahend, value] = system_.differences[d];
-        const Number& u = coefficient_[minuend];
-        difference_series_[d * (order_ + 1) + k] = subtrahend >= 0 ? u - coefficient_[subtrahend] : u;
-      }
+      equations_.extend_series(k, coefficient_);
       if (k == 1) first = size;
       if (k > order_ - sizes_kept) last[k - (order_ - sizes_kept) - 1] = size;
     }
@@ -335,32 +261,6 @@ class KernelTracker final : public LaneTracker {
   void store(Real accepted, int k, int i, const Number& value) {
     coefficient_[i] = value;
     series_[k * n_ + i] = selected(accepted, value, series_[k * n_ + i]);
-  }
-
-  /// A_k/2 − (1/2) Σ d_a · d_{k−a} of equation e.
-  Number right_side(int e, int k, Real s) const {
-    Number sum = route_series(e, k, s);
-    Number middle{};
-    for (int d = system_.first[e]; d < system_.first[e + 1]; ++d) {
-      const Number* c = &difference_series_[d * (order_ + 1)];
-      for (int a = 1; 2 * a < k; ++a) sum = fused_minus(c[a], c[k - a], sum);
-      if (k % 2 == 0) middle = fused(c[k / 2], c[k / 2], middle);
-    }
-    return fused(constant(-0.5, Real{}), middle, sum);
-  }
-
-  /// Half the k-th Taylor coefficient of A_e at s.
-  Number route_series(int e, int k, Real s) const {
-    if (k > Route::degree) return {};
-    Number sum{};
-    double binomial = 1;  // of (j over k)
-    std::array<double, Route::degree + 1> factor{};
-    for (int j = k; j <= Route::degree; ++j) {
-      factor[j] = binomial / 2;
-      binomial = binomial * (j + 1) / (j + 1 - k);
-    }
-    for (int j = Route::degree; j >= k; --j) sum = fused(s, sum, constant(factor[j], Real{}) * route_[j][e]);
-    return sum;
   }
 
   void choose_step(int lane, Real first, const std::array<Real, sizes_kept>& last) {
@@ -379,7 +279,7 @@ class KernelTracker final : public LaneTracker {
     if (!(path.state.s + path.h > path.state.s)) finish(path, LegEnd::too_small);
   }
 
-  const SquareSystem& system_;
+  Equations equations_;
   const Elimination& elimination_;
   const TrackingOptions options_;
   const int n_;
@@ -389,12 +289,8 @@ class KernelTracker final : public LaneTracker {
   std::vector<Number> predicted_;
   std::vector<Number> change_;
   std::vector<Number> coefficient_ = std::vector<Number>(x_.size());
-  std::vector<Number> difference_;
-  std::vector<Number> series_;             ///< [order][unknown]
-  std::vector<Number> difference_series_;  ///< [difference][order]
-  std::vector<Number> entries_;            ///< the Jacobian, then its factors with inverse pivots
-  std::array<std::vector<Number>, Route::degree + 1> route_;
-  std::vector<Number> end_;
+  std::vector<Number> series_;   ///< [order][unknown]
+  std::vector<Number> entries_;  ///< the Jacobian, then its factors with inverse pivots
 };
 
 }  // namespace gcs::GCS_LANES

@@ -1,15 +1,19 @@
 #include "solvers/complex_tracking/lane_tracker.hpp"
 
-namespace gcs {
+#include "solvers/complex_tracking/lane_trackers.hpp"
 
-std::unique_ptr<LaneTracker> make_portable_lane_tracker(const SquareSystem&, const Elimination&,
-                                                        const TrackingOptions&);
+namespace gcs {
+namespace {
+
+LaneTrackerFactories factories_of(InstructionSet set) {
 #ifdef GCS_X86
-std::unique_ptr<LaneTracker> make_avx2_lane_tracker(const SquareSystem&, const Elimination&,
-                                                    const TrackingOptions&);
-std::unique_ptr<LaneTracker> make_avx512_lane_tracker(const SquareSystem&, const Elimination&,
-                                                      const TrackingOptions&);
+  if (set == InstructionSet::avx512) return avx512_lane_trackers();
+  if (set == InstructionSet::avx2) return avx2_lane_trackers();
 #endif
+  return portable_lane_trackers();
+}
+
+}  // namespace
 
 std::string_view name(InstructionSet set) {
   switch (set) {
@@ -41,11 +45,23 @@ InstructionSet widest_instruction_set() {
 std::unique_ptr<LaneTracker> make_lane_tracker(InstructionSet set, const SquareSystem& system,
                                                const Elimination& elimination,
                                                const TrackingOptions& options) {
-#ifdef GCS_X86
-  if (set == InstructionSet::avx512) return make_avx512_lane_tracker(system, elimination, options);
-  if (set == InstructionSet::avx2) return make_avx2_lane_tracker(system, elimination, options);
-#endif
-  return make_portable_lane_tracker(system, elimination, options);
+  return factories_of(set).for_squares(system, elimination, options);
+}
+
+std::unique_ptr<LaneTracker> make_lane_tracker(InstructionSet set, const MonomialSystem& system,
+                                               const Elimination& elimination,
+                                               const TrackingOptions& options) {
+  return factories_of(set).for_monomials(system, elimination, options);
+}
+
+std::unique_ptr<LaneTracker> make_wide_tracker(const SquareSystem& system, const Elimination& elimination,
+                                               const TrackingOptions& options) {
+  return wide_lane_trackers().for_squares(system, elimination, options);
+}
+
+std::unique_ptr<LaneTracker> make_wide_tracker(const MonomialSystem& system, const Elimination& elimination,
+                                               const TrackingOptions& options) {
+  return wide_lane_trackers().for_monomials(system, elimination, options);
 }
 
 }  // namespace gcs

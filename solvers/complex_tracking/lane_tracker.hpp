@@ -9,15 +9,17 @@
 #include <string_view>
 
 #include "solvers/complex_tracking/elimination.hpp"
-#include "solvers/complex_tracking/square_system.hpp"
+#include "solvers/complex_tracking/monomial_system.hpp"
 
 namespace gcs {
 
-/// A(s) = Σ coefficients[k]·s^k, k ≤ 3; `end` is A(1) without the rounding of that sum.
+/// The parameters on the way: A(s) = Σ coefficients[k]·s^k, k ≤ 3; `end` is A(1) without the rounding of that
+/// sum. With rates, coefficients[0]·e^(rate·(s − 1)), and the other coefficients of what has a rate are 0.
 struct Route {
   static constexpr int degree = 3;
   std::array<ComplexVectorX, degree + 1> coefficients;
   ComplexVectorX end;
+  std::vector<double> rates{};  ///< one per parameter, or none
 };
 
 struct TrackingOptions {
@@ -75,9 +77,14 @@ InstructionSet widest_instruction_set();
 std::unique_ptr<LaneTracker> make_lane_tracker(InstructionSet set, const SquareSystem& system,
                                                const Elimination& elimination,
                                                const TrackingOptions& options);
+std::unique_ptr<LaneTracker> make_lane_tracker(InstructionSet set, const MonomialSystem& system,
+                                               const Elimination& elimination,
+                                               const TrackingOptions& options);
 
 /// One lane in arithmetic of about 106 bits: the same steps, for paths that doubles cannot follow.
 std::unique_ptr<LaneTracker> make_wide_tracker(const SquareSystem& system, const Elimination& elimination,
+                                               const TrackingOptions& options);
+std::unique_ptr<LaneTracker> make_wide_tracker(const MonomialSystem& system, const Elimination& elimination,
                                                const TrackingOptions& options);
 
 }  // namespace gcs

@@ -62,13 +62,6 @@ class LegFeeder {
   std::vector<std::size_t> leg_in_;
 };
 
-TrackingOptions wide(TrackingOptions options) {
-  // Of twice the digits a prediction a hundred times as good needs few.
-  options.order += 8;
-  options.tolerance *= 1e-2;
-  return options;
-}
-
 bool is_lost(const LegResult& result) {
   return result.state.end == LegEnd::too_small || result.state.end == LegEnd::too_many;
 }
@@ -106,13 +99,11 @@ void add_work(const std::vector<LegResult>& results, WorkCounters& work) {
 
 }  // namespace
 
-LegTracking::LegTracking(const SquareSystem& system, const Elimination& elimination,
-                         const TrackingOptions& options, InstructionSet set, int threads)
-    : system_(system) {
-  for (int i = 0; i < threads; ++i) {
-    trackers_.push_back(make_lane_tracker(set, system, elimination, options));
-    wide_trackers_.push_back(make_wide_tracker(system, elimination, wide(options)));
-  }
+TrackingOptions LegTracking::wide(TrackingOptions options) {
+  // Of twice the digits a prediction a hundred times as good needs few.
+  options.order += 8;
+  options.tolerance *= 1e-2;
+  return options;
 }
 
 std::vector<LegResult> LegTracking::follow(std::span<const Leg> legs, const std::function<bool()>& stopped,
@@ -154,7 +145,7 @@ std::vector<LegResult> LegTracking::follow_with(Trackers& trackers, std::span<co
   std::vector<LegResult> results(legs.size());
   std::atomic<std::size_t> next = 0;
   const auto run = [&](LaneTracker& tracker) {
-    LegFeeder(tracker, system_.unknowns, legs, next, results).run(stopped);
+    LegFeeder(tracker, unknowns_, legs, next, results).run(stopped);
   };
   const std::size_t lanes = static_cast<std::size_t>(trackers.front()->lanes());
   {

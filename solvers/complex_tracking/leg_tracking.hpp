@@ -2,6 +2,7 @@
 /// Follows any number of paths on any number of threads, with the same bits for each whatever the others are.
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,9 +20,16 @@ struct LegResult {
 /// Follows legs of one system.
 class LegTracking {
  public:
-  /// `threads` ≥ 1. `system` and `elimination` are referred to.
-  LegTracking(const SquareSystem& system, const Elimination& elimination, const TrackingOptions& options,
-              InstructionSet set, int threads);
+  /// `threads` ≥ 1. `system`, of squares or of monomials, and `elimination` are referred to.
+  template <class System>
+  LegTracking(const System& system, const Elimination& elimination, const TrackingOptions& options,
+              InstructionSet set, int threads)
+      : unknowns_(system.unknowns) {
+    for (int i = 0; i < threads; ++i) {
+      trackers_.push_back(make_lane_tracker(set, system, elimination, options));
+      wide_trackers_.push_back(make_wide_tracker(system, elimination, wide(options)));
+    }
+  }
 
   /// One result for every leg, in their order. What doubles cannot follow is followed again, from its start,
   /// in arithmetic of twice the precision, and ends that doubles cannot settle are settled there. Returns
@@ -33,6 +41,8 @@ class LegTracking {
  private:
   using Trackers = std::vector<std::unique_ptr<LaneTracker>>;  // one per thread
 
+  /// Options for the arithmetic of twice the precision.
+  static TrackingOptions wide(TrackingOptions options);
   std::vector<LegResult> follow_with(Trackers& trackers, std::span<const Leg> legs,
                                      const std::function<bool()>& stopped, WorkCounters& work) const;
   void follow_lost_again(std::span<const Leg> legs, std::vector<LegResult>& results,
@@ -40,7 +50,7 @@ class LegTracking {
   void settle_ends(std::span<const Leg> legs, std::vector<LegResult>& results,
                    const std::function<bool()>& stopped, WorkCounters& work);
 
-  const SquareSystem& system_;
+  int unknowns_;
   Trackers trackers_;
   Trackers wide_trackers_;
 };

@@ -66,6 +66,22 @@ ComplexVectorX squares_at(const SquareSystem& system, const ComplexVectorX& x) {
   return squares;
 }
 
+ComplexVectorX jacobian_at(const SquareSystem& system, const ComplexVectorX& x) {
+  const int n = system.unknowns;
+  ComplexVectorX jacobian(static_cast<std::size_t>(system.equations() * n));
+  for (int e = 0; e < system.equations(); ++e) {
+    for (int d = system.first[e]; d < system.first[e + 1]; ++d) {
+      const auto [minuend, subtrahend, constant] = system.differences[d];
+      const std::complex<double> difference = x[minuend] - (subtrahend < 0 ? constant : x[subtrahend]);
+      jacobian[e * n + minuend] = difference;
+      if (subtrahend >= 0) jacobian[e * n + subtrahend] = -difference;
+    }
+    for (int l = system.first_linear[e]; l < system.first_linear[e + 1]; ++l)
+      jacobian[e * n + system.linear[l].unknown] = system.linear[l].coefficient / 2.0;
+  }
+  return jacobian;
+}
+
 double largest(const ComplexVectorX& x) {
   double result = 0;
   for (const std::complex<double>& value : x) result = std::max(result, std::abs(value));

@@ -50,6 +50,9 @@ using ComplexVectorX = std::vector<std::complex<double>>;
 /// Σ (u − v)² + Σ c·w of every equation: the parameters A for which x is a zero.
 ComplexVectorX squares_at(const SquareSystem& system, const ComplexVectorX& x);
 
+/// df_e/dx_i at x, row by row.
+ComplexVectorX jacobian_at(const SquareSystem& system, const ComplexVectorX& x);
+
 /// The largest |x_i|, and the largest |x_i − y_i|.
 double largest(const ComplexVectorX& x);
 double distance(const ComplexVectorX& x, const ComplexVectorX& y);

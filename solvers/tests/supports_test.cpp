@@ -27,12 +27,62 @@ Problem graph(int dimension, int points, const Edges& edges, const Reference& re
   return problem;
 }
 
+ComplexVectorX random_placement(const DistanceSystem& system) {
+  std::mt19937_64 random(7);
+  return random_complex_vector(system.unknowns(), random);
+}
+
+Supports coordinate_supports(const DistanceSystem& system) {
+  return coordinate_equations(square_system(system), random_placement(system)).supports;
+}
+
+Supports sphere_supports(const DistanceSystem& system) {
+  return sphere_equations(system, random_placement(system)).supports;
+}
+
 Natural coordinate_volume(const Problem& problem) {
-  return mixed_volume(coordinate_supports(square_system(DistanceSystem(Scene(problem)))));
+  return mixed_volume(coordinate_supports(DistanceSystem(Scene(problem))));
 }
 
 Natural sphere_volume(const Problem& problem) {
   return mixed_volume(sphere_supports(DistanceSystem(Scene(problem))));
+}
+
+/// The terms of equation e at y.
+ComplexVectorX terms_at(const SparseEquations& equations, std::size_t e, const ComplexVectorX& y) {
+  ComplexVectorX terms;
+  for (std::size_t j = 0; j < equations.supports[e].size(); ++j) {
+    std::complex<double> term = equations.coefficients[e][j];
+    for (std::size_t v = 0; v < y.size(); ++v)
+      for (int i = 0; i < equations.supports[e][j][v]; ++i) term *= y[v];
+    terms.push_back(term);
+  }
+  return terms;
+}
+
+/// Largest sum of an equation's terms relative to the largest term, at the placement x and its s_j.
+double relative_residual(const SparseEquations& equations, const ComplexVectorX& x) {
+  const std::size_t n = equations.supports.size();
+  ComplexVectorX y(n);
+  std::vector<bool> is_coordinate(n, false);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (equations.unknown_of[i] < 0) continue;
+    y[equations.unknown_of[i]] = x[i];
+    is_coordinate[equations.unknown_of[i]] = true;
+  }
+  for (std::size_t v = 0, e = 0; v < n; ++v) {
+    if (is_coordinate[v]) continue;
+    for (const std::complex<double>& term : terms_at(equations, e, y)) y[v] -= term;
+    ++e;
+  }
+  double worst = 0;
+  for (std::size_t e = 0; e < n; ++e) {
+    std::complex<double> sum = 0;
+    const ComplexVectorX terms = terms_at(equations, e, y);
+    for (const std::complex<double>& term : terms) sum += term;
+    worst = std::max(worst, std::abs(sum) / largest(terms));
+  }
+  return worst;
 }
 
 /// With the problem's own reference held fixed.
@@ -52,7 +102,7 @@ const Edges prism_edges{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, 
 TEST_CASE("monomials of a triangle in the plane") {
   const DistanceSystem system(Scene(graph(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {0, 1})));
   // Unknowns: x of p2, then x and y of p3.
-  CHECK(coordinate_supports(square_system(system)) ==
+  CHECK(coordinate_supports(system) ==
         Supports{{{2, 0, 0}, {0, 0, 0}},
                  {{0, 2, 0}, {0, 0, 2}, {0, 0, 0}},
                  {{2, 0, 0}, {0, 2, 0}, {1, 1, 0}, {0, 0, 2}, {0, 0, 0}}});
@@ -112,5 +162,19 @@ TEST_CASE("the mixed volume of spheres is between the number of solutions and th
     const Natural volume = sphere_volume(problem);
     CHECK(volume <= bezout_bound(problem));
     CHECK(volume >= theoretical_counts(problem).exact->fixed_frame);
+  }
+}
+
+TEST_CASE("both formulations vanish at the placement whose lengths they have") {
+  Problem fixed = samples::problem_of(2, 4, {{0, 2}, {1, 3}, {2, 3}, {1, 2}}, {2, 2, 2, 2});
+  fixed.fixed_points = {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(2, 1, 0), std::nullopt, std::nullopt};
+  for (const Problem& problem : {samples::k33(), samples::octahedron(), fixed}) {
+    const DistanceSystem system((Scene(problem)));
+    const ComplexVectorX x = random_placement(system);
+    CHECK(relative_residual(coordinate_equations(square_system(system), x), x) < 1e-14);
+    CHECK(relative_residual(sphere_equations(system, x), x) < 1e-14);
+    ComplexVectorX moved = x;
+    moved.back() += 1e-6;
+    CHECK(relative_residual(coordinate_equations(square_system(system), x), moved) > 1e-9);
   }
 }

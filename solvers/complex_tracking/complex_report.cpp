@@ -11,8 +11,6 @@
 namespace gcs {
 namespace {
 
-/// Of a regular end: Newton's last correction was far below its own square root.
-constexpr double regular_uncertainty = 1e-12;
 /// Of a singular end: Cauchy's formula is right to the rounding of its samples, which a double root feels by
 /// its square root.
 constexpr double singular_uncertainty = 1e-7;

@@ -14,6 +14,10 @@
 
 namespace gcs {
 
+/// Of a regular end, relative to 1 + the largest |x_i|: Newton's last correction was far below its own square
+/// root.
+inline constexpr double regular_uncertainty = 1e-12;
+
 struct PathEnd {
   enum class Kind { regular, singular, at_infinity, failed, stopped };
   Kind kind = Kind::failed;

@@ -17,17 +17,23 @@ struct LegResult {
   ComplexVectorX x;  ///< at state.s
 };
 
+/// How paths are followed, and on how many threads.
+struct TrackingSetup {
+  TrackingOptions options;
+  InstructionSet set = InstructionSet::portable;
+  int threads = 1;  ///< ≥ 1
+};
+
 /// Follows legs of one system.
 class LegTracking {
  public:
-  /// `threads` ≥ 1. `system`, of squares or of monomials, and `elimination` are referred to.
+  /// `system`, of squares or of monomials, and `elimination` are referred to.
   template <class System>
-  LegTracking(const System& system, const Elimination& elimination, const TrackingOptions& options,
-              InstructionSet set, int threads)
+  LegTracking(const System& system, const Elimination& elimination, const TrackingSetup& setup)
       : unknowns_(system.unknowns) {
-    for (int i = 0; i < threads; ++i) {
-      trackers_.push_back(make_lane_tracker(set, system, elimination, options));
-      wide_trackers_.push_back(make_wide_tracker(system, elimination, wide(options)));
+    for (int i = 0; i < setup.threads; ++i) {
+      trackers_.push_back(make_lane_tracker(setup.set, system, elimination, setup.options));
+      wide_trackers_.push_back(make_wide_tracker(system, elimination, wide(setup.options)));
     }
   }
 

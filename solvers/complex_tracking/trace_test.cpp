@@ -184,7 +184,7 @@ TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_
                      WorkCounters& work) {
   const TraceSystem trace(system, random);
   const Elimination elimination = order_elimination(trace.system(), random);
-  LegTracking tracking(trace.system(), elimination, tracking_options, set, threads);
+  LegTracking tracking(trace.system(), elimination, {tracking_options, set, threads});
   const FibreTest fibre_test(trace, tracking, random, stopped, work);
   TraceTest test;
   const auto sums_are_affine = [&](const GenericSolutions& fibre) {

@@ -79,7 +79,7 @@ struct Prepared {
         coordinates(request.scene),
         system(square_system(coordinates)),
         elimination(order_elimination(system, random)),
-        tracking(system, elimination, options, set, request.threads),
+        tracking(system, elimination, {options, set, request.threads}),
         limit(most_classes(request.scene)) {}
 
   std::mt19937_64 random;

@@ -125,7 +125,7 @@ TEST_CASE("a leg ends where many small steps with a pivoting solver end") {
     const Elimination elimination = order_elimination(system, random);
     const Task task(system, 1, random);
     WorkCounters work;
-    LegTracking tracking(system, elimination, {}, widest_instruction_set(), 1);
+    LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
     const std::vector<LegResult> results = tracking.follow(task.legs(), never, work);
     for (std::size_t i = 0; i < results.size(); ++i) {
       REQUIRE(results[i].state.end == LegEnd::arrived);
@@ -142,7 +142,7 @@ TEST_CASE("a leg followed back ends where it began") {
     const Elimination elimination = order_elimination(system, random);
     const Task task(system, 40, random);
     WorkCounters work;
-    LegTracking tracking(system, elimination, {}, widest_instruction_set(), 1);
+    LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
     const std::vector<LegResult> there = tracking.follow(task.legs(), never, work);
     std::vector<Route> routes;
     for (const Route& route : task.routes) routes.push_back(reversed(route));
@@ -165,14 +165,14 @@ TEST_CASE("the bits of a leg depend on no instruction set, thread or neighbour")
   const Elimination elimination = order_elimination(system, random);
   const Task task(system, 21, random);
   WorkCounters work;
-  LegTracking alone(system, elimination, {}, InstructionSet::portable, 1);
+  LegTracking alone(system, elimination, {{}, InstructionSet::portable, 1});
   std::vector<ComplexVectorX> expected;
   for (const Leg& leg : task.legs())
     expected.push_back(alone.follow(std::span(&leg, 1), never, work).front().x);
   for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
     if (!is_available(set)) continue;
     for (const int threads : {1, 2, 3}) {
-      LegTracking tracking(system, elimination, {}, set, threads);
+      LegTracking tracking(system, elimination, {{}, set, threads});
       const std::vector<LegResult> results = tracking.follow(task.legs(), never, work);
       for (std::size_t i = 0; i < results.size(); ++i) CHECK(results[i].x == expected[i]);
     }
@@ -190,7 +190,7 @@ TEST_CASE("a path that doubles cannot follow is followed in twice the precision"
                         ComplexVectorX(3)};
   route.end = {4, {0, 1e-7}, {0, 1e-7}};
   WorkCounters work;
-  LegTracking tracking(system, elimination, {}, widest_instruction_set(), 1);
+  LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
   const Leg leg{start.data(), &route};
   const LegResult result = tracking.follow(std::span(&leg, 1), never, work).front();
   REQUIRE(result.state.end == LegEnd::arrived);
@@ -204,7 +204,7 @@ TEST_CASE("a leg without enough steps says so") {
   const Elimination elimination = order_elimination(system, random);
   const Task task(system, 1, random);
   WorkCounters work;
-  LegTracking tracking(system, elimination, {}, widest_instruction_set(), 1);
+  LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
   const Leg leg{task.starts[0].data(), &task.routes[0], 2};
   const LegResult result = tracking.follow(std::span(&leg, 1), never, work).front();
   CHECK(result.state.end == LegEnd::out_of_steps);

@@ -21,7 +21,7 @@ struct Setting {
         coordinates(scene),
         system(square_system(coordinates)),
         elimination(order_elimination(system, random)),
-        tracking(system, elimination, {}, widest_instruction_set(), threads) {}
+        tracking(system, elimination, {{}, widest_instruction_set(), threads}) {}
 
   GenericSolutions search(std::optional<std::uint64_t> count, const MonodromyOptions& options = {}) {
     return search_by_monodromy(

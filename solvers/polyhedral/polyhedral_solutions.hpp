@@ -1,0 +1,43 @@
+#pragma once
+/// All solutions of a scene's equations for the lengths of a random placement, from mixed cells: zeros of
+/// random coefficients (polyhedral_homotopies.hpp), then one homotopy in the coefficients to the equations.
+
+#include <functional>
+#include <random>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "solvers/complex_tracking/scene_tracking.hpp"
+#include "solvers/numeric/natural.hpp"
+
+namespace gcs {
+
+enum class Formulation { spheres, coordinates };  ///< see supports.hpp
+
+struct PolyhedralSolutions {
+  std::vector<ComplexVectorX> solutions;  ///< regular, distinct up to reflections, in the scene's coordinates
+  std::string missing;                    ///< what may keep them from being all; empty when nothing does
+  bool stopped = false;                   ///< on request, with an incomplete list
+  Natural mixed_volume;
+  std::int64_t cells = 0;
+  std::int64_t start_paths = 0;  ///< one of each set of mirror images
+  std::int64_t at_infinity = 0;  ///< of these, where they led to no solution
+};
+
+struct PolyhedralRequest {
+  const Scene& scene;
+  const SceneTracking& equations;
+  const ComplexVectorX& placement;  ///< whose lengths the equations have
+  Formulation formulation = Formulation::spheres;
+  TrackingSetup setup;
+  std::uint64_t seed = 0;
+  std::stop_token stop;
+  std::function<void(std::string_view stage, double fraction)> progress;
+};
+
+/// Adds to `work`.
+PolyhedralSolutions polyhedral_solutions(const PolyhedralRequest& request, std::mt19937_64& random,
+                                         WorkCounters& work);
+
+}  // namespace gcs

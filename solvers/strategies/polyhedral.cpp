@@ -1,0 +1,116 @@
+/// All complex solutions by polyhedral homotopies, the way of HOM4PS.
+///
+/// The equations, for the lengths of a random complex placement, are sparse polynomials
+/// (polyhedral/supports.hpp). Mixed cells of a random lifting give start systems of two monomials per
+/// equation, polyhedral homotopies lead from their solutions to all zeros of a system of the same supports
+/// with random coefficients (polyhedral/polyhedral_homotopies.hpp), and a homotopy in the coefficients leads
+/// from there to the equations themselves. As many paths as the mixed volume says are followed, less those
+/// that are mirror images of others; those that have no solution to end at run to infinity, and the endgame
+/// says so of each (complex_tracking/endgame.hpp). What is left are all solutions for random lengths (D. N.
+/// Bernshtein 1975), and one more homotopy in the squared lengths leads to the given ones.
+///
+/// formulation=spheres has the squared norms of the points as further unknowns in a fixed frame, and few more
+/// paths than solutions; formulation=coordinates are the distance equations as they stand, with 2^m paths
+/// for m constraints, as in R. Imbach, P. Mathis, P. Schreck 2016. That no path was lost and none ended
+/// where another did is checked; that no step jumped is likely, not proven. It fails where the mixed cells
+/// cannot be enumerated, on graphs beyond some twenty points, and on scenes as monodromy does. HOM4PS-2.0: T.
+/// L. Lee, T. Y. Li, C. H. Tsai, Computing 83 (2008).
+
+#include <memory>
+
+#include "solvers/options.hpp"
+#include "solvers/polyhedral/polyhedral_solutions.hpp"
+
+namespace gcs {
+namespace {
+
+/// What all lengths of one scene's graph share: the solutions for the lengths of one random placement.
+struct Prepared {
+  Prepared(const SolveRequest& request, const TrackingSetup& setup)
+      : random(request.seed),
+        scene(request.scene, setup, random),
+        placement(random_complex_vector(scene.system().unknowns, random)) {}
+
+  std::mt19937_64 random;
+  SceneTracking scene;
+  ComplexVectorX placement;
+  PolyhedralSolutions generic;
+  WorkCounters work;
+};
+
+class Polyhedral final : public Strategy {
+ public:
+  explicit Polyhedral(const OptionMap& options)
+      : formulation_(static_cast<Formulation>(choice_option(options, "formulation", formulations))),
+        setup_(tracking_setup(options)) {}
+
+  static constexpr std::string_view formulations = "spheres|coordinates";
+
+  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+    return why_not_tracked(scene);
+  }
+
+  void prepare(const SolveRequest& request) override { prepared_ = solve_at_random_lengths(request); }
+
+  SolveReport solve(const SolveRequest& request) override {
+    const std::unique_ptr<Prepared> fresh = prepared_ ? nullptr : solve_at_random_lengths(request);
+    Prepared& prepared = fresh ? *fresh : *prepared_;
+    SolveReport report = prepared.scene.solve(
+        prepared.generic.solutions, squares_at(prepared.scene.system(), prepared.placement), request,
+        prepared.work);
+    add_generic(prepared.generic, report);
+    return report;
+  }
+
+ private:
+  std::unique_ptr<Prepared> solve_at_random_lengths(const SolveRequest& request) const {
+    TrackingSetup setup = setup_;
+    setup.threads = request.threads;
+    auto prepared = std::make_unique<Prepared>(request, setup);
+    const auto progress = [&request](std::string_view stage, double fraction) {
+      if (request.monitor) request.monitor->progress(stage, fraction);
+    };
+    prepared->generic =
+        polyhedral_solutions({request.scene, prepared->scene, prepared->placement, formulation_, setup,
+                              request.seed, request.stop, progress},
+                             prepared->random, prepared->work);
+    return prepared;
+  }
+
+  static void add_generic(const PolyhedralSolutions& generic, SolveReport& report) {
+    report.particulars = {{"mixed_volume", static_cast<std::int64_t>(generic.mixed_volume.approximate())},
+                          {"mixed_cells", generic.cells},
+                          {"start_paths", generic.start_paths},
+                          {"start_paths_at_infinity", generic.at_infinity}};
+    if (!generic.stopped && generic.missing.empty()) {
+      report.generic = generic.solutions.size();
+      return;
+    }
+    const std::string missing = generic.stopped ? "stopped on the way to random lengths" : generic.missing;
+    report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
+    report.status = generic.stopped ? SolveStatus::stopped : SolveStatus::partial;
+  }
+
+  Formulation formulation_;
+  TrackingSetup setup_;
+  std::unique_ptr<Prepared> prepared_;
+};
+
+}  // namespace
+
+StrategyEntry polyhedral_entry() {
+  StrategyEntry entry;
+  entry.name = "polyhedral";
+  entry.summary = "finds all complex solutions by homotopies from mixed cells, the way of HOM4PS";
+  entry.citation = "Huber, Sturmfels 1995; Lee, Li, Tsai 2008";
+  entry.options = tracking_option_specs();
+  entry.options.insert(entry.options.begin(),
+                       {"formulation", "spheres", Polyhedral::formulations,
+                        "with the points' squared norms as unknowns, or the coordinates alone"});
+  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
+    return std::make_unique<Polyhedral>(options);
+  };
+  return entry;
+}
+
+}  // namespace gcs

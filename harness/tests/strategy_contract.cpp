@@ -238,7 +238,8 @@ bool has_many_solutions(const Scene& scene) {
 /// one that does not.
 bool takes_too_long(const Subject& subject, const Scene& scene) {
   return (subject.entry.name == "plan-scan" && derive_scan_plan(scene).angles() > 1) ||
-         (subject.entry.name == "monodromy" && has_many_solutions(scene));
+         ((subject.entry.name == "monodromy" || subject.entry.name == "polyhedral") &&
+          has_many_solutions(scene));
 }
 
 bool supports(const Subject& subject, const Scene& scene) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -17,6 +18,11 @@ constexpr int corners = 8;                 // samples of a round
 constexpr int most_rounds = 8;             // winding numbers beyond are left to smaller circles
 constexpr int direct_steps = 40;           // a pole at a distance of 1e-7 from the way takes so many
 constexpr std::size_t batch = 4096;        // paths between two reports of progress
+
+/// Circles that enclose other branch points are long and say nothing: a path is walked around once it grows
+/// by a steady power of σ, or where the radius is so small that waiting has not helped.
+constexpr double steady_power = 0.12;  // change of the power from one radius to the next
+constexpr double waiting_ends = 1e-4;
 
 /// Relative to the largest |x_i| on the circle.
 constexpr double closed = 1e-8;       // start and end of a walk are one point
@@ -97,6 +103,8 @@ struct ActivePath {
   ComplexVectorX x;  ///< at σ = the current radius
   std::vector<ComplexVectorX> samples{};
   std::optional<CircleReading> last{};
+  double power = std::numeric_limits<double>::infinity();  ///< x grew like σ^(−power) lately
+  bool is_steady = false;
   bool is_closed = false;
   bool is_lost = false;
 };
@@ -112,9 +120,10 @@ class Endgame {
     std::vector<ActivePath> paths;
     for (std::size_t i = 0; i < starts.size(); ++i) paths.push_back({i, starts[i]});
     advance(paths, 1, first_radius);
-    approach(paths, first_radius);
+    approach(paths, first_radius, direct_steps);
     for (double radius = first_radius; !paths.empty() && !stopped_(); radius *= radius_ratio) {
       if (radius < smallest_radius) {
+        approach(paths, radius, 0);
         drop(paths, "the circles around its end did not agree");
         break;
       }
@@ -148,6 +157,9 @@ class Endgame {
   void advance(std::vector<ActivePath>& paths, double first, double last) {
     const std::vector<LegResult> results = follow(pointers(paths), first, last, 0);
     for (std::size_t i = 0; i < paths.size(); ++i) {
+      const double power = std::log(largest(results[i].x) / largest(paths[i].x)) / std::log(first / last);
+      paths[i].is_steady = std::abs(power - paths[i].power) <= steady_power || last <= waiting_ends;
+      paths[i].power = power;
       paths[i].x = results[i].x;
       paths[i].is_lost = results[i].state.end != LegEnd::arrived;
     }
@@ -166,9 +178,9 @@ class Endgame {
     remove_lost(paths, cause);
   }
 
-  /// Takes out the paths that simply arrive at σ = 0.
-  void approach(std::vector<ActivePath>& paths, double radius) {
-    const std::vector<LegResult> results = follow(pointers(paths), radius, 0, direct_steps);
+  /// Takes out the paths that simply arrive at σ = 0, in at most so many steps (0: as the options say).
+  void approach(std::vector<ActivePath>& paths, double radius, int most_steps) {
+    const std::vector<LegResult> results = follow(pointers(paths), radius, 0, most_steps);
     for (std::size_t i = 0; i < paths.size(); ++i)
       if (results[i].state.end == LegEnd::arrived)
         ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, true, ""};
@@ -176,12 +188,13 @@ class Endgame {
                   [&](const ActivePath& path) { return ends_[path.number].kind == PathEnd::Kind::regular; });
   }
 
-  /// Rounds of σ = radius·e^(iφ) until every path is back at its start.
+  /// Rounds of σ = radius·e^(iφ) until every steady path is back at its start.
   void walk(std::vector<ActivePath>& paths, double radius) {
-    std::vector<ActivePath*> open = pointers(paths);
+    std::vector<ActivePath*> open;
     for (ActivePath& path : paths) {
       path.samples.clear();
       path.is_closed = false;
+      if (path.is_steady) open.push_back(&path);
     }
     const auto place = [radius](int corner) {
       return corner % corners == 0 ? radius : std::polar(radius, 2 * std::numbers::pi * corner / corners);

@@ -2,9 +2,10 @@
 /// Predictor and corrector, one path per SIMD lane, for any kind of equations that come with their Jacobian
 /// and the right-hand sides of their Taylor series: SquareEquations, MonomialEquations.
 ///
-/// Predictor: the Taylor series of x(s), whose coefficients follow from one factorised Jacobian. The step is a fixed part of the radius of convergence ρ, which the last coefficients tell, so that the
-/// neglected part is `tolerance` times ℓ = ρ|x_1|, the way that the path goes until the series diverges: a
-/// length that scales with the scene and is short where other branches are near.
+/// Predictor: the Taylor series of x(s), whose coefficients follow from one factorised Jacobian. The step is
+/// a fixed part of the radius of convergence ρ, which the last coefficients tell, so that the neglected part
+/// is `tolerance` times ℓ = ρ|x_1|, the way that the path goes until the series diverges: a length that
+/// scales with the scene and is short where other branches are near.
 ///
 /// Corrector: one step of Newton's method with a residual in two doubles, in place of a second
 /// factorisation: the Jacobian at the predicted point serves the correction and the next series. A step whose
@@ -27,7 +28,8 @@ class KernelTracker final : public LaneTracker {
   using Number = typename Equations::Number;
   using Real = decltype(Number::re);
 
-  KernelTracker(const typename Equations::System& system, const Elimination& elimination, const TrackingOptions& options)
+  KernelTracker(const typename Equations::System& system, const Elimination& elimination,
+                const TrackingOptions& options)
       : equations_(system, elimination, options.order),
         elimination_(elimination),
         options_(options),

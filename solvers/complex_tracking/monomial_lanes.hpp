@@ -31,15 +31,15 @@ class MonomialEquations {
 
   void load(int lane, const Route& route) { route_.load(lane, route); }
 
-  /// The coefficients at s, where `arriving` is not 0 those of the end; the Jacobian at x goes into `entries`,
-  /// which come as 0.
+  /// The coefficients at s, where `arriving` is not 0 those of the end; the Jacobian at x goes into
+  /// `entries`, which come as 0.
   void evaluate(const std::vector<Number>& x, Real s, Real arriving, std::vector<Number>& entries) {
     for (std::size_t j = 0; j < coefficient_.size(); ++j) {
       coefficient_[j] = route_.value(j, s, arriving);
       const auto [u, v] = system_.monomials[j];
       const auto [by_u, by_v] = entries_of_[j];
-      if (u >= 0) entries[by_u] = v < 0 ? entries[by_u] + coefficient_[j]
-                                        : fused(coefficient_[j], x[v], entries[by_u]);
+      if (u >= 0)
+        entries[by_u] = v < 0 ? entries[by_u] + coefficient_[j] : fused(coefficient_[j], x[v], entries[by_u]);
       if (v >= 0) entries[by_v] = fused(coefficient_[j], x[u], entries[by_v]);
     }
   }
@@ -102,8 +102,7 @@ class MonomialEquations {
       const auto [u, v] = system_.monomials[j];
       Number& p = products_[j * (order_ + 1) + k];
       if (u < 0) continue;
-      p = v < 0 ? x[u]
-                : fused(series_[u * (order_ + 1)], x[v], fused(x[u], series_[v * (order_ + 1)], p));
+      p = v < 0 ? x[u] : fused(series_[u * (order_ + 1)], x[v], fused(x[u], series_[v * (order_ + 1)], p));
     }
   }
 

@@ -31,10 +31,11 @@ ComplexVectorX given_squares(const Scene& scene) {
 }  // namespace
 
 std::vector<OptionSpec> tracking_option_specs() {
-  return {{"order", "14", "whole number from 4 to 40", "of the Taylor predictor"},
-          {"tolerance", "1e-6", "number from 1e-12 to 1e-3",
-           "error of a prediction, relative to how far the path goes until its series diverges"},
-          {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them"}};
+  return {
+      {"order", "14", "whole number from 4 to 40", "of the Taylor predictor"},
+      {"tolerance", "1e-6", "number from 1e-12 to 1e-3",
+       "error of a prediction, relative to how far the path goes until its series diverges"},
+      {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them"}};
 }
 
 TrackingSetup tracking_setup(const OptionMap& options) {

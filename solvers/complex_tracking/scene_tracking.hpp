@@ -20,8 +20,8 @@ TrackingSetup tracking_setup(const OptionMap& options);
 /// Why these strategies cannot place what the scene has, or nullopt.
 std::optional<std::string> why_not_tracked(const Scene& scene);
 
-/// Whether more than this many classes are impossible at generic lengths; nothing where nobody knows, or where
-/// no list could be that long.
+/// Whether more than this many classes are impossible at generic lengths; nothing where nobody knows, or
+/// where no list could be that long.
 std::optional<std::uint64_t> most_classes(const Scene& scene);
 
 /// Not to be moved or copied: the tracking refers to the other members.

@@ -80,8 +80,8 @@ struct BinomialSystem {
 };
 
 /// c_a x^a + c_b x^b = 0 for the edges {a, b} of a cell.
-BinomialSystem binomial_system(const MixedCells& cells, const MixedCell& cell,
-                               const MonomialSystem& system, const ComplexVectorX& coefficients) {
+BinomialSystem binomial_system(const MixedCells& cells, const MixedCell& cell, const MonomialSystem& system,
+                               const ComplexVectorX& coefficients) {
   BinomialSystem result;
   for (std::size_t i = 0; i < cells.supports.size(); ++i) {
     const auto [a, b] = cell.edges[i];

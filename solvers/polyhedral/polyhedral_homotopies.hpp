@@ -2,14 +2,14 @@
 /// All zeros in (C*)^n of a system of given supports with random coefficients, by polyhedral homotopies: B.
 /// Huber, B. Sturmfels, Math. Comp. 64 (1995).
 ///
-/// With the lifting ω and a mixed cell's normal α, x_v = y_v t^(α_v) turns Σ c_a t^(ω(a)) x^a into a system in
-/// y whose monomials have the factor t^(h_a): h_a = 0 at the cell's two points of each support, and h_a > 0 at
-/// the others. At t = 0 two monomials are left of each equation, a binomial system with as many solutions as
-/// the cell has volume; from each a path leads to t = 1. All coefficients have modulus 1, and so have the
-/// coordinates of the starts. With t = e^(τ) the factors are e^(h τ), and the way is one in τ from where the
-/// lowest of them is small: the heights of a cell differ by orders of magnitude, and in t the paths would
-/// be hard to follow near 0. (S. Kim, M. Kojima: Numerical stability of path tracing in polyhedral homotopy
-/// continuation methods, Computing 73, 2004.)
+/// With the lifting ω and a mixed cell's normal α, x_v = y_v t^(α_v) turns Σ c_a t^(ω(a)) x^a into a system
+/// in y whose monomials have the factor t^(h_a): h_a = 0 at the cell's two points of each support, and h_a >
+/// 0 at the others. At t = 0 two monomials are left of each equation, a binomial system with as many
+/// solutions as the cell has volume; from each a path leads to t = 1. All coefficients have modulus 1, and so
+/// have the coordinates of the starts. With t = e^(τ) the factors are e^(h τ), and the way is one in τ from
+/// where the lowest of them is small: the heights of a cell differ by orders of magnitude, and in t the paths
+/// would be hard to follow near 0. (S. Kim, M. Kojima: Numerical stability of path tracing in polyhedral
+/// homotopy continuation methods, Computing 73, 2004.)
 
 #include <functional>
 #include <random>
@@ -23,7 +23,7 @@ namespace gcs {
 MonomialSystem monomial_system(const Supports& supports);
 
 struct GenericZeros {
-  ComplexVectorX coefficients;       ///< one per monomial of the MonomialSystem, of modulus 1
+  ComplexVectorX coefficients;        ///< one per monomial of the MonomialSystem, of modulus 1
   std::vector<ComplexVectorX> zeros;  ///< where the paths ended: one of each set of mirror images
   std::int64_t paths = 0;             ///< that were followed
   std::int64_t mirror_images = 1;     ///< of each zero, with itself: paths·mirror_images is the mixed volume

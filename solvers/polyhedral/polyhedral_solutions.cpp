@@ -92,7 +92,8 @@ class Solution {
     ComplexVectorX to;
     for (const ComplexVectorX& coefficients : equations_.coefficients)
       to.insert(to.end(), coefficients.begin(), coefficients.end());
-    const Elimination elimination = order_elimination(system.unknowns, samples(system, zeros.coefficients, to));
+    const Elimination elimination =
+        order_elimination(system.unknowns, samples(system, zeros.coefficients, to));
     LegTracking tracking(system, elimination, request_.setup);
     sort_in(follow_to_end(
         tracking, zeros.zeros, zeros.coefficients, to, stopped_,

@@ -55,9 +55,9 @@ class Polyhedral final : public Strategy {
   SolveReport solve(const SolveRequest& request) override {
     const std::unique_ptr<Prepared> fresh = prepared_ ? nullptr : solve_at_random_lengths(request);
     Prepared& prepared = fresh ? *fresh : *prepared_;
-    SolveReport report = prepared.scene.solve(
-        prepared.generic.solutions, squares_at(prepared.scene.system(), prepared.placement), request,
-        prepared.work);
+    SolveReport report =
+        prepared.scene.solve(prepared.generic.solutions,
+                             squares_at(prepared.scene.system(), prepared.placement), request, prepared.work);
     add_generic(prepared.generic, report);
     return report;
   }
@@ -70,10 +70,9 @@ class Polyhedral final : public Strategy {
     const auto progress = [&request](std::string_view stage, double fraction) {
       if (request.monitor) request.monitor->progress(stage, fraction);
     };
-    prepared->generic =
-        polyhedral_solutions({request.scene, prepared->scene, prepared->placement, formulation_, setup,
-                              request.seed, request.stop, progress},
-                             prepared->random, prepared->work);
+    prepared->generic = polyhedral_solutions({request.scene, prepared->scene, prepared->placement,
+                                              formulation_, setup, request.seed, request.stop, progress},
+                                             prepared->random, prepared->work);
     return prepared;
   }
 

@@ -70,8 +70,11 @@ TEST_CASE("a binomial system has as many solutions as its determinant") {
 
 TEST_CASE("all solutions of disguised diagonal binomial systems are found") {
   std::mt19937_64 random(11);
-  for (const std::vector<std::int64_t>& diagonal :
-       {std::vector<std::int64_t>{2, 2, 2, 2, 2}, {1, 1, 6, 4}, {3, 9, 2}, {1, 1, 1, 1, 1, 1, 1, 8}, {12, 18, 5}}) {
+  for (const std::vector<std::int64_t>& diagonal : {std::vector<std::int64_t>{2, 2, 2, 2, 2},
+                                                    {1, 1, 6, 4},
+                                                    {3, 9, 2},
+                                                    {1, 1, 1, 1, 1, 1, 1, 8},
+                                                    {12, 18, 5}}) {
     std::int64_t volume = 1;
     for (const std::int64_t entry : diagonal) volume *= entry;
     for (int i = 0; i < 5; ++i) check_all_roots(disguised(diagonal, random), volume);

@@ -102,10 +102,9 @@ const Edges prism_edges{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, 
 TEST_CASE("monomials of a triangle in the plane") {
   const DistanceSystem system(Scene(graph(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {0, 1})));
   // Unknowns: x of p2, then x and y of p3.
-  CHECK(coordinate_supports(system) ==
-        Supports{{{2, 0, 0}, {0, 0, 0}},
-                 {{0, 2, 0}, {0, 0, 2}, {0, 0, 0}},
-                 {{2, 0, 0}, {0, 2, 0}, {1, 1, 0}, {0, 0, 2}, {0, 0, 0}}});
+  CHECK(coordinate_supports(system) == Supports{{{2, 0, 0}, {0, 0, 0}},
+                                                {{0, 2, 0}, {0, 0, 2}, {0, 0, 0}},
+                                                {{2, 0, 0}, {0, 2, 0}, {1, 1, 0}, {0, 0, 2}, {0, 0, 0}}});
   // Unknowns: x, y and s of p3.
   CHECK(sphere_supports(system) == Supports{{{0, 0, 1}, {2, 0, 0}, {0, 2, 0}},
                                             {{0, 0, 1}, {0, 0, 0}},

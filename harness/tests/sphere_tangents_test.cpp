@@ -3,12 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <random>
 
 #include "harness/instance_io.hpp"
 #include "harness/solve_run.hpp"
 #include "harness/strategy_choice.hpp"
+#include "harness/tests/line_precision.hpp"
+#include "harness/tests/tangent_samples.hpp"
 #include "solvers/model/complex_lines.hpp"
+#include "solvers/model/quality.hpp"
 
 using namespace gcs;
 
@@ -16,39 +18,6 @@ namespace {
 
 SolveRun solved(const Problem& problem, const OptionMap& options = {}) {
   return run_strategy(find_strategy("sphere-tangents"), options, Scene(problem), {});
-}
-
-/// Column i of `centers` at the distance `distances[i]` from the line.
-Problem spheres(const Eigen::Matrix<double, 3, 4>& centers, const Eigen::Vector4d& distances) {
-  Problem problem = load_instance("tangents-durand").problem;
-  for (int i = 0; i < 4; ++i) {
-    problem.fixed_points[i] = Eigen::Vector3d(centers.col(i));
-    problem.constraints[i].given = {distances[i], ""};
-    problem.constraints[i].is_squared = false;
-  }
-  return problem;
-}
-
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  double operator()() { return 2 * static_cast<double>(engine_() >> 11) * 0x1p-53 - 1; }
-
-  Eigen::Matrix<double, 3, 4> centers() {
-    return Eigen::Matrix<double, 3, 4>::NullaryExpr([this](Eigen::Index, Eigen::Index) { return (*this)(); });
-  }
-  Eigen::Vector4d distances() {
-    return Eigen::Vector4d::NullaryExpr([this](Eigen::Index) { return 0.05 + std::abs((*this)()); });
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-int real_ones(const SolveRun& run) {
-  const auto& solutions = run.assessment.solutions;
-  return static_cast<int>(std::count_if(solutions.begin(), solutions.end(),
-                                        [](const AssessedSolution& s) { return s.figure.is_real(); }));
 }
 
 int multiplicities(const SolveRun& run) {
@@ -68,28 +37,28 @@ bool holds_conjugate(const SolveRun& run, const ComplexLine& line) {
                      });
 }
 
-bool is_same(const AssessedSolution& a, const AssessedSolution& b) {
-  const ComplexLine p = normalised(complex_lines(a.figure)[0]), q = normalised(complex_lines(b.figure)[0]);
-  const auto off = [&](const Eigen::Vector3cd& u) { return (p.direction - u).norm() / u.norm(); };
-  return a.multiplicity == b.multiplicity && a.figure.is_real() == b.figure.is_real() &&
-         std::min(off(q.direction), off(-q.direction)) <= 1e-9 &&
-         (p.point - q.point).norm() <= 1e-9 * (1 + p.point.norm());
-}
-
 /// Both methods find the same lines, and 24 paths have named ends of which none failed.
 void expect_agreement(const Problem& problem) {
   const SolveRun direct = solved(problem), homotopy = solved(problem, {{"method", "homotopy"}});
-  const auto &expected = direct.assessment.solutions, &found = homotopy.assessment.solutions;
   INFO(homotopy.reason);
   CHECK(homotopy.status == direct.status);
   CHECK(homotopy.assessment.failed_checks.empty());
   CHECK(homotopy.assessment.counts.paths == 24U);
   CHECK(homotopy.assessment.counts.failed_paths == 0U);
   CHECK(homotopy.assessment.counts.at_infinity == 2 * direct.assessment.counts.at_infinity.value());
-  CHECK(found.size() == expected.size());
-  for (const AssessedSolution& line : expected)
-    CHECK(std::count_if(found.begin(), found.end(),
-                        [&](const AssessedSolution& other) { return is_same(line, other); }) == 1);
+  CHECK(have_same_lines(direct, homotopy));
+}
+
+/// To 1e-12; where the rounding of the coordinates leaves more, the exact line's.
+constexpr double precise = 1e-12;
+
+bool is_precise(const FourDistances& given, const AssessedSolution& solution) {
+  const ComplexLine line = complex_lines(solution.figure)[0];
+  const WideLine wide = refined_in_double_double(given, line);
+  // Eight roundings of coordinates: Newton's method has left the line where it was.
+  constexpr double same = 8 * 0x1p-53;
+  return wide.residual <= precise && wide.moved <= same &&
+         solution.residual <= std::max(precise, residual_of_rounding(given, line));
 }
 
 void expect_twelve(const Problem& problem) {
@@ -98,8 +67,11 @@ void expect_twelve(const Problem& problem) {
   CHECK(run.status == RunStatus::complete);
   CHECK(run.assessment.solutions.size() == 12);
   CHECK(run.assessment.failed_checks.empty());
-  for (const AssessedSolution& solution : run.assessment.solutions)
+  const FourDistances given = distances_of(problem);
+  for (const AssessedSolution& solution : run.assessment.solutions) {
     CHECK(holds_conjugate(run, complex_lines(solution.figure)[0]));
+    CHECK(is_precise(given, solution));
+  }
 }
 
 }  // namespace
@@ -130,9 +102,24 @@ TEST_CASE("touching spheres have 3 real tangents of multiplicity 4, found to 1e-
   }
 }
 
-TEST_CASE("random spheres have 12 tangents, closed under conjugation") {
+TEST_CASE("random spheres have 12 tangents to 1e-12 or to the last bit, closed under conjugation") {
   Dice dice(12);
   for (int i = 0; i < 1000; ++i) expect_twelve(spheres(dice.centers(), dice.distances()));
+}
+
+TEST_CASE("a line that is off by more than rounding is not precise") {
+  Dice dice(18);
+  const Problem problem = spheres(dice.centers(), {1, 0.7, 0.8, 0.6});  // the scene's unit is the file's
+  const FourDistances given = distances_of(problem);
+  for (AssessedSolution solution : solved(problem).assessment.solutions) {
+    const bool is_real = solution.figure.is_real();
+    ComplexLine line = complex_lines(solution.figure)[0];
+    line.direction[0] *= 1 + 1e-10;
+    solution.figure = figure_of(complex_points(solution.figure), {line}, is_real);
+    solution.residual = relative_residual(Scene(problem), solution.figure);
+    CHECK(solution.residual > std::max(precise, residual_of_rounding(given, line)));
+    CHECK_FALSE(is_precise(given, solution));
+  }
 }
 
 TEST_CASE("coplanar and nearly coplanar centres have 12 tangents") {

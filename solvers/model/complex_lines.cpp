@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include "solvers/model/complex_points.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 #include "solvers/numeric/complex_double_double.hpp"
 
@@ -26,6 +26,16 @@ bool is_to_be_turned(const Eigen::Vector3cd& u) {
   int lead = 0;
   while (lead < 2 && std::abs(u[lead]) <= zero) ++lead;
   return std::abs(u[lead].real()) > zero ? u[lead].real() < 0 : u[lead].imag() < 0;
+}
+
+/// Rounding every coordinate moves direction·direction and point·direction by an epsilon of these sizes at
+/// most, and evaluating them in doubles by as much again.
+bool is_normalised(const ComplexLine& line) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const Eigen::Vector3cd& u = line.direction;
+  return std::abs(bilinear_product(u, u) - 1.0) <= rounding * u.squaredNorm() &&
+         std::abs(bilinear_product(u, line.point)) <= rounding * u.norm() * line.point.norm() &&
+         !is_to_be_turned(u);
 }
 
 }  // namespace
@@ -50,7 +60,17 @@ void set_complex_lines(const std::vector<ComplexLine>& lines, Figure& figure) {
   }
 }
 
+Figure figure_of(const ComplexPoints& points, const std::vector<ComplexLine>& lines, bool is_real) {
+  Figure figure = complex_figure(points);
+  set_complex_lines(lines, figure);
+  if (!is_real) return figure;
+  figure.imaginary.resize(3, 0);
+  figure.imaginary_lines.clear();
+  return figure;
+}
+
 ComplexLine normalised(const ComplexLine& line) {
+  if (is_normalised(line)) return line;
   ComplexLine result;
   result.direction = line.direction / std::sqrt(bilinear_product(line.direction, line.direction));
   if (is_to_be_turned(result.direction)) result.direction = -result.direction;

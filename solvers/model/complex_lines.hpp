@@ -6,8 +6,7 @@
 #include <complex>
 #include <vector>
 
-#include "solvers/model/problem.hpp"
-#include "solvers/numeric/double_double.hpp"
+#include "solvers/model/complex_points.hpp"
 
 namespace gcs {
 
@@ -22,9 +21,13 @@ std::vector<ComplexLine> complex_lines(const Figure& figure);
 /// Replaces the lines of a complex figure.
 void set_complex_lines(const std::vector<ComplexLine>& lines, Figure& figure);
 
+/// The figure of these points and lines or, where it is real, of their real parts.
+Figure figure_of(const ComplexPoints& points, const std::vector<ComplexLine>& lines, bool is_real);
+
 /// The same line by the point with point·direction = 0 and a direction with direction·direction = 1, whose
 /// first component that is not zero (above 1e-9 of the largest) has a positive real part or, that being zero,
-/// a positive imaginary part.
+/// a positive imaginary part. A line that is so already, to the rounding of its coordinates, is not touched:
+/// every further rounding of a large coordinate moves the line off its distances.
 ComplexLine normalised(const ComplexLine& line);
 std::vector<ComplexLine> normalised(std::vector<ComplexLine> lines);
 

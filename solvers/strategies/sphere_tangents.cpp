@@ -20,12 +20,11 @@
 #include <functional>
 #include <numeric>
 
-#include "solvers/model/complex_lines.hpp"
-#include "solvers/model/distance_system.hpp"
 #include "solvers/options.hpp"
 #include "solvers/strategy.hpp"
 #include "solvers/tangents/common_tangents.hpp"
 #include "solvers/tangents/degenerate_spheres.hpp"
+#include "solvers/tangents/scene_spheres.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
 #include "solvers/tangents/tangent_homotopy.hpp"
 
@@ -43,56 +42,16 @@ std::int64_t product(const std::array<int, size>& degrees) {
   return std::accumulate(degrees.begin(), degrees.end(), std::int64_t{1}, std::multiplies<>());
 }
 
-/// Spheres near the origin with lengths near 1, and the way back to the scene.
-struct LocalSpheres {
-  FourSpheres spheres;
-  Eigen::Vector3d origin;
-  int exponent = 0;  ///< local length = scene length / 2^exponent
-
-  ComplexLine in_scene(const Tangent<std::complex<double>>& line) const {
-    const auto back = [this](double x) { return std::ldexp(x, exponent); };
-    ComplexLine result{line.point, line.direction};
-    result.point.real() = line.point.real().unaryExpr(back) + origin;
-    result.point.imag() = line.point.imag().unaryExpr(back);
-    return normalised(result);
-  }
-};
-
 /// The point that a distance constraint names beside the line.
 int point_of(const Scene& scene, const DistanceConstraint& constraint) {
   return constraint.between[scene.problem().is_point(constraint.between[0]) ? 0 : 1];
 }
 
-/// By constraints, in their order.
-LocalSpheres local_spheres(const Scene& scene) {
-  LocalSpheres local;
-  const std::vector<DoubleDouble> squares = target_squares(scene);
-  double reach = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    local.spheres[i] = {*scene.fixed_point(point_of(scene, scene.problem().constraints[i])), squares[i]};
-    if (i == 0) local.origin = local.spheres[0].center;
-    local.spheres[i].center -= local.origin;
-    reach = std::max({reach, local.spheres[i].center.norm(), scene.target_lengths()[i]});
-  }
-  if (reach > 0) local.exponent = std::ilogb(reach);
-  for (Sphere& sphere : local.spheres) {
-    sphere.center = sphere.center.unaryExpr([&](double x) { return std::ldexp(x, -local.exponent); });
-    sphere.square = {std::ldexp(sphere.square.hi, -2 * local.exponent),
-                     std::ldexp(sphere.square.lo, -2 * local.exponent)};
-  }
-  return local;
-}
-
-Figure figure_of(const Scene& scene, const ComplexLine& line, bool is_real) {
-  Figure figure;
-  figure.points.resize(3, scene.point_count());
-  for (int i = 0; i < scene.point_count(); ++i) figure.points.col(i) = *scene.fixed_point(i);
-  figure.imaginary = Eigen::Matrix3Xd::Zero(3, scene.point_count());
-  set_complex_lines({line}, figure);
-  if (!is_real) return figure;
-  figure.imaginary.resize(3, 0);
-  figure.imaginary_lines.clear();
-  return figure;
+Candidate candidate_of(const Scene& scene, const ComplexLine& line, bool is_real, int multiplicity) {
+  ComplexPoints points(3, scene.point_count());
+  for (int i = 0; i < scene.point_count(); ++i)
+    points.col(i) = scene.fixed_point(i)->cast<std::complex<double>>();
+  return {figure_of(points, {line}, is_real), multiplicity};
 }
 
 void add_particulars(SolveReport& report) {
@@ -108,17 +67,17 @@ void report_degenerate(const Scene& scene, const LocalSpheres& local, const Dege
   report.status = report.reason.empty() ? SolveStatus::complete : SolveStatus::infinite;
   if (!tangents.only_real_line) return;
   const auto& [point, direction] = *tangents.only_real_line;
-  const Tangent<std::complex<double>> line{point, direction};
-  report.candidates.push_back({figure_of(scene, local.in_scene(line), true), 1});
+  report.candidates.push_back(candidate_of(scene, local.in_scene({point, direction}), true, 1));
 }
 
-void report_lines(const Scene& scene, const LocalSpheres& local, const CommonTangents& tangents,
-                  SolveReport& report) {
+void report_lines(const Scene& scene, const FourSpheres& spheres, const LocalSpheres& local,
+                  const CommonTangents& tangents, SolveReport& report) {
   report.generic = tangent_count;
   report.at_infinity = tangents.at_infinity;
-  for (const FoundTangent& found : tangents.lines)
+  for (const auto& [line, is_real, multiplicity] : tangents.lines)
     report.candidates.push_back(
-        {figure_of(scene, local.in_scene(found.line), found.is_real), found.multiplicity});
+        candidate_of(scene, polished(spheres, local.in_scene(line), is_real, multiplicity, report.work),
+                     is_real, multiplicity));
   const int accounted_for = tangents.accounted_for();
   if (accounted_for == tangent_count) {
     report.status = SolveStatus::complete;
@@ -171,21 +130,23 @@ class SphereTangents final : public Strategy {
       return report;
     }
     add_particulars(report);
-    const LocalSpheres local = local_spheres(request.scene);
+    const FourSpheres spheres = *spheres_of(request.scene);
+    const LocalSpheres local(spheres);
     if (const auto degenerate = degenerate_tangents(local.spheres))
       report_degenerate(request.scene, local, *degenerate, report);
     else if (follows_paths_)
-      follow(request, local, report);
+      follow(request, spheres, local, report);
     else
-      report_lines(request.scene, local, common_tangents(local.spheres, report.work), report);
+      report_lines(request.scene, spheres, local, common_tangents(local.spheres, report.work), report);
     return report;
   }
 
  private:
-  static void follow(const SolveRequest& request, const LocalSpheres& local, SolveReport& report) {
+  static void follow(const SolveRequest& request, const FourSpheres& spheres, const LocalSpheres& local,
+                     SolveReport& report) {
     FollowedTangents followed =
         follow_tangents(local.spheres, request.seed, request.stop, request.monitor, report.work);
-    report_lines(request.scene, local, followed.found, report);
+    report_lines(request.scene, spheres, local, followed.found, report);
     report.paths = std::move(followed.paths);
     if (report.paths.back().end == PathRecord::End::stopped) return report_stop(report);
     const bool any_failed = std::any_of(report.paths.begin(), report.paths.end(), [](const PathRecord& path) {

@@ -1,0 +1,37 @@
+#pragma once
+/// The spheres that a scene's line has to touch, and its tangents in the scene.
+
+#include <optional>
+
+#include "solvers/model/complex_lines.hpp"
+#include "solvers/model/scene.hpp"
+#include "solvers/tangents/found_tangents.hpp"
+#include "solvers/work.hpp"
+
+namespace gcs {
+
+/// In the scene's coordinates and the order of the constraints. Nothing unless there is one line, which is
+/// free and whose distances are from four given points.
+std::optional<FourSpheres> spheres_of(const Scene& scene);
+
+/// Spheres moved near the origin, with lengths near 1.
+struct LocalSpheres {
+  explicit LocalSpheres(const FourSpheres& in_scene);
+
+  FourSpheres spheres;
+  Eigen::Vector3d origin;
+  int exponent = 0;  ///< local length = scene length / 2^exponent
+
+  ComplexTangent local(const ComplexLine& line) const;
+  ComplexLine in_scene(const ComplexTangent& line) const;
+};
+
+/// A common tangent that was found to 1e-3 of its size, as good as its coordinates in doubles can be, and
+/// normalised (complex_lines.hpp). A simple one by Newton's method in the scene's coordinates, which are
+/// those of the exact line to their last bit then; a multiple one settled (tangent_refinement.hpp). Where
+/// neither converges the line is as it was.
+/// Adds to `work`.
+ComplexLine polished(const FourSpheres& in_scene, const ComplexLine& line, bool is_real, int multiplicity,
+                     WorkCounters& work);
+
+}  // namespace gcs

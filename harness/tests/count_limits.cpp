@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "harness/assess.hpp"
+#include "solvers/model/released_scene.hpp"
 
 namespace gcs::contract {
 namespace {
@@ -28,6 +29,14 @@ Violations check_limits(const Scene& scene, const TheoreticalCounts& counts, con
     violations.push_back(
         {"limit", fmt::format("{} classes at generic lengths, exactly {}", *generic, limit.decimal())});
   return violations;
+}
+
+bool has_many_solutions(const Scene& scene) {
+  const bool is_released = scene.is_anchored() && !why_not_released(scene);
+  const TheoreticalCounts counts =
+      theoretical_counts(is_released ? ReleasedScene(scene).scene().problem() : scene.problem());
+  const SolutionCount* limit = counts.upper_limit();
+  return !limit || limit->up_to_reflection() > Natural(counts.exact ? 100 : 32);
 }
 
 }  // namespace gcs::contract

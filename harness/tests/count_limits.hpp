@@ -11,4 +11,8 @@ namespace gcs::contract {
 /// are those of the scene's problem. Holds for every claim, since classes on S are real ones.
 Violations check_limits(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report);
 
+/// More complex solutions than a test has time for; where no exact count is known, a trace test takes many
+/// times the time of the search. Counts are known where no positions are given.
+bool has_many_solutions(const Scene& scene);
+
 }  // namespace gcs::contract

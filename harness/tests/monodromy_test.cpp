@@ -2,19 +2,36 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "harness/instance_io.hpp"
 #include "harness/solve_run.hpp"
 #include "harness/strategy_choice.hpp"
+#include "harness/tests/tangent_samples.hpp"
 
 using namespace gcs;
 
 namespace {
 
-SolveRun solved(const std::string& instance, const OptionMap& options = {}, int threads = 1) {
+SolveRun solved(const Problem& problem, const OptionMap& options = {}, int threads = 1) {
   RunLimits limits;
   limits.threads = threads;
-  return run_strategy(find_strategy("monodromy"), options, Scene(load_instance(instance).problem), limits);
+  return run_strategy(find_strategy("monodromy"), options, Scene(problem), limits);
+}
+
+SolveRun solved(const std::string& instance, const OptionMap& options = {}, int threads = 1) {
+  return solved(load_instance(instance).problem, options, threads);
+}
+
+/// Those that sphere-tangents finds by eigenvalues.
+SolveRun expect_tangents(const Problem& problem) {
+  SolveRun run = solved(problem);
+  INFO(run.reason);
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.assessment.failed_checks.empty());
+  CHECK(run.assessment.counts.generic == 12);
+  CHECK(have_same_lines(run, run_strategy(find_strategy("sphere-tangents"), {}, Scene(problem), {})));
+  return run;
 }
 
 }  // namespace
@@ -47,4 +64,35 @@ TEST_CASE("threads and instruction sets change no number of a solve") {
     CHECK(ours[i].figure.points == theirs[i].figure.points);
     CHECK(ours[i].figure.imaginary == theirs[i].figure.imaginary);
   }
+}
+
+TEST_CASE("lines beside given points are found with the points set free") {
+  // Real ones: Durand 1998 and PHCpack's demos; Macdonald, Pach, Theobald 2001.
+  for (const auto& [id, real] :
+       {std::pair("tangents-durand", 4), {"tangents-12-real", 12}, {"tangents-equal-radii", 12}}) {
+    const SolveRun run = expect_tangents(load_instance(id).problem);
+    CHECK(run.assessment.solutions.size() == 12);
+    CHECK(real_ones(run) == real);
+  }
+  const SolveRun fourfold = expect_tangents(load_instance("tangents-fourfold").problem);
+  CHECK(fourfold.assessment.solutions.size() == 3);
+  CHECK(real_ones(fourfold) == 3);
+  for (const AssessedSolution& solution : fourfold.assessment.solutions) CHECK(solution.multiplicity == 4);
+}
+
+TEST_CASE("given points anywhere have 12 tangents, coplanar and nearly coplanar ones too") {
+  Dice dice(19);
+  for (int i = 0; i < 20; ++i) {
+    Eigen::Matrix<double, 3, 4> centers = dice.centers();
+    if (i >= 10) centers.row(2) *= i % 2 == 0 ? 0 : std::pow(10, 5 - i);
+    expect_tangents(spheres(centers, dice.distances()));
+  }
+}
+
+TEST_CASE("given points on one line are refused") {
+  Eigen::Matrix<double, 3, 4> centers = Eigen::Matrix<double, 3, 4>::Zero();
+  centers.row(1) << 0, 1, 2.5, 4;
+  const SolveRun run = solved(spheres(centers, {1, 0.9, 0.8, 0.95}));
+  CHECK(run.status == RunStatus::unsupported);
+  CHECK(run.reason.find("not on one line") != std::string::npos);
 }

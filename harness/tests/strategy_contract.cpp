@@ -9,10 +9,10 @@
 
 #include "harness/assess.hpp"
 #include "harness/solve_run.hpp"
+#include "harness/tests/count_limits.hpp"
 #include "harness/tests/known_counts.hpp"
 #include "harness/tests/report_agreement.hpp"
 #include "harness/tests/report_difference.hpp"
-#include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/quality.hpp"
@@ -224,14 +224,6 @@ std::string Subject::label() const {
   std::string label(entry.name);
   for (const auto& [name, value] : given) label += fmt::format(" {}={}", name, value);
   return label;
-}
-
-/// More complex solutions than a test has time for; where no exact count is known, a trace test takes many
-/// times the time of the search.
-bool has_many_solutions(const Scene& scene) {
-  const TheoreticalCounts counts = theoretical_counts(scene.problem());
-  const SolutionCount* limit = counts.upper_limit();
-  return !limit || limit->up_to_reflection() > Natural(counts.exact ? 100 : 32);
 }
 
 /// A plan with two angles is subdivided in the plane of both, which takes long; plan_scan_test.cpp has

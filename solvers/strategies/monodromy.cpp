@@ -9,7 +9,8 @@
 /// bound is met, a trace test decides (complex_tracking/trace_test.hpp): strong evidence that nothing is
 /// missing, and no proof. Without it (trace=off) the report says that the list is as found.
 ///
-/// It fails on scenes with several lines, or with a line beside given positions. The solutions for random
+/// Where positions are given beside a line the scene is restated without (model/released_scene.hpp), and the
+/// solutions are carried back. It fails on scenes with several lines. The solutions for random
 /// lengths are found in prepare, since they serve all lengths. Duff, Hill, Jensen, Lee, Leykin, Sommars,
 /// Solving polynomial systems via homotopy continuation and monodromy, IMA J. Numer. Anal. 39 (2019).
 
@@ -18,6 +19,7 @@
 
 #include "solvers/complex_tracking/complex_report.hpp"
 #include "solvers/complex_tracking/monodromy_search.hpp"
+#include "solvers/complex_tracking/released_report.hpp"
 #include "solvers/complex_tracking/trace_test.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/model/distance_system.hpp"
@@ -105,15 +107,41 @@ class Monodromy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     if (scene.problem().lines.size() > 1) return "it places one line at most";
-    if (scene.has_lines() && (scene.is_anchored() || scene.reference().line < 0))
-      return "it puts the line on the x-axis, which given positions or a reference of points do not allow";
+    if (is_released(scene)) return why_not_released(scene);
+    if (scene.has_lines() && scene.reference().line < 0)
+      return "it puts the line on the x-axis, which a reference of points does not allow";
     return std::nullopt;
   }
 
-  void prepare(const SolveRequest& request) override { prepared_ = search(request); }
+  void prepare(const SolveRequest& request) override {
+    if (!is_released(request.scene)) {
+      prepared_ = search(request);
+      return;
+    }
+    const ReleasedScene released(request.scene);
+    prepared_ = search(request_on(released.scene(), request));
+  }
 
   SolveReport solve(const SolveRequest& request) override {
-    const std::unique_ptr<Prepared> fresh = prepared_ ? nullptr : search(request);
+    if (!is_released(request.scene)) return solve_free(request);
+    const ReleasedScene released(request.scene);
+    return carried_back(released, request.scene, solve_free(request_on(released.scene(), request)));
+  }
+
+ private:
+  static bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
+
+  static SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
+    return {scene, request.seed, request.threads, request.stop, request.monitor};
+  }
+
+  /// What was prepared serves the same equations: which ones a restated scene has depends on the positions.
+  bool is_prepared_for(const Scene& scene) const {
+    return prepared_ && prepared_->coordinates.edges() == DistanceSystem(scene).edges();
+  }
+
+  SolveReport solve_free(const SolveRequest& request) const {
+    const std::unique_ptr<Prepared> fresh = is_prepared_for(request.scene) ? nullptr : search(request);
     Prepared& prepared = fresh ? *fresh : *prepared_;
     const auto stopped = [&] { return request.stop.stop_requested(); };
     WorkCounters work = prepared.work;
@@ -127,7 +155,6 @@ class Monodromy final : public Strategy {
     return report;
   }
 
- private:
   std::unique_ptr<Prepared> search(const SolveRequest& request) const {
     auto prepared = std::make_unique<Prepared>(request, tracking_, instruction_set_);
     const std::vector<int> axes = mirror_axes(request.scene, prepared->coordinates);

@@ -1,0 +1,26 @@
+#include "solvers/complex_tracking/released_report.hpp"
+
+#include <utility>
+
+#include "solvers/tangents/scene_spheres.hpp"
+
+namespace gcs {
+
+SolveReport carried_back(const ReleasedScene& released, const Scene& given, SolveReport report) {
+  const std::optional<FourSpheres> spheres = spheres_of(given);
+  const std::vector<Candidate> candidates = std::exchange(report.candidates, {});
+  for (const auto& [placement, multiplicity] : candidates) {
+    std::optional<Figure> figure = released.carried_back(placement);
+    if (!figure) continue;
+    if (spheres) {
+      const ComplexLine line =
+          polished(*spheres, complex_lines(*figure).front(), figure->is_real(), multiplicity, report.work);
+      figure = figure_of(complex_points(*figure), {line}, figure->is_real());
+    }
+    report.candidates.push_back({*figure, multiplicity});
+  }
+  if (report.generic) *report.generic >>= released.doublings();
+  return report;
+}
+
+}  // namespace gcs

@@ -33,7 +33,8 @@ int create_beside(const fs::path& target, fs::path& created) {
   return descriptor;
 }
 
-/// Returns 0 or the error number.
+}  // namespace
+
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = write(descriptor, text.data(), text.size());
@@ -43,8 +44,6 @@ int write_all(int descriptor, std::string_view text) {
   }
   return 0;
 }
-
-}  // namespace
 
 AtomicFile::AtomicFile(const fs::path& target) : named_(target), target_(through_links(target)) {
   std::error_code ignored;

@@ -13,6 +13,9 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Writes all of `text`. Returns 0 or the error number.
+int write_all(int descriptor, std::string_view text);
+
 /// A file that will be written later. Creating one proves that the place can be written, before hours of
 /// work; a file that is there already keeps its content until commit().
 class AtomicFile {

@@ -15,9 +15,12 @@
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
 #include "harness/environment.hpp"
+#include "harness/file_journal.hpp"
 #include "harness/instance_io.hpp"
+#include "harness/nearest_name.hpp"
 #include "harness/progress_line.hpp"
 #include "harness/result_io.hpp"
+#include "harness/solve_identity.hpp"
 #include "harness/solve_run.hpp"
 #include "harness/solve_summary.hpp"
 #include "harness/stop_conditions.hpp"
@@ -33,7 +36,7 @@ struct SolveArguments {
   std::vector<std::string> settings;
   std::string out;        ///< empty: no file; "-": standard output
   std::string solutions;  ///< "real", "all", or empty: whatever the strategy finds
-  std::string resume;
+  std::string resume;     ///< the journal's file; empty: none
   bool certify = false;
   RunLimits limits;
 };
@@ -43,7 +46,6 @@ std::optional<std::string> why_unavailable(const SolveArguments& arguments) {
   if (arguments.strategy.starts_with("exec:"))
     return "external programs as strategies are not available in this version";
   if (arguments.certify) return "--certify: certificates are not available in this version";
-  if (!arguments.resume.empty()) return "--resume: resuming a solve is not available in this version";
   if (arguments.solutions == "all")
     return "--solutions all: complex solutions are not available in this version, every strategy finds real "
            "ones";
@@ -91,6 +93,27 @@ void print_answer(const SolveArguments& arguments, const Instance& instance, con
   if (run.status != RunStatus::unsupported) std::cout << solve_summary(instance, run);
 }
 
+std::string strategies_with_a_journal() {
+  std::vector<std::string> names;
+  for (const StrategyEntry& entry : all_strategies())
+    if (entry.keeps_journal) names.emplace_back(entry.name);
+  return quoted_list(names);
+}
+
+/// The journal that --resume names, if any.
+std::unique_ptr<FileJournal> open_journal(const SolveArguments& arguments, const StrategyEntry& entry,
+                                          const OptionMap& options, const Instance& instance) {
+  if (arguments.resume.empty()) return nullptr;
+  if (!entry.keeps_journal)
+    throw UsageError(
+        fmt::format("--resume: strategy {} keeps no journal to go on from; leave it out (with a "
+                    "journal: {})",
+                    entry.name, strategies_with_a_journal()));
+  return std::make_unique<FileJournal>(
+      arguments.resume, solve_identity(instance, entry, complete_options(entry, options),
+                                       arguments.limits.seed, capture_environment(arguments.limits.threads)));
+}
+
 ExitCode solve(const SolveArguments& arguments, bool quiet) {
   if (const auto reason = why_unavailable(arguments)) {
     complain(*reason);
@@ -101,13 +124,15 @@ ExitCode solve(const SolveArguments& arguments, bool quiet) {
   const Instance instance = load_instance(arguments.instance);
   std::optional<AtomicFile> file;
   if (!arguments.out.empty() && arguments.out != "-") file.emplace(arguments.out);
+  const std::unique_ptr<FileJournal> journal = open_journal(arguments, entry, options, instance);
 
   catch_interrupts();
   const Scene scene(instance.problem);
-  const SolveRun run = [&] {
+  SolveRun run = [&] {
     ProgressLine progress(!quiet);
-    return run_strategy(entry, options, scene, arguments.limits, &progress);
+    return run_strategy(entry, options, scene, arguments.limits, {&progress, journal.get()});
   }();
+  if (journal) run.timing.recalled_steps = journal->recalled();
   print_answer(arguments, instance, run, file);
   complain_about(run);
   return exit_code(run);
@@ -126,7 +151,11 @@ std::string settings_help() {
          "\nExamples:\n"
          "  gcsbench solve disulfide --strategy rcp\n"
          "  gcsbench solve ./my.json --strategy full-space --time-limit 60 --out result.json\n"
-         "  gcsbench solve octahedron --strategy rcp --out - | python3 -m json.tool\n";
+         "  gcsbench solve octahedron --strategy rcp --out - | python3 -m json.tool\n"
+         "  gcsbench solve icosahedron --strategy monodromy --resume icosahedron.journal\n"
+         "\nThe last one may be stopped in any way and started again with the same words: nothing that was\n"
+         "done is computed again. Threads, instruction set, --time-limit and --out may change; a journal of\n"
+         "anything else is refused.\n";
 }
 
 /// CLI11 takes -1 and what is beyond 64 bits for the largest number there is.
@@ -179,7 +208,7 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
   command.add_flag("--certify", arguments.certify, "Prove every solution (not available in this version)");
   command
       .add_option("--resume", arguments.resume,
-                  "Go on from an earlier result (not available in this version)")
+                  "Keep a journal in FILE; when it is there, go on where it ends, with the same result")
       ->type_name("FILE");
   command.footer(settings_help);
 }

@@ -29,7 +29,10 @@ void ProgressLine::progress(std::string_view stage, double fraction) {
   next_ = now + interval;
   written_ = true;
   const std::string share = fraction >= 0 ? fmt::format(" {:.0f} %", 100 * fraction) : "";
-  std::cerr << clear_line << stage << share << std::flush;
+  const double now_s = std::chrono::duration<double>(now.time_since_epoch()).count();
+  const std::optional<double> left_s = time_left_.estimate(stage, fraction, now_s);
+  const std::string left = left_s ? ", " + rough_time(*left_s) + " left at this rate" : "";
+  std::cerr << clear_line << stage << share << left << std::flush;
 }
 
 }  // namespace gcs

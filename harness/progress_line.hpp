@@ -1,9 +1,10 @@
 #pragma once
-/// One line on standard error that shows how far a solve has come.
+/// One line on standard error that shows how far a solve has come and how long it may take.
 
 #include <chrono>
 #include <string_view>
 
+#include "harness/time_left.hpp"
 #include "solvers/strategy.hpp"
 
 namespace gcs {
@@ -23,6 +24,7 @@ class ProgressLine final : public Monitor {
   bool shown_ = false;    ///< somebody sees the line
   bool written_ = false;  ///< there is something to clear
   std::chrono::steady_clock::time_point next_;
+  TimeLeft time_left_;
 };
 
 }  // namespace gcs

@@ -121,7 +121,8 @@ JsonValue failed_checks_value(const std::vector<FailedCheck>& checks) {
 JsonValue timing_value(const Timing& timing) {
   return json_object({{"wall_s", json_number(timing.wall_s)},
                       {"cpu_s", json_number(timing.cpu_s)},
-                      {"prepare_s", json_number(timing.prepare_s)}});
+                      {"prepare_s", json_number(timing.prepare_s)},
+                      {"recalled_steps", json_count(static_cast<std::uint64_t>(timing.recalled_steps))}});
 }
 
 JsonValue claim_value(const std::optional<Claim>& claim) {

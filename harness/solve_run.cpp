@@ -8,6 +8,8 @@
 #include <exception>
 #include <utility>
 
+#include "harness/atomic_file.hpp"
+#include "harness/json_document.hpp"
 #include "harness/stop_conditions.hpp"
 
 namespace gcs {
@@ -37,9 +39,14 @@ SolveReport timed_solve(Strategy& strategy, const SolveRequest& request, Timing&
 }
 
 /// A strategy that throws has a defect, or the machine has no memory left; neither may end a series of runs.
+/// What is wrong with the user's files does.
 SolveReport guarded_solve(Strategy& strategy, const SolveRequest& request, Timing& timing) {
   try {
     return timed_solve(strategy, request, timing);
+  } catch (const InputError&) {
+    throw;
+  } catch (const OutputError&) {
+    throw;
   } catch (const std::exception& error) {
     SolveReport report;
     report.reason = fmt::format("the strategy failed with an exception: {}", error.what());
@@ -115,7 +122,7 @@ std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& s
 }
 
 SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const Scene& scene,
-                      const RunLimits& limits, Monitor* monitor) {
+                      const RunLimits& limits, const RunServices& services) {
   SolveRun run;
   run.strategy = entry.name;
   run.options = complete_options(entry, given);
@@ -128,8 +135,9 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
     return run;
   }
   StopWatch watch(limits.time_limit_s);
-  SolveReport report =
-      guarded_solve(*strategy, {scene, limits.seed, limits.threads, watch.token(), monitor}, run.timing);
+  const SolveRequest request{scene,         limits.seed,      limits.threads,
+                             watch.token(), services.monitor, services.journal};
+  SolveReport report = guarded_solve(*strategy, request, run.timing);
   set_status(run, report, watch.cause(), limits);
   run.claim = report.claim;
   run.assessment = assess(scene, report);

@@ -28,9 +28,10 @@ std::string_view word(Claim claim);
 
 /// Of prepare and solve alone; assessing is not timed.
 struct Timing {
-  double wall_s = 0;     ///< of solve
-  double cpu_s = 0;      ///< of solve, all threads together
-  double prepare_s = 0;  ///< wall time of prepare
+  double wall_s = 0;                ///< of solve
+  double cpu_s = 0;                 ///< of solve, all threads together
+  double prepare_s = 0;             ///< wall time of prepare
+  std::int64_t recalled_steps = 0;  ///< taken from the journal of an earlier run, and so not in these times
 };
 
 struct SolveRun {
@@ -47,13 +48,19 @@ struct SolveRun {
   Timing timing;
 };
 
+/// What a run may use of the outside; each may be null.
+struct RunServices {
+  Monitor* monitor = nullptr;
+  Journal* journal = nullptr;
+};
+
 /// Why `strategy`, made from `entry`, cannot do `scene`: its own reason, or no sketch; nullopt when it can.
 std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy, const Scene& scene);
 
 /// Runs the strategy until it ends, the time limit passes or the user interrupts (see catch_interrupts).
 /// An exception from the strategy becomes RunStatus::gave_up. Throws OptionError for options that are not
-/// allowed.
+/// allowed, and what the services throw about their files: InputError and OutputError.
 SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const Scene& scene,
-                      const RunLimits& limits, Monitor* monitor = nullptr);
+                      const RunLimits& limits, const RunServices& services = {});
 
 }  // namespace gcs

@@ -135,8 +135,13 @@ std::string particulars(const std::vector<Particular>& counts) {
 }
 
 std::string time(const Timing& timing) {
-  return line("time", fmt::format("{:.3g} s (cpu {:.3g} s), prepared in {:.3g} s", timing.wall_s,
-                                  timing.cpu_s, timing.prepare_s));
+  const std::string recalled =
+      timing.recalled_steps == 0
+          ? ""
+          : fmt::format(", after recalling {} from the journal",
+                        amount(static_cast<std::uint64_t>(timing.recalled_steps), "step", "steps"));
+  return line("time", fmt::format("{:.3g} s (cpu {:.3g} s), prepared in {:.3g} s{}", timing.wall_s,
+                                  timing.cpu_s, timing.prepare_s, recalled));
 }
 
 std::string failed_checks(const std::vector<FailedCheck>& checks) {

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solvers/journal.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/work.hpp"
 
@@ -25,6 +26,7 @@ struct SolveRequest {
   int threads = 1;
   std::stop_token stop;        ///< asked for: return what is there with SolveStatus::stopped
   Monitor* monitor = nullptr;  ///< may be null
+  Journal* journal = nullptr;  ///< may be null; see StrategyEntry::keeps_journal
 };
 
 /// What a strategy says that it found; the harness checks it.
@@ -83,6 +85,7 @@ struct OptionSpec {
   std::string_view allowed;  ///< "a|b|c" for a choice, otherwise a range in words: "number > 0"
   std::string_view summary;
   bool is_length = false;  ///< in the file's unit of length: means another length when the unit changes
+  bool changes_result = true;
 };
 /// Every option of the strategy has an entry: the default where the user said nothing.
 using OptionMap = std::map<std::string, std::string, std::less<>>;
@@ -110,6 +113,7 @@ struct StrategyEntry {
   std::string_view summary;  ///< one line
   std::string_view citation;
   bool needs_sketch = false;
+  bool keeps_journal = false;  ///< a solve with the journal of an interrupted one goes on where that stopped
   std::vector<OptionSpec> options;
   std::unique_ptr<Strategy> (*make)(const OptionMap& options) = nullptr;
 };

@@ -22,7 +22,7 @@ SolveRun toy_run() {
   run.assessment = assess(scene, toy::good_report(scene));
   run.work.iterations = 694;
   run.work.smallest_step = 0.01;
-  run.timing = {0.25, 0.5, 0.125};
+  run.timing = {0.25, 0.5, 0.125, 7};
   return run;
 }
 
@@ -54,7 +54,8 @@ TEST_CASE("a result has every field of its format") {
   CHECK(result["status"] == "complete");
   CHECK(result["reason"] == "");
   CHECK(result["claim"] == "on path");
-  CHECK(result["timing"] == Json{{"wall_s", 0.25}, {"cpu_s", 0.5}, {"prepare_s", 0.125}});
+  CHECK(result["timing"] ==
+        Json{{"wall_s", 0.25}, {"cpu_s", 0.5}, {"prepare_s", 0.125}, {"recalled_steps", 7}});
   CHECK(result["environment"] == Json{{"cpu", "a cpu"},
                                       {"compiler", "a compiler"},
                                       {"flags", "-O2"},

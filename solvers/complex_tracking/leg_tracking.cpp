@@ -1,10 +1,15 @@
 #include "solvers/complex_tracking/leg_tracking.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <thread>
 
 namespace gcs {
 namespace {
+
+/// What is lost at most when a run is killed, and far more than all threads have in hand at once.
+constexpr std::size_t legs_per_block = 4096;
 
 /// Keeps the lanes of one tracker full until no leg is left.
 class LegFeeder {
@@ -85,15 +90,11 @@ Route standing(const Route& route) {
   return {{route.end, zero, zero, zero}, route.end};
 }
 
-void add_work(const std::vector<LegResult>& results, WorkCounters& work) {
+void add_work(const std::vector<LegResult>& results, LegWork& work) {
   for (const LegResult& result : results) {
-    const int tried = result.state.steps + 2;  // with the start and the end
-    work.iterations += result.state.steps - result.state.rejected;
-    work.rejected_steps += result.state.rejected;
-    work.newton_iterations += tried;
-    work.evaluations += tried;
-    work.jacobians += tried;
-    work.factorisations += tried;
+    work.accepted += result.state.steps - result.state.rejected;
+    work.rejected += result.state.rejected;
+    work.evaluations += result.state.steps + 2;  // with the start and the end
   }
 }
 
@@ -108,30 +109,56 @@ TrackingOptions LegTracking::wide(TrackingOptions options) {
 
 std::vector<LegResult> LegTracking::follow(std::span<const Leg> legs, const std::function<bool()>& stopped,
                                            WorkCounters& work) {
-  std::vector<LegResult> results = follow_with(trackers_, legs, stopped, work);
-  follow_lost_again(legs, results, stopped, work);
-  settle_ends(legs, results, stopped, work);
+  std::vector<LegResult> results;
+  for (std::size_t first = 0; first < legs.size(); first += legs_per_block) {
+    const std::span<const Leg> some = legs.subspan(first, std::min(legs_per_block, legs.size() - first));
+    // Once stopped, what is asked for next is no longer what an undisturbed run asks for.
+    const bool use_journal = journal_ && !stopped();
+    FollowedLegs followed = use_journal ? recall_or_follow(some, stopped) : follow_now(some, stopped);
+    followed.work.add_to(work);
+    std::move(followed.results.begin(), followed.results.end(), std::back_inserter(results));
+  }
   return results;
 }
 
-void LegTracking::follow_lost_again(std::span<const Leg> legs, std::vector<LegResult>& results,
-                                    const std::function<bool()>& stopped, WorkCounters& work) {
-  const std::vector<std::size_t> places = places_of(results, is_lost);
-  std::vector<Leg> lost;
-  for (const std::size_t place : places) lost.push_back(legs[place]);
-  std::vector<LegResult> again = follow_with(wide_trackers_, lost, stopped, work);
-  for (std::size_t i = 0; i < places.size(); ++i) results[places[i]] = std::move(again[i]);
+FollowedLegs LegTracking::recall_or_follow(std::span<const Leg> legs, const std::function<bool()>& stopped) {
+  FollowedLegs followed;
+  const auto follow_all = [&]() -> std::optional<Journal::Block> {
+    followed = follow_now(legs, stopped);
+    if (stopped()) return std::nullopt;
+    return to_block(followed);
+  };
+  const auto block = journal_->result(fingerprint(legs, unknowns_), follow_all);
+  return block ? from_block(*block, legs.size(), unknowns_) : std::move(followed);
 }
 
-void LegTracking::settle_ends(std::span<const Leg> legs, std::vector<LegResult>& results,
-                              const std::function<bool()>& stopped, WorkCounters& work) {
+FollowedLegs LegTracking::follow_now(std::span<const Leg> legs, const std::function<bool()>& stopped) {
+  FollowedLegs followed;
+  followed.results = follow_with(trackers_, legs, stopped, followed.work);
+  follow_lost_again(legs, stopped, followed);
+  settle_ends(legs, stopped, followed);
+  return followed;
+}
+
+void LegTracking::follow_lost_again(std::span<const Leg> legs, const std::function<bool()>& stopped,
+                                    FollowedLegs& followed) {
+  const std::vector<std::size_t> places = places_of(followed.results, is_lost);
+  std::vector<Leg> lost;
+  for (const std::size_t place : places) lost.push_back(legs[place]);
+  std::vector<LegResult> again = follow_with(wide_trackers_, lost, stopped, followed.work);
+  for (std::size_t i = 0; i < places.size(); ++i) followed.results[places[i]] = std::move(again[i]);
+}
+
+void LegTracking::settle_ends(std::span<const Leg> legs, const std::function<bool()>& stopped,
+                              FollowedLegs& followed) {
+  std::vector<LegResult>& results = followed.results;
   const std::vector<std::size_t> places = places_of(results, is_unsettled);
   std::vector<Route> routes;
   for (const std::size_t place : places) routes.push_back(standing(*legs[place].route));
   std::vector<Leg> unsettled;
   for (std::size_t i = 0; i < places.size(); ++i)
     unsettled.push_back({results[places[i]].x.data(), &routes[i]});
-  std::vector<LegResult> settled = follow_with(wide_trackers_, unsettled, stopped, work);
+  std::vector<LegResult> settled = follow_with(wide_trackers_, unsettled, stopped, followed.work);
   for (std::size_t i = 0; i < places.size(); ++i) {
     settled[i].state.steps += results[places[i]].state.steps;
     settled[i].state.rejected += results[places[i]].state.rejected;
@@ -140,8 +167,7 @@ void LegTracking::settle_ends(std::span<const Leg> legs, std::vector<LegResult>&
 }
 
 std::vector<LegResult> LegTracking::follow_with(Trackers& trackers, std::span<const Leg> legs,
-                                                const std::function<bool()>& stopped,
-                                                WorkCounters& work) const {
+                                                const std::function<bool()>& stopped, LegWork& work) const {
   std::vector<LegResult> results(legs.size());
   std::atomic<std::size_t> next = 0;
   const auto run = [&](LaneTracker& tracker) {

@@ -7,30 +7,25 @@
 #include <string>
 #include <vector>
 
-#include "solvers/complex_tracking/lane_tracker.hpp"
-#include "solvers/work.hpp"
+#include "solvers/complex_tracking/leg_block.hpp"
 
 namespace gcs {
-
-struct LegResult {
-  LegState state;
-  ComplexVectorX x;  ///< at state.s
-};
 
 /// How paths are followed, and on how many threads.
 struct TrackingSetup {
   TrackingOptions options;
   InstructionSet set = InstructionSet::portable;
-  int threads = 1;  ///< ≥ 1
+  int threads = 1;             ///< ≥ 1
+  Journal* journal = nullptr;  ///< what it has recorded is not followed again
 };
 
 /// Follows legs of one system.
 class LegTracking {
  public:
-  /// `system`, of squares or of monomials, and `elimination` are referred to.
+  /// `system`, of squares or of monomials, `elimination` and the journal are referred to.
   template <class System>
   LegTracking(const System& system, const Elimination& elimination, const TrackingSetup& setup)
-      : unknowns_(system.unknowns) {
+      : unknowns_(system.unknowns), journal_(setup.journal) {
     for (int i = 0; i < setup.threads; ++i) {
       trackers_.push_back(make_lane_tracker(setup.set, system, elimination, setup.options));
       wide_trackers_.push_back(make_wide_tracker(system, elimination, wide(setup.options)));
@@ -49,16 +44,18 @@ class LegTracking {
 
   /// Options for the arithmetic of twice the precision.
   static TrackingOptions wide(TrackingOptions options);
+  FollowedLegs recall_or_follow(std::span<const Leg> legs, const std::function<bool()>& stopped);
+  FollowedLegs follow_now(std::span<const Leg> legs, const std::function<bool()>& stopped);
   std::vector<LegResult> follow_with(Trackers& trackers, std::span<const Leg> legs,
-                                     const std::function<bool()>& stopped, WorkCounters& work) const;
-  void follow_lost_again(std::span<const Leg> legs, std::vector<LegResult>& results,
-                         const std::function<bool()>& stopped, WorkCounters& work);
-  void settle_ends(std::span<const Leg> legs, std::vector<LegResult>& results,
-                   const std::function<bool()>& stopped, WorkCounters& work);
+                                     const std::function<bool()>& stopped, LegWork& work) const;
+  void follow_lost_again(std::span<const Leg> legs, const std::function<bool()>& stopped,
+                         FollowedLegs& followed);
+  void settle_ends(std::span<const Leg> legs, const std::function<bool()>& stopped, FollowedLegs& followed);
 
   int unknowns_;
   Trackers trackers_;
   Trackers wide_trackers_;
+  Journal* journal_;
 };
 
 }  // namespace gcs

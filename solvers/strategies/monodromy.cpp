@@ -69,6 +69,7 @@ std::string why_not_all(const GenericSolutions& generic, const std::optional<Tra
   if (generic.end == SearchEnd::inconsistent)
     return found + ", which contradict each other: a step has jumped";
   if (generic.end == SearchEnd::complete || (trace && agrees(*trace, generic))) return "";
+  if (trace && trace->end == SearchEnd::stopped) return "stopped in the trace test: " + found;
   if (!trace) return found + ", and every loop leads back to them; whether these are all was not tested";
   if (!trace->passed()) return found + ", and the trace test did not succeed in showing that these are all";
   return found + ", where the trace test finds " + std::to_string(trace->solutions);
@@ -81,7 +82,7 @@ struct Prepared {
         coordinates(request.scene),
         system(square_system(coordinates)),
         elimination(order_elimination(system, random)),
-        tracking(system, elimination, {options, set, request.threads}),
+        tracking(system, elimination, {options, set, request.threads, request.journal}),
         limit(most_classes(request.scene)) {}
 
   std::mt19937_64 random;
@@ -175,8 +176,8 @@ class Monodromy final : public Strategy {
     options.bend = trace_bend;
     options.arcs = 2 * search_.arcs;
     return test_trace(
-        prepared.system, axes, tracking_, instruction_set_, request.threads, options, prepared.random,
-        [&] { return request.stop.stop_requested(); },
+        prepared.system, axes, tracking_, instruction_set_, request.threads, request.journal, options,
+        prepared.random, [&] { return request.stop.stop_requested(); },
         [&](int) { report(request, "points for the trace test", -1); }, prepared.work);
   }
 
@@ -203,7 +204,8 @@ class Monodromy final : public Strategy {
       return;
     }
     report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
-    report.status = generic.end == SearchEnd::stopped ? SolveStatus::stopped : SolveStatus::partial;
+    if (report.status != SolveStatus::stopped)
+      report.status = generic.end == SearchEnd::stopped ? SolveStatus::stopped : SolveStatus::partial;
   }
 
   /// A test may fail for want of arcs or by rounding, and another random one does not.
@@ -231,7 +233,9 @@ StrategyEntry monodromy_entry() {
        "error of a prediction, relative to how far the path goes until its series diverges"},
       {"arcs", "12", "whole number from 2 to 1000", "ways between the two sets of random lengths, at most"},
       {"trace", "on", "on|off", "test completeness by a trace where no count is met"},
-      {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them"}};
+      {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them",
+       false, false}};
+  entry.keeps_journal = true;
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<Monodromy>(options);
   };

@@ -66,6 +66,7 @@ class Polyhedral final : public Strategy {
   std::unique_ptr<Prepared> solve_at_random_lengths(const SolveRequest& request) const {
     TrackingSetup setup = setup_;
     setup.threads = request.threads;
+    setup.journal = request.journal;
     auto prepared = std::make_unique<Prepared>(request, setup);
     const auto progress = [&request](std::string_view stage, double fraction) {
       if (request.monitor) request.monitor->progress(stage, fraction);
@@ -102,6 +103,7 @@ StrategyEntry polyhedral_entry() {
   entry.name = "polyhedral";
   entry.summary = "finds all complex solutions by homotopies from mixed cells, the way of HOM4PS";
   entry.citation = "Huber, Sturmfels 1995; Lee, Li, Tsai 2008";
+  entry.keeps_journal = true;
   entry.options = tracking_option_specs();
   entry.options.insert(entry.options.begin(),
                        {"formulation", "spheres", Polyhedral::formulations,

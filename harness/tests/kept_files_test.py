@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""What a solve keeps for later runs: the journal of --resume.
+
+Usage: kept_files_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # the source folder stays clean
+import command_line_test
+from bad_instances import TOY
+from command_line_test import BAD_INPUT, INTERRUPTED, run
+
+
+class Journal(command_line_test.CommandLine):
+    SOLVE = ["solve", "disulfide", "--strategy", "monodromy", "--out", "-"]
+
+    def interrupted(self, journal, sent):
+        """Starts to solve and sends the signal once some results are in the journal."""
+        command = [command_line_test.PROGRAM, *self.SOLVE, "--resume", journal]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              cwd=command_line_test.SOURCE) as process:
+            while process.poll() is None and (not journal.exists() or journal.stat().st_size < 1 << 18):
+                time.sleep(0.01)
+            process.send_signal(sent)
+        return process.returncode
+
+    def test_an_interrupted_solve_goes_on(self):
+        journal = self.folder / "run.journal"
+        whole = self.repeatable_part(run(*self.SOLVE, "--threads", 2))
+        for sent, code in [(signal.SIGKILL, -signal.SIGKILL), (signal.SIGTERM, INTERRUPTED)]:
+            with self.subTest(sent):
+                journal.unlink(missing_ok=True)
+                self.assertEqual(self.interrupted(journal, sent), code, "too late: the instance is too small")
+                size = journal.stat().st_size
+                done = run(*self.SOLVE, "--resume", journal, "--threads", 2)
+                self.assertEqual(self.repeatable_part(done), whole)
+                self.assertGreater(json.loads(done.stdout)["timing"]["recalled_steps"], 0)
+                self.assertGreater(journal.stat().st_size, size)
+        finished = journal.read_bytes()
+        self.assertEqual(self.repeatable_part(run(*self.SOLVE, "--resume", journal)), whole)
+        self.assertEqual(journal.read_bytes(), finished)
+        done = run(*self.SOLVE, "--resume", journal, "--seed", 2)
+        self.assert_one_message(done, BAD_INPUT, journal, "another run", "seed")
+        self.assertEqual(journal.read_bytes(), finished)
+
+    def test_places_where_none_can_be_kept(self):
+        solve = ["solve", "octahedron", "--strategy", "monodromy", "--resume"]
+        self.assert_one_message(run(*solve, self.write(TOY)), BAD_INPUT, "toy.json", "no journal")
+        self.assertEqual(json.loads((self.folder / "toy.json").read_text()), TOY)
+        self.assert_one_message(run(*solve, self.folder / "missing" / "x"), BAD_INPUT, "cannot be written")
+        self.assert_one_message(run(*solve, self.folder), BAD_INPUT, "cannot be written")
+
+    def test_a_strategy_without_a_journal_says_so(self):
+        done = run("solve", "octahedron", "--strategy", "full-space", "--resume", self.folder / "x.journal")
+        self.assert_usage_error(done, "--resume", "full-space keeps no journal", "monodromy")
+        self.assertFalse((self.folder / "x.journal").exists())
+
+
+if __name__ == "__main__":
+    command_line_test.PROGRAM = os.path.abspath(sys.argv.pop(1))
+    command_line_test.SOURCE = Path(sys.argv.pop(1)).resolve()
+    unittest.main()

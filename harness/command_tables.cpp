@@ -59,7 +59,7 @@ ExitCode exit_code(const RunRecord& run) {
   if (any_default([](const CellRecord& cell) { return !cell.difference.empty(); }))
     return ExitCode::check_failed;
   const auto has_no_answer = [](const CellRecord& cell) {
-    return !cell.is_right() && cell.status != RunStatus::unsupported;
+    return !cell.is_right() && cell.status != RunStatus::unsupported && cell.status != RunStatus::timed_out;
   };
   if (any_default(has_no_answer) || any_out_of_reach(run)) return ExitCode::not_solved;
   return ExitCode::done;
@@ -85,7 +85,9 @@ std::string names_help() {
   return text + fmt::format("  {:14} all of them (the default)\n", everything) +
          "\nA wrong answer gets no time. The exit code is 1 when a strategy with its default options is "
          "wrong, and 3 "
-         "when one has no answer or none can do an instance; other options are experiments.\n"
+         "when one has no answer or none can do an instance; other options are experiments. What would take "
+         "longer than "
+         "a solve may is not run, and no failure: --full runs it.\n"
          "\nExamples:\n"
          "  gcsbench tables table1\n"
          "  gcsbench tables all --out results/runs/today\n"

@@ -8,6 +8,7 @@
 #include "harness/agreement.hpp"
 #include "harness/solve_run.hpp"
 #include "harness/stop_conditions.hpp"
+#include "harness/time_left.hpp"
 
 namespace gcs {
 namespace {
@@ -19,9 +20,9 @@ constexpr int most_repetitions = 101;
 using Clock = std::chrono::steady_clock;
 
 /// How much time is left for everything.
-class TimeLeft {
+class TimeBudget {
  public:
-  explicit TimeLeft(const MeasureSettings& settings)
+  explicit TimeBudget(const MeasureSettings& settings)
       : start_(Clock::now()), total_s_(settings.total_limit_s), cell_s_(settings.cell_limit_s) {}
 
   bool none() const { return total_s_ && remaining_s() <= 0; }
@@ -57,12 +58,35 @@ bool is_finished(const MeasureTask& task, const CellRecord& cell) {
   return cell.status != RunStatus::interrupted && cell.status != RunStatus::timed_out;
 }
 
-SolveRun solve_once(const MeasureTask& task, const MeasureSettings& settings, const TimeLeft& left) {
+/// Hears how far a solve has come, for an estimate of what it would take.
+class SolveEstimate final : public Monitor {
+ public:
+  void progress(std::string_view stage, double fraction) override {
+    const double now_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    const std::optional<double> left_s = time_left_.estimate(stage, fraction, now_s);
+    if (left_s || stage != stage_) total_s_ = left_s ? std::optional(now_s + *left_s) : std::nullopt;
+    stage_ = stage;
+  }
+
+  /// What the solve is at.
+  const std::string& stage() const { return stage_; }
+  /// Until the end of this stage.
+  std::optional<double> total_s() const { return total_s_; }
+
+ private:
+  Clock::time_point start_ = Clock::now();
+  TimeLeft time_left_;
+  std::string stage_;
+  std::optional<double> total_s_;
+};
+
+SolveRun solve_once(const MeasureTask& task, const MeasureSettings& settings, const TimeBudget& left,
+                    Monitor* monitor = nullptr) {
   RunLimits limits;
   limits.seed = settings.seed;
   limits.threads = settings.threads;
   limits.time_limit_s = left.for_one_solve();
-  return run_strategy(*task.entry, task.spec.given, *task.scene, limits);
+  return run_strategy(*task.entry, task.spec.given, *task.scene, limits, {monitor});
 }
 
 double largest_residual(const Assessment& assessment) {
@@ -109,10 +133,21 @@ CellRecord not_run(const CellSpec& spec) {
   return record;
 }
 
-Work warm_up(const MeasureTask& task, const MeasureSettings& settings, const TimeLeft& left) {
+/// For a solve that was stopped on its way.
+void set_estimate(const SolveEstimate& estimate, CellRecord& record) {
+  record.estimate_s = estimate.total_s();
+  if (!estimate.stage().empty()) record.reason += fmt::format(", at \"{}\"", estimate.stage());
+  record.reason += estimate.total_s() ? "; the estimate is for the way to the end of that" : "";
+  record.reason += "; --full has no limit";
+}
+
+Work warm_up(const MeasureTask& task, const MeasureSettings& settings, const TimeBudget& left) {
   if (left.none()) return {&task, not_run(task.spec)};
-  const SolveRun run = solve_once(task, settings, left);
-  return {&task, record_of(task, run), run.timing.prepare_s + run.timing.wall_s};
+  SolveEstimate estimate;
+  const SolveRun run = solve_once(task, settings, left, &estimate);
+  Work work{&task, record_of(task, run), run.timing.prepare_s + run.timing.wall_s};
+  if (run.status == RunStatus::timed_out) set_estimate(estimate, work.record);
+  return work;
 }
 
 /// Why a repetition is not the same answer as the warm-up; empty: it is.
@@ -126,7 +161,7 @@ std::string changed_answer(const CellRecord& first, const SolveRun& run) {
   return "";
 }
 
-void repeat(Work& work, const MeasureSettings& settings, const TimeLeft& left) {
+void repeat(Work& work, const MeasureSettings& settings, const TimeBudget& left) {
   const SolveRun run = solve_once(*work.task, settings, left);
   if (run.status == RunStatus::interrupted || run.status == RunStatus::timed_out) return;
   work.record.difference = changed_answer(work.record, run);
@@ -174,7 +209,7 @@ double share(std::size_t done, std::size_t all) {
 }
 
 std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
-                              const std::vector<CellRecord>& known, const TimeLeft& left, Monitor& progress,
+                              const std::vector<CellRecord>& known, const TimeBudget& left, Monitor& progress,
                               const MeasureCheckpoint& checkpoint) {
   std::vector<Work> cells;
   for (const MeasureTask& task : tasks) {
@@ -193,7 +228,7 @@ std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureS
   return cells;
 }
 
-void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const TimeLeft& left,
+void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const TimeBudget& left,
                 Monitor& progress, const MeasureCheckpoint& checkpoint) {
   plan_repetitions(cells, settings);
   int rounds = 0;
@@ -213,7 +248,7 @@ void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const
 std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
                                 const std::vector<CellRecord>& known, Monitor& progress,
                                 const MeasureCheckpoint& checkpoint) {
-  const TimeLeft left(settings);
+  const TimeBudget left(settings);
   std::vector<Work> cells = warm_up_all(tasks, settings, known, left, progress, checkpoint);
   std::vector<CellRecord> judged = records_of(cells);
   note_differences(judged, settings.expected);

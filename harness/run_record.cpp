@@ -130,6 +130,7 @@ Json cell_json(const CellRecord& cell) {
             {"reason", cell.reason},
             {"difference", cell.difference},
             {"residual", cell.residual},
+            {"estimate_s", cell.estimate_s ? Json(*cell.estimate_s) : Json(nullptr)},
             {"counts", Json::object()},
             {"work", Json::object()},
             {"particulars", Json::object()},
@@ -154,6 +155,8 @@ CellRecord cell_of(const Json& json) {
   read("reason", cell.reason);
   read("difference", cell.difference);
   read("residual", cell.residual);
+  if (const Json estimate = json.value("estimate_s", Json()); !estimate.is_null())
+    cell.estimate_s = estimate.get<double>();
   cell.spec.given = options_of(json.at("given"));
   cell.options = options_of(json.at("options"));
   cell.status = status_of(json.at("status").get<std::string>());

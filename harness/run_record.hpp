@@ -55,6 +55,7 @@ struct CellRecord {
   std::vector<Particular> particulars;
   double residual = 0;                      ///< largest relative residual of the solutions
   std::vector<RecordedSolution> solutions;  ///< one per class; kept only where a table shows them
+  std::optional<double> estimate_s;         ///< what a solve that was stopped by its limit would take
   std::vector<Repetition> repetitions;      ///< empty unless the answer is complete and right
 
   bool is_right() const { return status == RunStatus::complete && difference.empty(); }

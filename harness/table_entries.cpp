@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "harness/time_left.hpp"
+
 namespace gcs {
 namespace {
 
@@ -12,14 +14,19 @@ std::string spread_text(const MedianInterval& interval) {
   return percent < 1 ? "±<1%" : fmt::format("±{:.0f}%", percent);
 }
 
+std::string obstacle_word(const CellRecord& cell) {
+  if (cell.status == RunStatus::complete) return "no time";
+  if (cell.status != RunStatus::timed_out) return std::string(word(cell.status));
+  return cell.estimate_s ? fmt::format("not run ({})", rough_time(*cell.estimate_s)) : "not run";
+}
+
 /// Why the cell has no right answer: a word with the reason in a footnote.
 TableCell obstacle(Table& table, const CellRecord* cell) {
   if (cell == nullptr) return {"not measured", {}};
   const std::string reason =
       fmt::format("{}, {}: {}", cell->spec.instance, label_of(cell->spec),
                   cell->status == RunStatus::complete ? cell->difference : cell->reason);
-  const std::string_view text = cell->status == RunStatus::complete ? "no time" : word(cell->status);
-  return {std::string(text), {table.footnote(reason)}};
+  return {obstacle_word(*cell), {table.footnote(reason)}};
 }
 
 }  // namespace

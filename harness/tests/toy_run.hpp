@@ -53,6 +53,7 @@ inline CellRecord timed_out(CellSpec spec) {
   CellRecord record;
   record.spec = std::move(spec);
   record.status = RunStatus::timed_out;
+  record.estimate_s = 7200;
   record.reason = "the time limit of 20 s has passed";
   record.counts.on_path = 20;
   return record;

@@ -133,7 +133,7 @@ class Monodromy final : public Strategy {
   static bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
   static SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
-    return {scene, request.seed, request.threads, request.stop, request.monitor};
+    return {scene, request.seed, request.threads, request.stop, request.monitor, request.journal};
   }
 
   /// What was prepared serves the same equations: which ones a restated scene has depends on the positions.

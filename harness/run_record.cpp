@@ -176,6 +176,7 @@ Json instance_json(const MeasuredInstance& instance) {
   json["lengths"] = Json::array();
   for (const GivenLength& length : instance.lengths)
     visit_length(length, Writer{json["lengths"].emplace_back(Json::object())});
+  json["given_positions"] = instance.has_given_positions;
   json["complex_limit"] = nullptr;
   if (instance.limit) visit_limit(*instance.limit, Writer{json["complex_limit"]});
   return json;
@@ -185,6 +186,7 @@ MeasuredInstance instance_of(const Json& json) {
   MeasuredInstance instance;
   visit_instance(instance, Reader{json});
   for (const Json& entry : json.at("lengths")) visit_length(instance.lengths.emplace_back(), Reader{entry});
+  instance.has_given_positions = json.value("given_positions", false);
   if (const Json limit = json.value("complex_limit", Json()); !limit.is_null())
     visit_limit(instance.limit.emplace(), Reader{limit});
   return instance;

@@ -86,6 +86,7 @@ struct MeasuredInstance {
   int dimension = 3;        ///< of the space
   std::vector<GivenLength> lengths = {};
   std::optional<RecordedLimit> limit = {};  ///< empty: not known
+  bool has_given_positions = false;         ///< so that no mirror images are divided out
 };
 
 /// A table that was asked for, with the ids of its instances.

@@ -51,8 +51,9 @@ class Builder {
       if (cell == run_.cells.end()) return no_strategy();
       const double classes = static_cast<double>(*(cell->counts.*count));
       const double value = classes * copies(instance);
-      const std::string note =
-          fmt::format("Found by {}: {} up to reflection.", label_of(cell->spec), number_text(classes));
+      const std::string note = fmt::format(
+          "Found by {}: {} {}.", label_of(cell->spec), number_text(classes),
+          instance.has_given_positions ? "with the positions that are given" : "up to reflection");
       return std::pair{TableCell{number_text(value), {table_.footnote(note)}}, ratio_entry(value, figure)};
     });
   }
@@ -166,7 +167,9 @@ std::vector<Table> build_table1(const RunRecord& run, const Publication& paper) 
   builder.equations();
   builder.heading("Number of solutions");
   builder.all_solutions("complex", {"complex", "HOM4PS-2.0"}, &Counts::complex_up_to_reflection,
-                        [](const MeasuredInstance& instance) { return 1 << instance.dimension; });
+                        [](const MeasuredInstance& instance) {
+                          return instance.has_given_positions ? 1 : 1 << instance.dimension;
+                        });
   builder.complex_limit("complex, at most");
   builder.all_solutions("real (up to reflections)", {"real", ""}, &Counts::real_up_to_reflection,
                         [](const MeasuredInstance&) { return 1; });

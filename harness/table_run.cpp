@@ -196,7 +196,7 @@ RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
     record.instances.push_back({instance.id, instance.origin, fingerprint(instance),
                                 static_cast<int>(instance.problem.constraints.size()),
                                 instance.problem.dimension, given_lengths(instance.problem),
-                                complex_limit(instance.problem)});
+                                complex_limit(instance.problem), loaded.scene(instance.id).is_anchored()});
   }
   record.curves = curves_of(request, loaded);
   return record;

@@ -34,8 +34,9 @@ TEST_CASE("a record reads back as what was written") {
   CHECK_FALSE(again.instances.back().limit);
 }
 
-TEST_CASE("particulars, solutions and curves read back") {
+TEST_CASE("particulars, solutions, curves and whether positions are given read back") {
   RunRecord record = toy::run_record();
+  record.instances.back().has_given_positions = true;
   record.cells.front().particulars = {{"coarse_solutions", 224}, {"a_first_by_order_not_by_name", 1}};
   record.cells.front().solutions = {{true, 4, {{"p1", {0.1, -2, 3}}}}, {false, 1, {}}};
   record.curves = {{"hoffmann-yuan", 9.15, {0, 1}, {0.1 / 3, 9}}};
@@ -48,6 +49,8 @@ TEST_CASE("particulars, solutions and curves read back") {
   CHECK(cell.solutions[0].multiplicity == 4);
   CHECK(cell.solutions[0].points.at("p1") == std::array<double, 3>{0.1, -2, 3});
   CHECK_FALSE(cell.solutions[1].is_real);
+  CHECK(again.instances.back().has_given_positions);
+  CHECK_FALSE(again.instances.front().has_given_positions);
   REQUIRE(again.curves.size() == 1);
   CHECK(again.curves[0].given == 9.15);
   CHECK(again.curves[0].gap == record.curves[0].gap);

@@ -136,9 +136,15 @@ class Tables(WithFolder):
         self.assertIn("no strategy yet", done.stdout)
 
     def test_instances_out_of_reach_say_so_in_every_cell(self):
-        done = run("tables", "table1", "--instances", "tangents-durand")
+        done = run("tables", "table1", "--instances", "tangents-durand", "--strategies", "full-space,rcp")
         self.assertEqual(done.returncode, NOT_SOLVED)
         self.assertIn("unsupported", done.stdout)
+
+    def test_lines_beside_given_points_have_no_mirror_images(self):
+        done = run("tables", "table1", "--instances", "tangents-durand", "--strategies", "monodromy",
+                   "--repetitions", 3)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertRegex(done.stdout, r"complex +\| +– \| +12 \[")
 
     def test_bad_input(self):
         plain_file = self.folder / "file"

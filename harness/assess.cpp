@@ -309,6 +309,7 @@ void Assessor::count() {
   recount(assessment_);
   counts.generic = report_.generic;
   counts.at_infinity = report_.at_infinity;
+  assessment_.ends = ends_of(report_.paths);
   if (report_.paths.empty()) return;
   const auto ended = [this](auto... ends) {
     return std::count_if(report_.paths.begin(), report_.paths.end(),

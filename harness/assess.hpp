@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/path_ends.hpp"
 #include "solvers/strategy.hpp"
 
 namespace gcs {
@@ -52,6 +53,7 @@ struct Assessment {
   std::vector<AssessedSolution> solutions;  ///< real ones first, then in a fixed order
   std::vector<AssessedCrossing> crossings;  ///< in the order met
   Counts counts;
+  std::vector<PathEnds> ends;  ///< of all paths
   std::vector<FailedCheck> failed_checks;
 };
 

@@ -105,6 +105,25 @@ JsonValue path_value(const SolveRun& run) {
   return json_array(std::move(crossings));
 }
 
+/// In lowest terms; null where it is not determined.
+JsonValue exponent_value(const PathEnds& ends) {
+  return json_or_null(exponent(ends), [](const Exponent& e) {
+    return json_array({json_number(e.numerator), json_number(e.denominator)});
+  });
+}
+
+JsonValue ends_value(const std::vector<PathEnds>& all) {
+  std::vector<JsonValue> values;
+  for (const PathEnds& ends : all)
+    values.push_back(json_object(
+        {{"end", json_text(std::string(word(ends.end)))},
+         {"cause", json_text(ends.cause)},
+         {"winding_number", ends.winding_number > 0 ? json_number(ends.winding_number) : json_null()},
+         {"exponent", exponent_value(ends)},
+         {"paths", json_count(ends.paths)}}));
+  return json_array(std::move(values));
+}
+
 JsonValue options_value(const OptionMap& options) {
   JsonMembers members;
   for (const auto& [name, value] : options) members.emplace_back(name, json_text(value));
@@ -147,6 +166,7 @@ JsonMembers result_members(const Instance& instance, const SolveRun& run, const 
           {"failed_checks", failed_checks_value(run.assessment.failed_checks)},
           {"solutions", solutions_value(instance.problem, run.assessment.solutions)},
           {"path", path_value(run)},
+          {"ends", ends_value(run.assessment.ends)},
           {"statistics", json_object(std::move(statistics))},
           {"timing", timing_value(run.timing)},
           {"environment", json_object(std::move(origin))}};

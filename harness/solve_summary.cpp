@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <string_view>
 
 namespace gcs {
@@ -62,6 +63,25 @@ std::string path_counts(const Counts& counts) {
   if (counts.at_infinity.value_or(0) > 0) text += fmt::format(", {} to infinity", *counts.at_infinity);
   if (counts.failed_paths.value_or(0) > 0) text += fmt::format(", {} without an end", *counts.failed_paths);
   return bound + line("tracked", text);
+}
+
+/// "1/(1-t)", "1/(1-t)^2", "1/(1-t)^(1/2)"
+std::string growth(const Exponent& exponent) {
+  if (exponent.denominator > 1)
+    return fmt::format("1/(1-t)^({}/{})", exponent.numerator, exponent.denominator);
+  return exponent.numerator == 1 ? "1/(1-t)" : fmt::format("1/(1-t)^{}", exponent.numerator);
+}
+
+/// "1600 paths like 1/(1-t), 32 like 1/(1-t)^2"; empty where no growth is known.
+std::string growths(const std::vector<PathEnds>& all) {
+  std::map<Exponent, std::uint64_t> counts;
+  for (const PathEnds& ends : all)
+    if (const auto known = exponent(ends)) counts[*known] += ends.paths;
+  std::string text;
+  for (const auto& [known, paths] : counts)
+    text += (text.empty() ? amount(paths, "path", "paths") : fmt::format(", {}", paths)) + " like " +
+            growth(known);
+  return text.empty() ? "" : line("at infinity", text);
 }
 
 std::string crossings_table(const Assessment& assessment) {
@@ -153,8 +173,8 @@ std::string failed_checks(const std::vector<FailedCheck>& checks) {
 std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run.assessment;
   return headline(instance, run) + solution_counts(instance.problem, assessment.counts) +
-         path_counts(assessment.counts) + crossings_table(assessment) + quality(assessment.solutions) +
-         particulars(run.particulars) + work(run.work) + time(run.timing) +
+         path_counts(assessment.counts) + growths(assessment.ends) + crossings_table(assessment) +
+         quality(assessment.solutions) + particulars(run.particulars) + work(run.work) + time(run.timing) +
          failed_checks(assessment.failed_checks);
 }
 

@@ -54,6 +54,8 @@ struct PathRecord {
   std::string cause;  ///< why, in words, when `end` is failed or stopped
   double length = 0;  ///< arc length in (X, t), X in the scene's unit
   std::vector<Crossing> crossings;
+  int winding_number = 0;  ///< w: near its end the path is a series in (1 − t)^(1/w); 0: not determined
+  int pole_order = 0;      ///< k: at infinity like (1 − t)^(−k/w); 0: finite, or not determined
 };
 
 /// A count that only this strategy knows, such as the candidates of a scan.

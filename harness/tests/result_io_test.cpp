@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "harness/solve_summary.hpp"
 #include "harness/tests/toy_scene.hpp"
 
 using namespace gcs;
@@ -44,7 +45,7 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("a result has every field of its format") {
   const Json result = parsed(toy_run());
-  CHECK(keys(result) == Names{"claim", "counts", "environment", "failed_checks", "format", "instance",
+  CHECK(keys(result) == Names{"claim", "counts", "ends", "environment", "failed_checks", "format", "instance",
                               "options", "path", "reason", "seed", "solutions", "statistics", "status",
                               "strategy", "timing"});
   CHECK(result["format"] == "gcsbench-result/1");
@@ -107,6 +108,31 @@ TEST_CASE("the path names solutions, or null where they were left out") {
   CHECK(parsed(run)["path"].is_null());
 }
 
+TEST_CASE("ends that are alike are counted together") {
+  SolveRun run = toy_run();
+  CHECK(parsed(run)["ends"] ==
+        Json::parse(
+            R"([{"end": "closed", "cause": "", "winding_number": null, "exponent": null, "paths": 1}])"));
+  using End = PathRecord::End;
+  const PathRecord twofold{End::singular, "", 0, {}, 2, 0}, escaped{End::at_infinity, "", 0, {}, 2, 2},
+      lost{End::failed, "its steps became too small", 0, {}, 0, 0};
+  run.assessment.ends = ends_of({escaped, twofold, lost, escaped, escaped});
+  CHECK(parsed(run)["ends"] == Json::parse(R"([
+    {"end": "singular", "cause": "", "winding_number": 2, "exponent": null, "paths": 1},
+    {"end": "at infinity", "cause": "", "winding_number": 2, "exponent": [1, 1], "paths": 3},
+    {"end": "failed", "cause": "its steps became too small", "winding_number": null, "exponent": null,
+     "paths": 1}])"));
+}
+
+TEST_CASE("the summary says how fast paths escape") {
+  SolveRun run = toy_run();
+  using End = PathRecord::End;
+  const auto escaped = [](int w, int k) { return PathRecord{End::at_infinity, "", 0, {}, w, k}; };
+  run.assessment.ends = ends_of({escaped(1, 1), escaped(1, 2), escaped(2, 2), escaped(2, 1)});
+  CHECK_THAT(solve_summary(toy::instance(), run),
+             Catch::Contains("1 path like 1/(1-t)^(1/2), 2 like 1/(1-t), 1 like 1/(1-t)^2"));
+}
+
 TEST_CASE("statistics are counts, or null where a strategy has no such thing") {
   const Json statistics = parsed(toy_run())["statistics"];
   CHECK(keys(statistics) == Names{"evaluations", "factorisations", "iterations", "jacobians",
@@ -164,5 +190,5 @@ TEST_CASE("failed checks are in the result") {
 TEST_CASE("each solution has a line of its own") {
   const std::string text = text_of(toy_run());
   CHECK(text.back() == '\n');
-  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 15 + 2 + 1 + 1);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 16 + 2 + 1 + 1);
 }

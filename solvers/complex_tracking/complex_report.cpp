@@ -75,6 +75,9 @@ PathRecord record_of(const PathEnd& end) {
       break;
   }
   record.cause = end.cause;
+  if (end.kind == PathEnd::Kind::failed || end.kind == PathEnd::Kind::stopped) return record;
+  record.winding_number = end.winding_number;
+  record.pole_order = end.pole_order;
   return record;
 }
 

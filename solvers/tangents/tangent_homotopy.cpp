@@ -49,11 +49,11 @@ class EndCollector {
     const Eigen::Vector3cd u = end.x.head<3>();
     if (nearness_to_isotropic(u) <= isotropic) {
       ++to_infinity_;
-      return {PathRecord::End::at_infinity, "", 0, {}};
+      return {PathRecord::End::at_infinity, "", 0, {}, end.winding_number, 0};
     }
     const ComplexTangent line = homotopy_.line(end.x);
-    if (end.winding_number == 1 && take_simple(line)) return {PathRecord::End::regular, "", 0, {}};
-    if (take_multiple(line)) return {PathRecord::End::singular, "", 0, {}};
+    if (end.winding_number == 1 && take_simple(line)) return {PathRecord::End::regular, "", 0, {}, 1, 0};
+    if (take_multiple(line)) return {PathRecord::End::singular, "", 0, {}, end.winding_number, 0};
     return {PathRecord::End::failed, "the line where it ends is no common tangent to rounding", 0, {}};
   }
 

@@ -145,6 +145,8 @@ TEST_CASE("a flat triangle is a singular end of winding number 2") {
   REQUIRE(ends.size() == 1);
   CHECK(ends[0].kind == PathEnd::Kind::singular);
   CHECK(ends[0].winding_number == 2);
+  CHECK(setting.report(ends).paths.front().winding_number == 2);
+  CHECK(setting.report(ends).paths.front().pole_order == 0);
   const Figure figure = setting.report(ends).candidates.front().figure;
   const Figure flat = setting.scene.in_file_unit(setting.scene.representative(figure));
   CHECK(flat.points(0, 2) == Approx(1).margin(1e-8));
@@ -168,6 +170,11 @@ TEST_CASE("lengths whose signed sum vanishes send paths to infinity") {
   CHECK(number_of(ends, PathEnd::Kind::at_infinity) + number_of(ends, PathEnd::Kind::regular) == 8);
   const SolveReport report = setting.report(ends);
   CHECK(report.status == SolveStatus::complete);
+  for (const PathRecord& path : report.paths) {
+    const bool escaped = path.end == PathRecord::End::at_infinity;
+    CHECK((path.pole_order > 0) == escaped);
+    CHECK(path.winding_number > 0);
+  }
 }
 
 TEST_CASE("a path that is lost, or that took another's end, makes the list incomplete") {

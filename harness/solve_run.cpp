@@ -10,6 +10,7 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/json_document.hpp"
+#include "harness/start_file.hpp"
 #include "harness/stop_conditions.hpp"
 
 namespace gcs {
@@ -135,8 +136,9 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
     return run;
   }
   StopWatch watch(limits.time_limit_s);
-  const SolveRequest request{scene,         limits.seed,      limits.threads,
-                             watch.token(), services.monitor, services.journal};
+  StartFiles starts;
+  const SolveRequest request{
+      scene, limits.seed, limits.threads, watch.token(), services.monitor, services.journal, &starts};
   SolveReport report = guarded_solve(*strategy, request, run.timing);
   set_status(run, report, watch.cause(), limits);
   run.claim = report.claim;

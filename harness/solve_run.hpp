@@ -59,7 +59,7 @@ std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& s
 
 /// Runs the strategy until it ends, the time limit passes or the user interrupts (see catch_interrupts).
 /// An exception from the strategy becomes RunStatus::gave_up. Throws OptionError for options that are not
-/// allowed, and what the services throw about their files: InputError and OutputError.
+/// allowed, and InputError and OutputError for files: of the services, and those that the options name.
 SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const Scene& scene,
                       const RunLimits& limits, const RunServices& services = {});
 

@@ -51,6 +51,12 @@ int choice_option(const OptionMap& options, std::string_view name, std::string_v
   refuse(name, text, std::string(allowed));
 }
 
+std::optional<std::string> file_option(const OptionMap& options, std::string_view name) {
+  const std::string& text = value_of(options, name);
+  if (text.empty()) refuse(name, text, "the name of a file, or none");
+  return text == "none" ? std::nullopt : std::optional(text);
+}
+
 OptionMap complete_options(const StrategyEntry& entry, const OptionMap& given) {
   OptionMap options;
   for (const OptionSpec& spec : entry.options) options[std::string(spec.name)] = spec.default_value;

@@ -13,4 +13,7 @@ std::int64_t integer_option(const OptionMap& options, std::string_view name, std
 /// The index of the value among the words of `allowed`, which are separated by '|'. Throws OptionError.
 int choice_option(const OptionMap& options, std::string_view name, std::string_view allowed);
 
+/// The name of a file, or nothing for the word "none". Throws OptionError for an empty name.
+std::optional<std::string> file_option(const OptionMap& options, std::string_view name);
+
 }  // namespace gcs

@@ -19,14 +19,17 @@
 
 namespace gcs {
 
+class StartStore;  // solvers/complex_tracking/start_store.hpp
+
 /// All that a strategy may see.
 struct SolveRequest {
   const Scene& scene;
   std::uint64_t seed = 1;
   int threads = 1;
-  std::stop_token stop;        ///< asked for: return what is there with SolveStatus::stopped
-  Monitor* monitor = nullptr;  ///< may be null
-  Journal* journal = nullptr;  ///< may be null; see StrategyEntry::keeps_journal
+  std::stop_token stop;          ///< asked for: return what is there with SolveStatus::stopped
+  Monitor* monitor = nullptr;    ///< may be null
+  Journal* journal = nullptr;    ///< may be null; see StrategyEntry::keeps_journal
+  StartStore* starts = nullptr;  ///< may be null for strategies whose options name no start system
 };
 
 /// What a strategy says that it found; the harness checks it.

@@ -1,43 +1,16 @@
 #include "harness/file_journal.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <iterator>
 
 #include "harness/atomic_file.hpp"
 #include "harness/json_build.hpp"
+#include "harness/tests/test_folder.hpp"
 
 using namespace gcs;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A folder of its own, removed at the end.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("gcsbench-file-journal-test-" + std::to_string(getpid()))) {
-    fs::create_directory(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
-std::string content(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
-}
 
 JsonValue identity(int seed) {
   return json_object({{"strategy", json_text("toy")}, {"seed", json_number(seed)}});
@@ -68,14 +41,14 @@ int run(const fs::path& file, int seed = 1) {
 /// The message with which the file is refused, after checking that it is left as it was.
 template <class Error>
 std::string refusal(const fs::path& file, int seed = 1) {
-  const std::string before = content(file);
+  const std::string before = content_of(file);
   std::string message;
   try {
     run(file, seed);
   } catch (const Error& error) {
     message = error.what();
   }
-  CHECK(content(file) == before);
+  CHECK(content_of(file) == before);
   CHECK(message.starts_with(file.string()));
   return message;
 }
@@ -83,44 +56,44 @@ std::string refusal(const fs::path& file, int seed = 1) {
 }  // namespace
 
 TEST_CASE("what a journal holds is not computed again") {
-  const Folder folder;
+  const TestFolder folder;
   const fs::path file = folder / "run.journal";
   CHECK(run(file) == steps);
-  const std::string whole = content(file);
+  const std::string whole = content_of(file);
   CHECK(run(file) == 0);
-  CHECK(content(file) == whole);
+  CHECK(content_of(file) == whole);
 }
 
 TEST_CASE("a journal may be cut at any byte") {
-  const Folder folder;
+  const TestFolder folder;
   const fs::path file = folder / "run.journal";
   run(file);
-  const std::string whole = content(file);
+  const std::string whole = content_of(file);
   int last = steps;
   for (std::size_t bytes = 0; bytes <= whole.size(); ++bytes) {
-    write(file, whole.substr(0, bytes));
+    write_file(file, whole.substr(0, bytes));
     const int computed = run(file);
     CHECK(computed <= last);
     last = computed;
-    REQUIRE(content(file) == whole);
+    REQUIRE(content_of(file) == whole);
   }
   CHECK(last == 0);
 }
 
 TEST_CASE("the last record of a journal may hold anything") {
-  const Folder folder;
+  const TestFolder folder;
   const fs::path file = folder / "run.journal";
   run(file);
-  const std::string whole = content(file);
+  const std::string whole = content_of(file);
   std::string torn = whole;
   std::fill(torn.end() - 16, torn.end(), '\0');
-  write(file, torn);
+  write_file(file, torn);
   CHECK(run(file) == 1);
-  CHECK(content(file) == whole);
+  CHECK(content_of(file) == whole);
 }
 
 TEST_CASE("a step that was stopped leaves no record") {
-  const Folder folder;
+  const TestFolder folder;
   const fs::path file = folder / "run.journal";
   {
     FileJournal journal(file, identity(1));
@@ -131,10 +104,10 @@ TEST_CASE("a step that was stopped leaves no record") {
 }
 
 TEST_CASE("a file that is no journal of this run is refused and left as it was") {
-  const Folder folder;
+  const TestFolder folder;
   const fs::path file = folder / "run.journal";
   run(file);
-  const std::string whole = content(file);
+  const std::string whole = content_of(file);
   SECTION("of another run, and the message says in what it differs") {
     const std::string message = refusal<InputError>(file, 2);
     CHECK(message.find("another run") != std::string::npos);
@@ -149,21 +122,21 @@ TEST_CASE("a file that is no journal of this run is refused and left as it was")
   SECTION("damaged before its end") {
     std::string damaged = whole;
     damaged[damaged.find('\n') + 1 + 24 + 20] ^= 1;
-    write(file, damaged);
+    write_file(file, damaged);
     CHECK(refusal<InputError>(file).find("damaged") != std::string::npos);
   }
   SECTION("of another format") {
-    write(file, "{\"format\":\"gcsbench-instance/1\"}\n");
+    write_file(file, "{\"format\":\"gcsbench-instance/1\"}\n");
     CHECK(refusal<InputError>(file).find("no journal") != std::string::npos);
   }
   SECTION("of no format") {
-    write(file, std::string(5000, 'x'));
+    write_file(file, std::string(5000, 'x'));
     CHECK(refusal<InputError>(file).find("no journal") != std::string::npos);
   }
 }
 
 TEST_CASE("a place that cannot be written is refused") {
-  const Folder folder;
+  const TestFolder folder;
   CHECK_THROWS_AS(run(folder / "missing" / "run.journal"), OutputError);
   fs::create_directory(folder / "folder");
   CHECK_THROWS_AS(run(folder / "folder"), OutputError);
@@ -171,7 +144,7 @@ TEST_CASE("a place that cannot be written is refused") {
 }
 
 TEST_CASE("two runs do not share a journal") {
-  const Folder folder;
+  const TestFolder folder;
   const FileJournal first(folder / "run.journal", identity(1));
   CHECK_THROWS_AS(FileJournal(folder / "run.journal", identity(1)), OutputError);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a solve keeps for later runs: the journal of --resume.
+"""What a solve keeps for later runs: the journal of --resume, and start systems.
 
 Usage: kept_files_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
@@ -16,7 +16,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line_test
 from bad_instances import TOY
-from command_line_test import BAD_INPUT, INTERRUPTED, run
+from command_line_test import BAD_INPUT, INTERRUPTED, NOT_SOLVED, run
 
 
 class Journal(command_line_test.CommandLine):
@@ -62,6 +62,32 @@ class Journal(command_line_test.CommandLine):
         done = run("solve", "octahedron", "--strategy", "full-space", "--resume", self.folder / "x.journal")
         self.assert_usage_error(done, "--resume", "full-space keeps no journal", "monodromy")
         self.assertFalse((self.folder / "x.journal").exists())
+
+
+class StartSystems(command_line_test.CommandLine):
+    SOLVE = ["solve", "octahedron", "--strategy", "monodromy", "--out", "-", "--set"]
+
+    def test_are_written_and_read(self):
+        start = self.folder / "start.json"
+        solutions = self.repeatable_part(run(*self.SOLVE, f"save_start={start}"))["solutions"]
+        self.assertEqual(json.loads(start.read_text())["format"], "gcsbench-start/1")
+        self.assertEqual(self.repeatable_part(run(*self.SOLVE, f"start={start}"))["solutions"], solutions)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["start.json"])
+
+    def test_a_search_without_an_end_leaves_the_old_one(self):
+        start = self.write("old", "start.json")
+        done = run("solve", "icosahedron", "--strategy", "monodromy", "--set", f"save_start={start}", "--time-limit", 0.5)
+        self.assertEqual(done.returncode, NOT_SOLVED, done.stderr)
+        self.assertEqual(start.read_text(), "old")
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["start.json"])
+
+    def test_what_is_none_is_refused(self):
+        self.assert_one_message(run(*self.SOLVE, f"start={self.write(TOY)}"), BAD_INPUT, "toy.json", "/format")
+        self.assert_one_message(run(*self.SOLVE, f"start={self.folder}"), BAD_INPUT, self.folder, "a directory")
+        done = run(*self.SOLVE, f"save_start={self.folder / 'none' / 'start.json'}")
+        self.assert_one_message(done, BAD_INPUT, "cannot be written")
+        done = run(*self.SOLVE, "start=a.json", "--set", "save_start=b.json")
+        self.assert_one_message(done, BAD_INPUT, "start=a.json", "save_start=b.json")
 
 
 if __name__ == "__main__":

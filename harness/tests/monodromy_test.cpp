@@ -8,6 +8,7 @@
 #include "harness/solve_run.hpp"
 #include "harness/strategy_choice.hpp"
 #include "harness/tests/tangent_samples.hpp"
+#include "harness/tests/test_folder.hpp"
 
 using namespace gcs;
 
@@ -36,13 +37,17 @@ SolveRun expect_tangents(const Problem& problem) {
 
 }  // namespace
 
-TEST_CASE("monodromy finds the dodecagon's solutions from nothing") {
+TEST_CASE("monodromy finds the dodecagon's solutions from nothing, and again from what it kept") {
   // Laman number 6180, half of it up to reflection: Capco et al. 2018. Imbach et al. 2016 have 2 real ones.
-  const SolveRun run = solved("dodecagon");
-  CHECK(run.status == RunStatus::complete);
-  CHECK(run.assessment.counts.generic == 3090);
-  CHECK(run.assessment.counts.complex_up_to_reflection == 3090);
-  CHECK(run.assessment.counts.real_up_to_reflection == 2);
+  const TestFolder folder;
+  const std::string file = (folder / "start.json").string();
+  for (const std::string option : {"save_start", "start"}) {
+    const SolveRun run = solved("dodecagon", {{option, file}});
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.assessment.counts.generic == 3090);
+    CHECK(run.assessment.counts.complex_up_to_reflection == 3090);
+    CHECK(run.assessment.counts.real_up_to_reflection == 2);
+  }
 }
 
 TEST_CASE("where the bound is not met a trace test completes the list") {

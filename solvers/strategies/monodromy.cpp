@@ -11,16 +11,19 @@
 ///
 /// Where positions are given beside a line the scene is restated without (model/released_scene.hpp), and the
 /// solutions are carried back. It fails on scenes with several lines. The solutions for random
-/// lengths are found in prepare, since they serve all lengths. Duff, Hill, Jensen, Lee, Leykin, Sommars,
-/// Solving polynomial systems via homotopy continuation and monodromy, IMA J. Numer. Anal. 39 (2019).
+/// lengths are found in prepare, since they serve all lengths. They can be kept (save_start) and read in the
+/// place of a search (start); what is read is as complete as the search was that found it. Duff, Hill,
+/// Jensen, Lee, Leykin, Sommars, Solving polynomial systems via homotopy continuation and monodromy, IMA J.
+/// Numer. Anal. 39 (2019).
 
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 #include "solvers/complex_tracking/complex_report.hpp"
 #include "solvers/complex_tracking/monodromy_search.hpp"
 #include "solvers/complex_tracking/released_report.hpp"
-#include "solvers/complex_tracking/trace_test.hpp"
+#include "solvers/complex_tracking/start_store.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/options.hpp"
@@ -62,9 +65,11 @@ bool agrees(const TraceTest& trace, const GenericSolutions& generic) {
   return trace.passed() && trace.solutions == static_cast<std::int64_t>(generic.solutions.size());
 }
 
-std::string why_not_all(const GenericSolutions& generic, const std::optional<TraceTest>& trace) {
+/// `verb`: how they came about.
+std::string why_not_all(const GenericSolutions& generic, const std::optional<TraceTest>& trace,
+                        const std::string& verb) {
   const std::string found =
-      "found " + std::to_string(generic.solutions.size()) + " classes at random lengths";
+      verb + " " + std::to_string(generic.solutions.size()) + " classes at random lengths";
   if (generic.end == SearchEnd::stopped) return "stopped: " + found;
   if (generic.end == SearchEnd::inconsistent)
     return found + ", which contradict each other: a step has jumped";
@@ -73,6 +78,13 @@ std::string why_not_all(const GenericSolutions& generic, const std::optional<Tra
   if (!trace) return found + ", and every loop leads back to them; whether these are all was not tested";
   if (!trace->passed()) return found + ", and the trace test did not succeed in showing that these are all";
   return found + ", where the trace test finds " + std::to_string(trace->solutions);
+}
+
+/// How the search for a list ended that was read: a count decides now as it would have done then.
+SearchEnd end_of_stored(const GenericSolutions& generic, const std::optional<std::uint64_t>& count) {
+  if (count && generic.solutions.size() == *count) return SearchEnd::complete;
+  if (count && generic.solutions.size() > *count) return SearchEnd::inconsistent;
+  return generic.end == SearchEnd::complete ? SearchEnd::quiet : generic.end;
 }
 
 /// What all lengths of one scene's graph share. Heap-allocated, since trackers refer to the system.
@@ -93,6 +105,7 @@ struct Prepared {
   std::optional<std::uint64_t> limit;
   GenericSolutions generic;
   std::optional<TraceTest> trace;  ///< where the limit was not met
+  bool is_stored = false;          ///< the two above come from an earlier search
   WorkCounters work;
 };
 
@@ -104,6 +117,11 @@ class Monodromy final : public Strategy {
     tracking_.order = static_cast<int>(integer_option(options, "order", 4, 40));
     tracking_.tolerance = number_option(options, "tolerance", 1e-12, 1e-3);
     search_.arcs = static_cast<int>(integer_option(options, "arcs", 2, 1000));
+    start_ = file_option(options, "start");
+    save_start_ = file_option(options, "save_start");
+    if (start_ && save_start_)
+      throw OptionError("options start=" + *start_ + " and save_start=" + *save_start_ +
+                        ": give one of them; what is read is not written again");
   }
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
@@ -116,11 +134,11 @@ class Monodromy final : public Strategy {
 
   void prepare(const SolveRequest& request) override {
     if (!is_released(request.scene)) {
-      prepared_ = search(request);
+      prepared_ = read_or_search(request);
       return;
     }
     const ReleasedScene released(request.scene);
-    prepared_ = search(request_on(released.scene(), request));
+    prepared_ = read_or_search(request_on(released.scene(), request));
   }
 
   SolveReport solve(const SolveRequest& request) override {
@@ -133,7 +151,7 @@ class Monodromy final : public Strategy {
   static bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
   static SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
-    return {scene, request.seed, request.threads, request.stop, request.monitor, request.journal};
+    return {scene, request.seed, request.threads, request.stop, request.monitor, request.journal, request.starts};
   }
 
   /// What was prepared serves the same equations: which ones a restated scene has depends on the positions.
@@ -142,7 +160,7 @@ class Monodromy final : public Strategy {
   }
 
   SolveReport solve_free(const SolveRequest& request) const {
-    const std::unique_ptr<Prepared> fresh = is_prepared_for(request.scene) ? nullptr : search(request);
+    const std::unique_ptr<Prepared> fresh = is_prepared_for(request.scene) ? nullptr : read_or_search(request);
     Prepared& prepared = fresh ? *fresh : *prepared_;
     const auto stopped = [&] { return request.stop.stop_requested(); };
     WorkCounters work = prepared.work;
@@ -154,6 +172,31 @@ class Monodromy final : public Strategy {
     SolveReport report = complex_report(request.scene, prepared.coordinates, ends, work, random);
     add_search(prepared, report);
     return report;
+  }
+
+  std::unique_ptr<Prepared> read_or_search(const SolveRequest& request) const {
+    if ((start_ || save_start_) && !request.starts)
+      throw std::invalid_argument("start systems cannot be kept here");
+    if (start_) return read(request);
+    if (save_start_) request.starts->reserve(*save_start_);
+    std::unique_ptr<Prepared> prepared = search(request);
+    if (save_start_ && !request.stop.stop_requested())
+      request.starts->write(*save_start_, family(request, *prepared), {prepared->generic, prepared->trace});
+    return prepared;
+  }
+
+  static Family family(const SolveRequest& request, const Prepared& prepared) {
+    return all_lengths(prepared.system, mirror_axes(request.scene, prepared.coordinates));
+  }
+
+  std::unique_ptr<Prepared> read(const SolveRequest& request) const {
+    auto prepared = std::make_unique<Prepared>(request, tracking_, instruction_set_);
+    StartSystem start = request.starts->read(*start_, family(request, *prepared));
+    start.generic.end = end_of_stored(start.generic, prepared->limit);
+    prepared->generic = std::move(start.generic);
+    prepared->trace = start.trace;
+    prepared->is_stored = true;
+    return prepared;
   }
 
   std::unique_ptr<Prepared> search(const SolveRequest& request) const {
@@ -182,7 +225,8 @@ class Monodromy final : public Strategy {
   }
 
   static std::string why_not_all(const Prepared& prepared) {
-    return gcs::why_not_all(prepared.generic, prepared.trace);
+    return gcs::why_not_all(prepared.generic, prepared.trace,
+                            prepared.is_stored ? "the stored start has" : "found");
   }
 
   static void report(const SolveRequest& request, std::string_view stage, double fraction) {
@@ -191,6 +235,8 @@ class Monodromy final : public Strategy {
 
   static void add_search(const Prepared& prepared, SolveReport& report) {
     const GenericSolutions& generic = prepared.generic;
+    if (prepared.is_stored)
+      report.particulars.push_back({"stored_solutions", static_cast<std::int64_t>(generic.solutions.size())});
     report.particulars.push_back({"loop_paths", generic.legs});
     report.particulars.push_back({"lost_loop_paths", generic.lost_legs});
     report.particulars.push_back({"arcs", generic.arcs_used});
@@ -214,6 +260,8 @@ class Monodromy final : public Strategy {
   static constexpr double trace_bend = 8;
 
   bool with_trace_;
+  std::optional<std::string> start_;       ///< the start system to read
+  std::optional<std::string> save_start_;  ///< or where to keep the one found
   InstructionSet instruction_set_;
   TrackingOptions tracking_;
   MonodromyOptions search_;
@@ -233,6 +281,9 @@ StrategyEntry monodromy_entry() {
        "error of a prediction, relative to how far the path goes until its series diverges"},
       {"arcs", "12", "whole number from 2 to 1000", "ways between the two sets of random lengths, at most"},
       {"trace", "on", "on|off", "test completeness by a trace where no count is met"},
+      {"start", "none", "FILE, or none", "start with the solutions at random lengths that save_start wrote"},
+      {"save_start", "none", "FILE, or none",
+       "write the solutions at random lengths, for this graph with any lengths", false, false},
       {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them",
        false, false}};
   entry.keeps_journal = true;

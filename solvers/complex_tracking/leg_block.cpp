@@ -7,8 +7,8 @@
 namespace gcs {
 namespace {
 
-constexpr std::size_t numbers_of_work = 3;
-constexpr std::size_t numbers_of_state = 5;
+constexpr std::size_t head = 4;              // the number of unknowns, and the work
+constexpr std::size_t numbers_of_state = 5;  // before the coordinates
 
 void append(const LegResult& result, Journal::Block& block) {
   const LegState& state = result.state;
@@ -48,21 +48,22 @@ void LegWork::add_to(WorkCounters& work) const {
 
 Journal::Block to_block(const FollowedLegs& followed) {
   const LegWork& work = followed.work;
-  Journal::Block block{static_cast<double>(work.accepted), static_cast<double>(work.rejected),
-                       static_cast<double>(work.evaluations)};
+  const std::size_t unknowns = followed.results.empty() ? 0 : followed.results.front().x.size();
+  Journal::Block block{static_cast<double>(unknowns), static_cast<double>(work.accepted),
+                       static_cast<double>(work.rejected), static_cast<double>(work.evaluations)};
   for (const LegResult& result : followed.results) append(result, block);
   return block;
 }
 
-FollowedLegs from_block(const Journal::Block& block, std::size_t legs, int unknowns) {
-  const std::size_t per_leg = numbers_of_state + 2 * static_cast<std::size_t>(unknowns);
-  if (block.size() != numbers_of_work + legs * per_leg)
-    throw std::invalid_argument("a journal's block is not of the size of its legs");
+FollowedLegs from_block(const Journal::Block& block) {
+  const std::size_t per_leg = block.empty() ? 0 : numbers_of_state + 2 * static_cast<std::size_t>(block[0]);
+  if (block.size() < head || (block.size() - head) % per_leg != 0)
+    throw std::invalid_argument("a journal's block is none of followed paths");
   FollowedLegs followed;
-  followed.work = {static_cast<std::int64_t>(block[0]), static_cast<std::int64_t>(block[1]),
-                   static_cast<std::int64_t>(block[2])};
-  for (std::size_t i = 0; i < legs; ++i)
-    followed.results.push_back(read_result(&block[numbers_of_work + i * per_leg], unknowns));
+  followed.work = {static_cast<std::int64_t>(block[1]), static_cast<std::int64_t>(block[2]),
+                   static_cast<std::int64_t>(block[3])};
+  for (std::size_t i = head; i < block.size(); i += per_leg)
+    followed.results.push_back(read_result(&block[i], static_cast<int>(block[0])));
   return followed;
 }
 

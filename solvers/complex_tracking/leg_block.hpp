@@ -32,9 +32,8 @@ struct FollowedLegs {
 
 /// Precondition: every leg was followed to its end.
 Journal::Block to_block(const FollowedLegs& followed);
-/// The inverse for systems of so many unknowns. Throws std::invalid_argument when the block has not the size
-/// of so many legs.
-FollowedLegs from_block(const Journal::Block& block, std::size_t legs, int unknowns);
+/// The inverse. Throws std::invalid_argument for a block that is none of legs.
+FollowedLegs from_block(const Journal::Block& block);
 
 /// Of the starts, routes and limits of legs of a system of so many unknowns.
 std::uint64_t fingerprint(std::span<const Leg> legs, int unknowns);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <stdexcept>
 #include <thread>
 
 namespace gcs {
@@ -129,7 +130,10 @@ FollowedLegs LegTracking::recall_or_follow(std::span<const Leg> legs, const std:
     return to_block(followed);
   };
   const auto block = journal_->result(fingerprint(legs, unknowns_), follow_all);
-  return block ? from_block(*block, legs.size(), unknowns_) : std::move(followed);
+  if (block) followed = from_block(*block);
+  if (followed.results.size() != legs.size())
+    throw std::invalid_argument("a journal's block has not as many paths as were to be followed");
+  return followed;
 }
 
 FollowedLegs LegTracking::follow_now(std::span<const Leg> legs, const std::function<bool()>& stopped) {

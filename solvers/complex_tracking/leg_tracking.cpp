@@ -4,7 +4,8 @@
 #include <atomic>
 #include <iterator>
 #include <stdexcept>
-#include <thread>
+
+#include "solvers/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
@@ -174,16 +175,11 @@ std::vector<LegResult> LegTracking::follow_with(Trackers& trackers, std::span<co
                                                 const std::function<bool()>& stopped, LegWork& work) const {
   std::vector<LegResult> results(legs.size());
   std::atomic<std::size_t> next = 0;
-  const auto run = [&](LaneTracker& tracker) {
-    LegFeeder(tracker, unknowns_, legs, next, results).run(stopped);
-  };
   const std::size_t lanes = static_cast<std::size_t>(trackers.front()->lanes());
-  {
-    std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < trackers.size() && i * lanes < legs.size(); ++i)
-      helpers.emplace_back([&run, &tracker = *trackers[i]] { run(tracker); });
-    if (!legs.empty()) run(*trackers.front());
-  }
+  const std::size_t full_trackers = (legs.size() + lanes - 1) / lanes;
+  run_on_threads(static_cast<int>(std::min(trackers.size(), full_trackers)), [&](int i) {
+    LegFeeder(*trackers[static_cast<std::size_t>(i)], unknowns_, legs, next, results).run(stopped);
+  });
   add_work(results, work);
   return results;
 }

@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <iterator>
 #include <random>
-#include <thread>
 #include <utility>
 
 #include "solvers/polyhedral/support_forms.hpp"
+#include "solvers/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
@@ -212,15 +212,10 @@ std::vector<EnumeratedCells> descend_all(const Enumeration& enumeration, std::ve
                                          int threads) {
   std::vector<EnumeratedCells> found(nodes.size());
   std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
+  run_on_threads(threads, [&](int) {
     for (std::size_t i = next++; i < nodes.size(); i = next++)
       enumeration.descend(std::move(nodes[i]), found[i]);
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(run);
-    run();
-  }
+  });
   return found;
 }
 

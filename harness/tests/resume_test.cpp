@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "harness/instance_io.hpp"
 #include "harness/tests/memory_journal.hpp"
@@ -45,8 +46,8 @@ void check_resuming(const Subject& subject, const Scene& scene) {
   const SolveReport whole = solve_with(subject, scene, nullptr);
   check_same(whole, solve_with(subject, scene, &journal));
   const std::size_t all = journal.records().size();
-  REQUIRE(all >= 4);
-  for (const std::size_t steps : {std::size_t{0}, std::size_t{1}, all / 2, all - 1})
+  REQUIRE(all > 0);
+  for (const std::size_t steps : std::set<std::size_t>{0, all / 4, all / 2, all - 1})
     check_interrupted(subject, scene, whole, steps, all);
   MemoryJournal finished(journal.records());
   check_same(whole, solve_with(subject, scene, &finished));

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "solvers/model/distance_system.hpp"
 #include "solvers/tests/sample_problems.hpp"
@@ -196,6 +197,59 @@ TEST_CASE("a path that doubles cannot follow is followed in twice the precision"
   REQUIRE(result.state.end == LegEnd::arrived);
   const Eigen::VectorXcd slow = follow_slowly(system, start, route);
   CHECK(std::abs(result.x[2] - slow[2]) <= 1e-9);
+}
+
+TEST_CASE("results of legs survive as a block of a journal") {
+  std::mt19937_64 random(16);
+  const SquareSystem system = system_of(samples::octahedron());
+  const Elimination elimination = order_elimination(system, random);
+  const Task task(system, 5, random);
+  std::vector<Leg> legs = task.legs();
+  legs[2].most_steps = 2;
+  WorkCounters work;
+  LegTracking tracking(system, elimination, {}, widest_instruction_set(), 1);
+  const FollowedLegs followed{tracking.follow(legs, never, work), {7, 8, 9}};
+  const FollowedLegs read = from_block(to_block(followed));
+  CHECK(read.work.accepted == 7);
+  CHECK(read.work.rejected == 8);
+  CHECK(read.work.evaluations == 9);
+  REQUIRE(read.results.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const LegState &ours = followed.results[i].state, &theirs = read.results[i].state;
+    CHECK(theirs.end == (i == 2 ? LegEnd::out_of_steps : LegEnd::arrived));
+    CHECK(theirs.s == ours.s);
+    CHECK(theirs.steps == ours.steps);
+    CHECK(theirs.rejected == ours.rejected);
+    CHECK(theirs.last_correction == ours.last_correction);
+    CHECK(read.results[i].x == followed.results[i].x);
+  }
+  Journal::Block cut = to_block(followed);
+  cut.pop_back();
+  CHECK_THROWS_AS(from_block(cut), std::invalid_argument);
+  CHECK_THROWS_AS(from_block({}), std::invalid_argument);
+}
+
+TEST_CASE("legs are known by their starts, routes, limits and number") {
+  std::mt19937_64 random(17);
+  const SquareSystem system = system_of(samples::k33());
+  const int n = system.unknowns;
+  const Task task(system, 3, random);
+  const std::uint64_t known = fingerprint(task.legs(), n);
+  CHECK(fingerprint(task.legs(), n) == known);
+  Task other = task;
+  other.starts[2][1] = {other.starts[2][1].real(), std::nextafter(other.starts[2][1].imag(), 9.0)};
+  CHECK(fingerprint(other.legs(), n) != known);
+  other = task;
+  other.routes[1].coefficients[3][0] += 1e-3;
+  CHECK(fingerprint(other.legs(), n) != known);
+  std::vector<Leg> legs = task.legs();
+  legs[0].most_steps = 9;
+  CHECK(fingerprint(legs, n) != known);
+  legs = task.legs();
+  std::swap(legs[0], legs[1]);
+  CHECK(fingerprint(legs, n) != known);
+  legs.pop_back();
+  CHECK(fingerprint(legs, n) != known);
 }
 
 TEST_CASE("a leg without enough steps says so") {

@@ -72,7 +72,7 @@ double relative(Complex excess, double length) {
 
 /// E of the header.
 double squared_distance_error(const ComplexLine& line, const Eigen::Vector3d& center) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  constexpr double epsilon = std::numeric_limits<double>::epsilon() / 2;
   const Eigen::Vector3cd c = center.cast<Complex>();
   const Complex a = bilinear_product(c, line.direction);
   const Eigen::Array3d n = (c - line.point - a * line.direction).cwiseAbs();

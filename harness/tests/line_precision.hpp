@@ -12,8 +12,8 @@ struct FourDistances {
   Eigen::Vector4d lengths;  ///< > 0
 };
 
-/// How much the relative residual of an exact line may grow when its coordinates are moved by an epsilon of
-/// their moduli, twice as far as rounding to the nearest doubles moves them.
+/// How much the relative residual of an exact line may grow when its coordinates are rounded to the nearest
+/// doubles, each by at most the unit roundoff ε = 2⁻⁵³ of its modulus.
 ///
 /// Let {p + s·u} be the line, u·u = 1 and p·u = 0, at the distance r from c. With a = c·u its point q = p +
 /// a·u is the foot of c: n = c − q has n·u = 0 and n·n = r². Let δp and δu be the changes of p and u, and u'

@@ -178,13 +178,12 @@ class FibreTest {
 }  // namespace
 
 TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_axes,
-                     const TrackingOptions& tracking_options, InstructionSet set, int threads,
-                     Journal* journal, const MonodromyOptions& options, std::mt19937_64& random,
+                     const TrackingSetup& setup, const MonodromyOptions& options, std::mt19937_64& random,
                      const std::function<bool()>& stopped, const std::function<void(int)>& progress,
                      WorkCounters& work) {
   const TraceSystem trace(system, random);
   const Elimination elimination = order_elimination(trace.system(), random);
-  LegTracking tracking(trace.system(), elimination, {tracking_options, set, threads, journal});
+  LegTracking tracking(trace.system(), elimination, setup);
   const FibreTest fibre_test(trace, tracking, random, stopped, work);
   TraceTest test;
   const auto sums_are_affine = [&](const GenericSolutions& fibre) {

@@ -61,9 +61,9 @@ class Solution {
         work_(work),
         stopped_([&request] { return request.stop.stop_requested(); }),
         equations_(request.formulation == Formulation::spheres
-                       ? sphere_equations(request.equations.coordinates(), request.placement)
-                       : coordinate_equations(request.equations.system(), request.placement)),
-        frame_axes_(mirror_axes(request.scene, request.equations.coordinates())) {}
+                       ? sphere_equations(request.coordinates, request.placement)
+                       : coordinate_equations(request.system, request.placement)),
+        frame_axes_(mirror_axes(request.scene, request.coordinates)) {}
 
   PolyhedralSolutions run() {
     request_.progress("mixed cells", -1);

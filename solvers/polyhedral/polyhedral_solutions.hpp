@@ -8,7 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "solvers/complex_tracking/scene_tracking.hpp"
+#include "solvers/complex_tracking/leg_tracking.hpp"
+#include "solvers/model/distance_system.hpp"
 #include "solvers/numeric/natural.hpp"
 
 namespace gcs {
@@ -27,7 +28,8 @@ struct PolyhedralSolutions {
 
 struct PolyhedralRequest {
   const Scene& scene;
-  const SceneTracking& equations;
+  const DistanceSystem& coordinates;
+  const SquareSystem& system;
   const ComplexVectorX& placement;  ///< whose lengths the equations have
   Formulation formulation = Formulation::spheres;
   TrackingSetup setup;

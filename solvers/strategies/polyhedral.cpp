@@ -18,6 +18,7 @@
 
 #include <memory>
 
+#include "solvers/complex_tracking/complex_strategy.hpp"
 #include "solvers/options.hpp"
 #include "solvers/polyhedral/polyhedral_solutions.hpp"
 
@@ -25,63 +26,22 @@ namespace gcs {
 namespace {
 
 /// What all lengths of one scene's graph share: the solutions for the lengths of one random placement.
-struct Prepared {
-  Prepared(const SolveRequest& request, const TrackingSetup& setup)
-      : random(request.seed),
-        scene(request.scene, setup, random),
-        placement(random_complex_vector(scene.system().unknowns, random)) {}
-
-  std::mt19937_64 random;
-  SceneTracking scene;
-  ComplexVectorX placement;
-  PolyhedralSolutions generic;
-  WorkCounters work;
-};
-
-class Polyhedral final : public Strategy {
+class Found final : public GenericStart {
  public:
-  explicit Polyhedral(const OptionMap& options)
-      : formulation_(static_cast<Formulation>(choice_option(options, "formulation", formulations))),
-        setup_(tracking_setup(options)) {}
+  Found(const SolveRequest& request, const TrackingSetup& setup)
+      : GenericStart(request.scene, request.seed, setup),
+        placement(random_complex_vector(system.unknowns, random)),
+        placement_squares(squares_at(system, placement)) {}
 
-  static constexpr std::string_view formulations = "spheres|coordinates";
+  const ComplexVectorX& squares() const override { return placement_squares; }
+  const std::vector<ComplexVectorX>& solutions() const override { return generic.solutions; }
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
-    return why_not_tracked(scene);
-  }
-
-  void prepare(const SolveRequest& request) override { prepared_ = solve_at_random_lengths(request); }
-
-  SolveReport solve(const SolveRequest& request) override {
-    const std::unique_ptr<Prepared> fresh = prepared_ ? nullptr : solve_at_random_lengths(request);
-    Prepared& prepared = fresh ? *fresh : *prepared_;
-    SolveReport report =
-        prepared.scene.solve(prepared.generic.solutions,
-                             squares_at(prepared.scene.system(), prepared.placement), request, prepared.work);
-    add_generic(prepared.generic, report);
-    return report;
-  }
-
- private:
-  std::unique_ptr<Prepared> solve_at_random_lengths(const SolveRequest& request) const {
-    TrackingSetup setup = setup_;
-    setup.threads = request.threads;
-    setup.journal = request.journal;
-    auto prepared = std::make_unique<Prepared>(request, setup);
-    const auto progress = [&request](std::string_view stage, double fraction) {
-      if (request.monitor) request.monitor->progress(stage, fraction);
-    };
-    prepared->generic = polyhedral_solutions({request.scene, prepared->scene, prepared->placement,
-                                              formulation_, setup, request.seed, request.stop, progress},
-                                             prepared->random, prepared->work);
-    return prepared;
-  }
-
-  static void add_generic(const PolyhedralSolutions& generic, SolveReport& report) {
-    report.particulars = {{"mixed_volume", static_cast<std::int64_t>(generic.mixed_volume.approximate())},
-                          {"mixed_cells", generic.cells},
-                          {"start_paths", generic.start_paths},
-                          {"start_paths_at_infinity", generic.at_infinity}};
+  void add_to(SolveReport& report) const override {
+    report.particulars.push_back(
+        {"mixed_volume", static_cast<std::int64_t>(generic.mixed_volume.approximate())});
+    report.particulars.push_back({"mixed_cells", generic.cells});
+    report.particulars.push_back({"start_paths", generic.start_paths});
+    report.particulars.push_back({"start_paths_at_infinity", generic.at_infinity});
     if (!generic.stopped && generic.missing.empty()) {
       report.generic = generic.solutions.size();
       return;
@@ -91,9 +51,33 @@ class Polyhedral final : public Strategy {
     report.status = generic.stopped ? SolveStatus::stopped : SolveStatus::partial;
   }
 
+  ComplexVectorX placement;
+  ComplexVectorX placement_squares;
+  PolyhedralSolutions generic;
+};
+
+class Polyhedral final : public ComplexStrategy {
+ public:
+  explicit Polyhedral(const OptionMap& options)
+      : ComplexStrategy(options),
+        formulation_(static_cast<Formulation>(choice_option(options, "formulation", formulations))) {}
+
+  static constexpr std::string_view formulations = "spheres|coordinates";
+
+ private:
+  std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request) const override {
+    const TrackingSetup setup = setup_for(request);
+    auto found = std::make_unique<Found>(request, setup);
+    const auto progress = [&request](std::string_view stage, double fraction) {
+      report_progress(request, stage, fraction);
+    };
+    found->generic = polyhedral_solutions({request.scene, found->coordinates, found->system, found->placement,
+                                           formulation_, setup, request.seed, request.stop, progress},
+                                          found->random, found->work);
+    return found;
+  }
+
   Formulation formulation_;
-  TrackingSetup setup_;
-  std::unique_ptr<Prepared> prepared_;
 };
 
 }  // namespace

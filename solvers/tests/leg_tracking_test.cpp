@@ -207,7 +207,7 @@ TEST_CASE("results of legs survive as a block of a journal") {
   std::vector<Leg> legs = task.legs();
   legs[2].most_steps = 2;
   WorkCounters work;
-  LegTracking tracking(system, elimination, {}, widest_instruction_set(), 1);
+  LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
   const FollowedLegs followed{tracking.follow(legs, never, work), {7, 8, 9}};
   const FollowedLegs read = from_block(to_block(followed));
   CHECK(read.work.accepted == 7);

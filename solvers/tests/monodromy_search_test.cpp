@@ -34,8 +34,8 @@ struct Setting {
     options.bend = 8;
     options.arcs = arcs;
     return test_trace(
-        system, mirror_axes(scene, coordinates), {}, widest_instruction_set(), 1, nullptr, options, random,
-        never, [](int) {}, work);
+        system, mirror_axes(scene, coordinates), {{}, widest_instruction_set(), 1}, options, random, never,
+        [](int) {}, work);
   }
 
   std::vector<PathEnd> ends(const GenericSolutions& generic) {

@@ -89,8 +89,9 @@ struct OptionSpec {
   std::string default_value;
   std::string_view allowed;  ///< "a|b|c" for a choice, otherwise a range in words: "number > 0"
   std::string_view summary;
-  bool is_length = false;  ///< in the file's unit of length: means another length when the unit changes
-  bool changes_result = true;
+  bool is_length = false;      ///< in the file's unit of length: means another length when the unit changes
+  bool changes_result = true;  ///< false: it says how to compute, or what else to write, and a journal
+                               ///< serves all its values
 };
 /// Every option of the strategy has an entry: the default where the user said nothing.
 using OptionMap = std::map<std::string, std::string, std::less<>>;

@@ -76,7 +76,8 @@ class StartSystems(command_line_test.CommandLine):
 
     def test_a_search_without_an_end_leaves_the_old_one(self):
         start = self.write("old", "start.json")
-        done = run("solve", "icosahedron", "--strategy", "monodromy", "--set", f"save_start={start}", "--time-limit", 0.5)
+        done = run("solve", "icosahedron", "--strategy", "monodromy", "--set", f"save_start={start}",
+                   "--time-limit", 0.5)
         self.assertEqual(done.returncode, NOT_SOLVED, done.stderr)
         self.assertEqual(start.read_text(), "old")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["start.json"])

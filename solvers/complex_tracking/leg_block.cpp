@@ -17,11 +17,11 @@ void append(const LegResult& result, Journal::Block& block) {
   for (const std::complex<double>& value : result.x) block.insert(block.end(), {value.real(), value.imag()});
 }
 
-LegResult read_result(const double* numbers, int unknowns) {
+LegResult read_result(const double* numbers, std::size_t unknowns) {
   LegResult result;
   result.state = {static_cast<LegEnd>(static_cast<int>(numbers[0])), numbers[1], static_cast<int>(numbers[2]),
                   static_cast<int>(numbers[3]), numbers[4]};
-  for (int i = 0; i < unknowns; ++i) {
+  for (std::size_t i = 0; i < unknowns; ++i) {
     const double* value = numbers + numbers_of_state + 2 * i;
     result.x.emplace_back(value[0], value[1]);
   }
@@ -56,14 +56,15 @@ Journal::Block to_block(const FollowedLegs& followed) {
 }
 
 FollowedLegs from_block(const Journal::Block& block) {
-  const std::size_t per_leg = block.empty() ? 0 : numbers_of_state + 2 * static_cast<std::size_t>(block[0]);
+  const std::size_t unknowns = block.size() < head ? 0 : static_cast<std::size_t>(block[0]);
+  const std::size_t per_leg = numbers_of_state + 2 * unknowns;
   if (block.size() < head || (block.size() - head) % per_leg != 0)
     throw std::invalid_argument("a journal's block is none of followed paths");
   FollowedLegs followed;
   followed.work = {static_cast<std::int64_t>(block[1]), static_cast<std::int64_t>(block[2]),
                    static_cast<std::int64_t>(block[3])};
   for (std::size_t i = head; i < block.size(); i += per_leg)
-    followed.results.push_back(read_result(&block[i], static_cast<int>(block[0])));
+    followed.results.push_back(read_result(&block[i], unknowns));
   return followed;
 }
 

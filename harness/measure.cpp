@@ -134,10 +134,10 @@ CellRecord not_run(const CellSpec& spec) {
 }
 
 /// For a solve that was stopped on its way.
-void set_estimate(const SolveEstimate& estimate, CellRecord& record) {
-  record.estimate_s = estimate.total_s();
+void set_estimate(const SolveEstimate& estimate, double elapsed_s, CellRecord& record) {
+  if (estimate.total_s() > elapsed_s) record.estimate_s = estimate.total_s();
   if (!estimate.stage().empty()) record.reason += fmt::format(", at \"{}\"", estimate.stage());
-  record.reason += estimate.total_s() ? "; the estimate is for the way to the end of that" : "";
+  record.reason += record.estimate_s ? "; the estimate is for the way to the end of that" : "";
   record.reason += "; --full has no limit";
 }
 
@@ -146,7 +146,7 @@ Work warm_up(const MeasureTask& task, const MeasureSettings& settings, const Tim
   SolveEstimate estimate;
   const SolveRun run = solve_once(task, settings, left, &estimate);
   Work work{&task, record_of(task, run), run.timing.prepare_s + run.timing.wall_s};
-  if (run.status == RunStatus::timed_out) set_estimate(estimate, work.record);
+  if (run.status == RunStatus::timed_out) set_estimate(estimate, work.cost_s, work.record);
   return work;
 }
 

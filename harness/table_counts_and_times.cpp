@@ -18,6 +18,11 @@ struct PaperRow {
   std::string by;
 };
 
+/// Like HOM4PS-2.0 first, which must have followed 2^m paths.
+std::vector<Variant> complex_variants() {
+  return {{"polyhedral", {{"formulation", "coordinates"}}}, {"polyhedral", {}}, {"monodromy", {}}};
+}
+
 class Builder {
  public:
   Builder(const RunRecord& run, const Publication& paper) : run_(run), paper_(paper) {
@@ -48,7 +53,7 @@ class Builder {
         return cell.spec.instance == instance.id && cell.is_right() && cell.counts.*count;
       };
       const auto cell = std::find_if(run_.cells.begin(), run_.cells.end(), has_all);
-      if (cell == run_.cells.end()) return no_strategy();
+      if (cell == run_.cells.end()) return unanswered(instance);
       const double classes = static_cast<double>(*(cell->counts.*count));
       const double value = classes * copies(instance);
       const std::string note = fmt::format(
@@ -111,8 +116,14 @@ class Builder {
   }
 
  private:
-  static std::pair<TableCell, TableCell> no_strategy() {
-    return {TableCell{"no strategy yet", {}}, empty_entry()};
+  /// Where no list is complete: what was not run for want of time.
+  std::pair<TableCell, TableCell> unanswered(const MeasuredInstance& instance) {
+    for (const Variant& variant : complex_variants()) {
+      const CellRecord* cell = run_.find(variant.on(instance.id));
+      if (cell && cell->status == RunStatus::timed_out)
+        return {answer_entry(table_, cell, std::nullopt), empty_entry()};
+    }
+    return {TableCell{"not measured", {}}, empty_entry()};
   }
 
   static std::string origin(const RecordedLimit& limit) {
@@ -146,11 +157,6 @@ std::vector<Variant> path_variants() {
 }
 
 const Variant algebraic{"cayley-menger", {}};
-
-/// Like HOM4PS-2.0 first, which must have followed 2^m paths.
-std::vector<Variant> complex_variants() {
-  return {{"polyhedral", {{"formulation", "coordinates"}}}, {"polyhedral", {}}, {"monodromy", {}}};
-}
 
 }  // namespace
 

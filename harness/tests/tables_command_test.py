@@ -133,7 +133,7 @@ class Tables(WithFolder):
         done = run("tables", "table1", "--instances", "k33", "--strategies", "full-space,cayley-menger",
                    "--repetitions", 3)
         self.assertEqual(done.returncode, DONE, done.stderr)
-        self.assertIn("no strategy yet", done.stdout)
+        self.assertIn("not measured", done.stdout)
 
     def test_instances_out_of_reach_say_so_in_every_cell(self):
         done = run("tables", "table1", "--instances", "tangents-durand", "--strategies", "full-space,rcp")

@@ -63,6 +63,20 @@ Complex<Real> selected(Real mask, const Complex<Real>& a, const Complex<Real>& b
   return {selected(mask, a.re, b.re), selected(mask, a.im, b.im)};
 }
 
+/// A sum of products in four parts that do not wait for each other, where latency would set the pace.
+template <class Real>
+struct SplitSum {
+  Real re_re{}, im_im{}, re_im{}, im_re{};
+
+  void add_product(const Complex<Real>& a, const Complex<Real>& b) {
+    re_re = fused(a.re, b.re, re_re);
+    im_im = fused(a.im, b.im, im_im);
+    re_im = fused(a.re, b.im, re_im);
+    im_re = fused(a.im, b.re, im_re);
+  }
+  Complex<Real> value() const { return {re_re - im_im, re_im + im_re}; }
+};
+
 /// The same in all lanes.
 template <class Real>
 Complex<Real> number(std::complex<double> z, Real) {

@@ -123,7 +123,8 @@ TrackingSetup ComplexStrategy::setup_for(const SolveRequest& request) const {
 }
 
 void ComplexStrategy::report_progress(const SolveRequest& request, std::string_view stage, double fraction) {
-  if (request.monitor) request.monitor->progress(stage, fraction);
+  const bool stopped = request.stop.stop_requested();  // what still comes then is not on its way
+  if (request.monitor && !stopped) request.monitor->progress(stage, fraction);
 }
 
 }  // namespace gcs

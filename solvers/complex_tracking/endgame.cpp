@@ -17,7 +17,7 @@ constexpr double smallest_radius = 1e-13;  // of σ; the arithmetic of higher pr
 constexpr int corners = 8;                 // samples of a round
 constexpr int most_rounds = 8;             // winding numbers beyond are left to smaller circles
 constexpr int direct_steps = 40;           // a pole at a distance of 1e-7 from the way takes so many
-constexpr std::size_t batch = 4096;        // paths between two reports of progress
+constexpr std::size_t batch = 1024;        // paths between two reports of progress
 
 /// Circles that enclose other branch points are long and say nothing: a path is walked around once it grows
 /// by a steady power of σ, or where the radius is so small that waiting has not helped.
@@ -281,6 +281,7 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work) {
   std::vector<PathEnd> ends;
+  progress(0);
   for (std::size_t first = 0; first < starts.size(); first += batch) {
     const std::size_t count = std::min(batch, starts.size() - first);
     std::vector<PathEnd> some =

@@ -93,7 +93,9 @@ class SquareEquations {
     Number middle{};
     for (int d = system_.first[e]; d < system_.first[e + 1]; ++d) {
       const Number* c = &series_[d * (order_ + 1)];
-      for (int a = 1; 2 * a < k; ++a) sum = fused_minus(c[a], c[k - a], sum);
+      SplitSum<Real> products;
+      for (int a = 1; 2 * a < k; ++a) products.add_product(c[a], c[k - a]);
+      sum = sum - products.value();
       if (k % 2 == 0) middle = fused(c[k / 2], c[k / 2], middle);
     }
     return fused(constant(-0.5, Real{}), middle, sum);

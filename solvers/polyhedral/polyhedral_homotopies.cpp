@@ -13,7 +13,7 @@ namespace gcs {
 namespace {
 
 constexpr double start_size = 1e-8;       // of the lowest factor e^(h τ) at the start
-constexpr std::int64_t most_legs = 4096;  // of a cell at once: their starts are in memory
+constexpr std::int64_t most_legs = 1024;  // of a cell between two reports of progress
 constexpr int most_axes = 3;
 
 /// The axes whose reflection changes no monomial, each with the first unknown that changes its sign.
@@ -121,11 +121,13 @@ std::vector<ComplexVectorX> sample_jacobians(const MonomialSystem& system, const
 class Homotopies {
  public:
   Homotopies(const MixedCells& cells, const std::vector<int>& axes, const TrackingSetup& setup,
-             std::mt19937_64& random, const std::function<bool()>& stopped, WorkCounters& work)
+             std::mt19937_64& random, const std::function<bool()>& stopped,
+             const std::function<void(double)>& progress, WorkCounters& work)
       : cells_(cells),
         setup_(setup),
         random_(random),
         stopped_(stopped),
+        progress_(progress),
         work_(work),
         system_(monomial_system(cells.supports)),
         mirrored_(first_mirrored(cells.supports, axes)),
@@ -137,11 +139,8 @@ class Homotopies {
     result_.mirror_images = std::int64_t{1} << mirrored_.size();
   }
 
-  GenericZeros run(const std::function<void(double)>& progress) {
-    for (std::size_t i = 0; i < cells_.cells.size() && !result_.stopped; ++i) {
-      follow(cells_.cells[i]);
-      progress(static_cast<double>(i + 1) / static_cast<double>(cells_.cells.size()));
-    }
+  GenericZeros run() {
+    for (std::size_t i = 0; i < cells_.cells.size() && !result_.stopped; ++i) follow(cells_.cells[i]);
     result_.zeros = distinct_.solutions();
     return std::move(result_);
   }
@@ -187,6 +186,7 @@ class Homotopies {
     result_.stopped = stopped_();
     if (result_.stopped) return;
     result_.paths += static_cast<std::int64_t>(starts.size());
+    progress_(static_cast<double>(result_.paths * result_.mirror_images) / all_paths_);
     for (const LegResult& end : ends) sort_in(end);
   }
 
@@ -204,7 +204,9 @@ class Homotopies {
   const TrackingSetup& setup_;
   std::mt19937_64& random_;
   const std::function<bool()>& stopped_;
+  const std::function<void(double)>& progress_;
   WorkCounters& work_;
+  const double all_paths_ = cells_.total_volume().approximate();
   MonomialSystem system_;
   std::vector<int> mirrored_;  ///< the first unknown of each reflection that is divided out
   SolutionSet distinct_;
@@ -232,7 +234,7 @@ GenericZeros follow_polyhedral_homotopies(const MixedCells& cells, const std::ve
                                           const TrackingSetup& setup, std::mt19937_64& random,
                                           const std::function<bool()>& stopped,
                                           const std::function<void(double)>& progress, WorkCounters& work) {
-  return Homotopies(cells, axes, setup, random, stopped, work).run(progress);
+  return Homotopies(cells, axes, setup, random, stopped, progress, work).run();
 }
 
 }  // namespace gcs

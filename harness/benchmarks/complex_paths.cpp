@@ -107,12 +107,23 @@ BENCHMARK(complex_paths)
 
 #if defined(__x86_64__)
 [[gnu::target("avx2,fma")]] void repeat_multiply_add(benchmark::State& state) {
-  constexpr int repeats = 1000, chains = 10;  // enough sums that no multiply-add waits for an earlier one
+  // Named one by one, all sums stay in registers; there are so many that none waits for its last result.
+  constexpr int repeats = 1000, chains = 10;
   const __m256d factor = _mm256_set1_pd(1.000000001), summand = _mm256_set1_pd(1e-9);
   __m256d sums[chains] = {};
   for (auto _ : state) {
-    for (int repeat = 0; repeat < repeats; ++repeat)
-      for (__m256d& sum : sums) sum = _mm256_fmadd_pd(sum, factor, summand);
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      sums[0] = _mm256_fmadd_pd(sums[0], factor, summand);
+      sums[1] = _mm256_fmadd_pd(sums[1], factor, summand);
+      sums[2] = _mm256_fmadd_pd(sums[2], factor, summand);
+      sums[3] = _mm256_fmadd_pd(sums[3], factor, summand);
+      sums[4] = _mm256_fmadd_pd(sums[4], factor, summand);
+      sums[5] = _mm256_fmadd_pd(sums[5], factor, summand);
+      sums[6] = _mm256_fmadd_pd(sums[6], factor, summand);
+      sums[7] = _mm256_fmadd_pd(sums[7], factor, summand);
+      sums[8] = _mm256_fmadd_pd(sums[8], factor, summand);
+      sums[9] = _mm256_fmadd_pd(sums[9], factor, summand);
+    }
     benchmark::DoNotOptimize(sums);
   }
   constexpr double operations = 2.0 * repeats * chains * sizeof(__m256d) / sizeof(double);

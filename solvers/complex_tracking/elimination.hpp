@@ -43,8 +43,8 @@ struct Elimination {
   int entry(int e, int i) const { return entry_numbers[e * unknowns + i]; }
 };
 
-/// `jacobians` are samples for one system, unknowns × unknowns row by row, all regular; entries are those
-/// that are not 0 in all of them.
+/// `jacobians` are samples for one system, unknowns × unknowns row by row, all regular; an entry is where any
+/// of them is not 0.
 Elimination order_elimination(int unknowns, const std::vector<ComplexVectorX>& jacobians);
 
 /// The samples are Jacobians at random points. Precondition: there they are regular.

@@ -81,7 +81,7 @@ Figure mirrored(Figure figure, RandomNumbers& random) {
   for (int axis = 0; axis < 3; ++axis) {
     const int sign = random.sign();
     figure.points.row(axis) *= sign;
-    figure.imaginary.row(axis) *= sign;
+    if (figure.imaginary.cols() > 0) figure.imaginary.row(axis) *= sign;
   }
   return figure;
 }

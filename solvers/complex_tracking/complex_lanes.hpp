@@ -63,6 +63,16 @@ Complex<Real> selected(Real mask, const Complex<Real>& a, const Complex<Real>& b
   return {selected(mask, a.re, b.re), selected(mask, a.im, b.im)};
 }
 
+/// Adds a·b to re + i·im.
+template <class Real>
+void add_product(const Complex<Real>& a, const Complex<Real>& b, Compensated<Real>& re,
+                 Compensated<Real>& im) {
+  re.add_product(a.re, b.re);
+  re.add_product(-a.im, b.im);
+  im.add_product(a.re, b.im);
+  im.add_product(a.im, b.re);
+}
+
 /// A sum of products in four parts that do not wait for each other, where latency would set the pace.
 template <class Real>
 struct SplitSum {

@@ -126,10 +126,6 @@ class DistinctEnds {
   std::vector<bool> singular_;
 };
 
-std::string number_of(int count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 /// What keeps the ends from being all solutions; empty when nothing does.
 std::string what_is_missing(const std::vector<PathEnd>& ends, const DistinctEnds& distinct) {
   std::map<std::string, int> causes;
@@ -148,6 +144,10 @@ std::string what_is_missing(const std::vector<PathEnd>& ends, const DistinctEnds
 }
 
 }  // namespace
+
+std::string number_of(std::int64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
 
 SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
                            const WorkCounters& work, std::mt19937_64& random) {

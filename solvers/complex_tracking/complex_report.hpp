@@ -11,6 +11,9 @@
 
 namespace gcs {
 
+/// "1 path", "2 paths"
+std::string number_of(std::int64_t count, const std::string& noun);
+
 /// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
 /// Newton's method on the real part agrees; a record for every path. The status is partial where paths
 /// failed, where two ended at one regular solution (a step has jumped), or where the conjugate of a finite

@@ -29,6 +29,18 @@ ComplexVectorX given_squares(const Scene& scene) {
   return squares;
 }
 
+void add_start(const GenericStart& start, SolveReport& report) {
+  report.particulars = start.particulars();
+  const std::string missing = start.missing();
+  if (missing.empty()) {
+    report.generic = start.solutions().size();
+    return;
+  }
+  report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
+  if (report.status != SolveStatus::stopped)
+    report.status = start.is_stopped() ? SolveStatus::stopped : SolveStatus::partial;
+}
+
 bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
 SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
@@ -106,7 +118,7 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request) const {
                                                   given_squares(request.scene), stopped, progress, work);
   std::mt19937_64 random(request.seed);
   SolveReport report = complex_report(request.scene, start.coordinates, ends, work, random);
-  start.add_to(report);
+  add_start(start, report);
   return report;
 }
 

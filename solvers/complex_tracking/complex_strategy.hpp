@@ -36,8 +36,12 @@ class GenericStart {
   virtual const ComplexVectorX& squares() const = 0;
   /// Regular, distinct up to reflections, in the coordinates of the frame.
   virtual const std::vector<ComplexVectorX>& solutions() const = 0;
-  /// How they were found, and what may be missing; the status and reason where something is.
-  virtual void add_to(SolveReport& report) const = 0;
+  /// What may keep them from being all, in words; empty when nothing does.
+  virtual std::string missing() const = 0;
+  /// Whether something is missing because the search was stopped on request.
+  virtual bool is_stopped() const = 0;
+  /// How they were found.
+  virtual std::vector<Particular> particulars() const = 0;
 
   std::mt19937_64 random;
   DistanceSystem coordinates;

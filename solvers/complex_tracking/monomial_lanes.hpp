@@ -111,13 +111,6 @@ class MonomialEquations {
     return i < 0 ? -1 : elimination.entry(e, i);
   }
 
-  static void add_product(const Number& a, const Number& b, Compensated<Real>& re, Compensated<Real>& im) {
-    re.add_product(a.re, b.re);
-    re.add_product(-a.im, b.im);
-    im.add_product(a.re, b.im);
-    im.add_product(a.im, b.re);
-  }
-
   /// Σ_{0<a<k} u_a·v_{k−a}
   Number inner_terms(int u, int v, int k) const {
     const Number* a = &series_[u * (order_ + 1)];

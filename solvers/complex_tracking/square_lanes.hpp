@@ -67,12 +67,8 @@ class SquareEquations {
       im.low = fused(two_im, low.re, fused(two_re, low.im, im.low));
     }
     for (int l = system_.first_linear[e]; l < system_.first_linear[e + 1]; ++l) {
-      const Number coefficient = number(system_.linear[l].coefficient, Real{});
-      const Number& w = x[system_.linear[l].unknown];
-      re.add_product(coefficient.re, w.re);
-      re.add_product(-coefficient.im, w.im);
-      im.add_product(coefficient.re, w.im);
-      im.add_product(coefficient.im, w.re);
+      const auto& [unknown, coefficient] = system_.linear[l];
+      add_product(number(coefficient, Real{}), x[unknown], re, im);
     }
     re.add(constant(system_.given[e], Real{}));
     re.add(-squares_[e].re);

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <map>
 
-#include "solvers/complex_tracking/endgame.hpp"
+#include "solvers/complex_tracking/complex_report.hpp"
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/polyhedral/polyhedral_homotopies.hpp"
 
 namespace gcs {
 namespace {
-
-std::string number_of(std::int64_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 std::string what_is_missing(const MixedCells& cells) {
   switch (cells.status) {

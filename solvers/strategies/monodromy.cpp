@@ -63,27 +63,22 @@ class Found final : public GenericStart {
   const ComplexVectorX& squares() const override { return generic.squares; }
   const std::vector<ComplexVectorX>& solutions() const override { return generic.solutions; }
   Family family() const { return all_lengths(system, axes); }
-  std::string missing() const {
+  bool is_stopped() const override { return generic.end == SearchEnd::stopped; }
+  std::string missing() const override {
     return why_not_all(generic, trace, is_stored ? "the stored start has" : "found");
   }
-
-  void add_to(SolveReport& report) const override {
+  std::vector<Particular> particulars() const override {
+    std::vector<Particular> counts;
     if (is_stored)
-      report.particulars.push_back({"stored_solutions", static_cast<std::int64_t>(generic.solutions.size())});
-    report.particulars.push_back({"loop_paths", generic.legs});
-    report.particulars.push_back({"lost_loop_paths", generic.lost_legs});
-    report.particulars.push_back({"arcs", generic.arcs_used});
+      counts.push_back({"stored_solutions", static_cast<std::int64_t>(generic.solutions.size())});
+    counts.push_back({"loop_paths", generic.legs});
+    counts.push_back({"lost_loop_paths", generic.lost_legs});
+    counts.push_back({"arcs", generic.arcs_used});
     if (trace) {
-      report.particulars.push_back({"trace_points", trace->points});
-      report.particulars.push_back({"trace_solutions", trace->solutions});
+      counts.push_back({"trace_points", trace->points});
+      counts.push_back({"trace_solutions", trace->solutions});
     }
-    if (missing().empty()) {
-      report.generic = generic.solutions.size();
-      return;
-    }
-    report.reason = missing() + (report.reason.empty() ? "" : "; " + report.reason);
-    if (report.status != SolveStatus::stopped)
-      report.status = generic.end == SearchEnd::stopped ? SolveStatus::stopped : SolveStatus::partial;
+    return counts;
   }
 
   std::optional<std::uint64_t> limit;

@@ -36,19 +36,15 @@ class Found final : public GenericStart {
   const ComplexVectorX& squares() const override { return placement_squares; }
   const std::vector<ComplexVectorX>& solutions() const override { return generic.solutions; }
 
-  void add_to(SolveReport& report) const override {
-    report.particulars.push_back(
-        {"mixed_volume", static_cast<std::int64_t>(generic.mixed_volume.approximate())});
-    report.particulars.push_back({"mixed_cells", generic.cells});
-    report.particulars.push_back({"start_paths", generic.start_paths});
-    report.particulars.push_back({"start_paths_at_infinity", generic.at_infinity});
-    if (!generic.stopped && generic.missing.empty()) {
-      report.generic = generic.solutions.size();
-      return;
-    }
-    const std::string missing = generic.stopped ? "stopped on the way to random lengths" : generic.missing;
-    report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
-    report.status = generic.stopped ? SolveStatus::stopped : SolveStatus::partial;
+  bool is_stopped() const override { return generic.stopped; }
+  std::string missing() const override {
+    return generic.stopped ? "stopped on the way to random lengths" : generic.missing;
+  }
+  std::vector<Particular> particulars() const override {
+    return {{"mixed_volume", static_cast<std::int64_t>(generic.mixed_volume.approximate())},
+            {"mixed_cells", generic.cells},
+            {"start_paths", generic.start_paths},
+            {"start_paths_at_infinity", generic.at_infinity}};
   }
 
   ComplexVectorX placement;

@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
+#include <span>
+#include <string_view>
 #include <system_error>
 
 #include "harness/atomic_file.hpp"
@@ -27,6 +30,13 @@ std::string header_line(const JsonValue& identity) {
   JsonValue header = json_object({{"format", json_text(std::string(format_name))}});
   header.members.insert(header.members.end(), identity.members.begin(), identity.members.end());
   return to_text(header, -1) + "\n";
+}
+
+/// Numbers as they lie in memory; of none, nothing.
+template <typename Numbers>
+std::string_view bytes_of(const Numbers& numbers) {
+  const std::span<const std::byte> bytes = std::as_bytes(std::span(numbers));
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 std::uint64_t checksum(std::uint64_t fingerprint, std::span<const double> block) {
@@ -121,9 +131,9 @@ std::optional<FileJournal::Record> FileJournal::read_record() {
   if (count > left / word - 3) return std::nullopt;
   Record record{fingerprint, Block(count)};
   const std::string body = read(position_ + sizeof head, (count + 1) * word);
-  std::memcpy(record.block.data(), body.data(), count * word);
   std::uint64_t sum = 0;
   std::memcpy(&sum, body.data() + count * word, word);
+  if (count > 0) std::memcpy(record.block.data(), body.data(), count * word);
   if (sum == checksum(fingerprint, record.block)) return record;
   const bool is_last = left == (count + 3) * word;
   if (!is_last) refuse(fmt::format("the journal is damaged at byte {}", position_));
@@ -132,12 +142,10 @@ std::optional<FileJournal::Record> FileJournal::read_record() {
 
 void FileJournal::append(std::uint64_t fingerprint, const Block& block) {
   cut(position_);
-  const std::uint64_t count = block.size(), sum = checksum(fingerprint, block);
-  std::string bytes((count + 3) * word, '\0');
-  std::memcpy(bytes.data(), &fingerprint, word);
-  std::memcpy(bytes.data() + word, &count, word);
-  std::memcpy(bytes.data() + 2 * word, block.data(), count * word);
-  std::memcpy(bytes.data() + (count + 2) * word, &sum, word);
+  const std::array<std::uint64_t, 2> head{fingerprint, block.size()};
+  const std::array<std::uint64_t, 1> foot{checksum(fingerprint, block)};
+  std::string bytes;
+  bytes.append(bytes_of(head)).append(bytes_of(block)).append(bytes_of(foot));
   write(bytes);
   position_ = size_;
 }

@@ -37,6 +37,15 @@ Positions read_positions(const JsonCursor& cursor, const Problem& problem) {
   return positions;
 }
 
+std::vector<std::array<std::string, 3>> point_texts(const JsonCursor& cursor, const Problem& problem) {
+  std::vector<std::array<std::string, 3>> texts(problem.points.size());
+  for (const auto& [name, position] : cursor.members()) {
+    const int entity = entity_number(problem, name, position);
+    if (problem.is_point(entity)) texts[entity] = position.coordinate_texts(problem.dimension);
+  }
+  return texts;
+}
+
 int entity_count(const Problem& problem) {
   return static_cast<int>(problem.points.size() + problem.lines.size());
 }
@@ -184,6 +193,7 @@ void read_fixed(const JsonCursor& fixed, Problem& problem) {
   const Positions positions = read_positions(fixed, problem);
   problem.fixed_points = positions.points;
   problem.fixed_lines = positions.lines;
+  problem.fixed_point_texts = point_texts(fixed, problem);
   if (fixed.members().empty() || seeks_line_from_given_points(positions)) return;
   refuse_coincident_fixed_points(fixed, problem);
   if (!hold_still(positions, problem.dimension)) {

@@ -106,6 +106,13 @@ Eigen::Vector3d JsonCursor::coordinates(int dimension) const {
   return result;
 }
 
+std::array<std::string, 3> JsonCursor::coordinate_texts(int dimension) const {
+  const auto components = elements(static_cast<std::size_t>(dimension), "coordinates");
+  std::array<std::string, 3> texts;
+  for (std::size_t i = 0; i < components.size(); ++i) texts[i] = components[i].number().text;
+  return texts;
+}
+
 LinePosition JsonCursor::line_position() const {
   allow_members({"point", "direction"});
   const JsonCursor direction = required("direction");

@@ -2,6 +2,7 @@
 /// Reading a JSON document field by field, every complaint with its place.
 
 #include <Eigen/Core>
+#include <array>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -46,6 +47,8 @@ class JsonCursor {
   Decimal number() const;
   /// `dimension` coordinates; in the plane z = 0.
   Eigen::Vector3d coordinates(int dimension) const;
+  /// Their decimal texts; the third is empty in the plane.
+  std::array<std::string, 3> coordinate_texts(int dimension) const;
   /// {"point": […], "direction": […]} in space, the direction brought to length 1.
   LinePosition line_position() const;
 

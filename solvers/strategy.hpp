@@ -2,6 +2,7 @@
 /// The whole interface of a strategy. To add one: a file solvers/strategies/my_idea.cpp that defines
 /// `StrategyEntry my_idea_entry()`, and the line gcs_add_strategy(my_idea) in solvers/CMakeLists.txt.
 
+#include <complex>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -69,6 +70,13 @@ struct Particular {
   bool operator==(const Particular&) const = default;
 };
 
+/// Solutions at lengths of the strategy's own choice, for which it found as many classes as it says that
+/// there are at generic lengths.
+struct GenericMember {
+  std::vector<std::complex<double>> squares;  ///< of the lengths, one per constraint, in any unit
+  std::vector<std::vector<std::complex<double>>> solutions;  ///< the free coordinates of the scene's frame
+};
+
 struct SolveReport {
   SolveStatus status = SolveStatus::gave_up;
   std::string reason;  ///< empty when complete
@@ -76,7 +84,8 @@ struct SolveReport {
   std::vector<Candidate>
       candidates;  ///< distinct points of S or solutions; the harness groups them into classes
   std::vector<PathRecord> paths;
-  std::optional<std::uint64_t> generic;  ///< number of classes at generic lengths, where it is known
+  std::optional<std::uint64_t> generic;         ///< number of classes at generic lengths, where it is known
+  std::optional<GenericMember> generic_member;  ///< proves `generic`, where certificates reach it
   std::optional<std::uint64_t>
       at_infinity;  ///< how many of these have escaped; with paths, their ends say it
   WorkCounters work;

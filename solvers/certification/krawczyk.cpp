@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "solvers/certification/krawczyk_image.hpp"
+
 namespace gcs {
 namespace {
 
@@ -10,21 +12,18 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// f(mid), each with a bound on its error: squares in double-double are right to `epsilon`² relative to their
 /// terms, and the sum is rounded once.
-struct Residual {
-  Eigen::VectorXd value;
-  Eigen::VectorXd error;
-};
-
-Residual residual(const DistanceSystem& system, const std::vector<DoubleDouble>& squares,
-                  const Eigen::Matrix3Xd& points) {
-  Residual result{Eigen::VectorXd(system.equations()), Eigen::VectorXd(system.equations())};
+LinearisedSystem<double> linearised(const DistanceSystem& system, const std::vector<DoubleDouble>& squares,
+                                    const Eigen::Matrix3Xd& points) {
+  const int m = system.unknowns();
+  LinearisedSystem<double> f{Eigen::VectorXd(m), Eigen::VectorXd(m), Eigen::MatrixXd(m, m)};
   for (int e = 0; e < system.equations(); ++e) {
     const DoubleDouble square = system.squared_length(points, e);
-    result.value[e] = (square - squares[e]).value() / 2;
-    result.error[e] = epsilon * std::abs(result.value[e]) +
-                      64 * epsilon * epsilon * (std::abs(square.hi) + std::abs(squares[e].hi));
+    f.value[e] = (square - squares[e]).value() / 2;
+    f.value_error[e] = epsilon * std::abs(f.value[e]) +
+                       64 * epsilon * epsilon * (std::abs(square.hi) + std::abs(squares[e].hi));
   }
-  return result;
+  system.jacobian(points, f.jacobian);
+  return f;
 }
 
 /// How far the entries of the Jacobian, which are differences of coordinates, move within the box.
@@ -48,27 +47,12 @@ Eigen::MatrixXd jacobian_radius(const DistanceSystem& system, const Box& box) {
 }  // namespace
 
 BoxContent krawczyk(const DistanceSystem& system, const std::vector<DoubleDouble>& squares, const Box& box) {
-  const int m = system.unknowns();
-  const Eigen::Matrix3Xd points = system.figure(box.mid).points;
-  Eigen::MatrixXd jacobian(m, m);
-  system.jacobian(points, jacobian);
-  const Eigen::MatrixXd inverse = jacobian.partialPivLu().inverse();
+  const LinearisedSystem<double> f = linearised(system, squares, system.figure(box.mid).points);
+  const Eigen::MatrixXd inverse = f.jacobian.partialPivLu().inverse();
   if (!inverse.allFinite()) return BoxContent::unknown;
-
-  const Residual f = residual(system, squares, points);
-  const Eigen::MatrixXd size = inverse.cwiseAbs();
-  const double rounding = 2 * (m + 2) * epsilon;  // of a scalar product of length m, relative to its terms
-  const Eigen::VectorXd move = inverse * f.value;
-  const Eigen::MatrixXd defect =
-      (Eigen::MatrixXd::Identity(m, m) - inverse * jacobian).cwiseAbs() +
-      size * (rounding * jacobian.cwiseAbs() + (1 + rounding) * jacobian_radius(system, box)) +
-      epsilon * Eigen::MatrixXd::Identity(m, m);
-  const Eigen::VectorXd spread =
-      (1 + rounding) * (defect * box.radius + size * (f.error + rounding * f.value.cwiseAbs()));
-
-  if (((spread + move.cwiseAbs()) * (1 + rounding) - box.radius).maxCoeff() < 0)
-    return BoxContent::one_solution;
-  if ((move.cwiseAbs() - (spread + box.radius) * (1 + rounding)).maxCoeff() > 0)
+  const KrawczykImage<double> image = krawczyk_image(inverse, f, jacobian_radius(system, box), box.radius);
+  if ((image.reach() - box.radius).maxCoeff() < 0) return BoxContent::one_solution;
+  if ((image.move.cwiseAbs() - (image.spread + box.radius) * (1 + 4 * epsilon)).maxCoeff() > 0)
     return BoxContent::no_solution;
   return BoxContent::unknown;
 }

@@ -34,6 +34,7 @@ void add_start(const GenericStart& start, SolveReport& report) {
   const std::string missing = start.missing();
   if (missing.empty()) {
     report.generic = start.solutions().size();
+    report.generic_member = GenericMember{start.squares(), start.solutions()};
     return;
   }
   report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);

@@ -20,6 +20,7 @@ SolveReport carried_back(const ReleasedScene& released, const Scene& given, Solv
     report.candidates.push_back({*figure, multiplicity});
   }
   if (report.generic) *report.generic >>= released.doublings();
+  report.generic_member.reset();
   return report;
 }
 

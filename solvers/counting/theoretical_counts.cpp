@@ -158,11 +158,32 @@ void bound_points_and_line(const Problem& problem, TheoreticalCounts& counts) {
   counts.bound->reference.insert(counts.bound->reference.begin(), static_cast<int>(problem.points.size()));
 }
 
+/// All points are given, and nothing but a line is sought by its distances from four of them.
+bool seeks_common_tangents(const Problem& problem) {
+  const auto points = static_cast<int>(problem.points.size());
+  for (int point = 0; point < points; ++point)
+    if (!problem.is_fixed(point)) return false;
+  return problem.lines.size() == 1 && !problem.is_fixed(points) && problem.constraints.size() == 4;
+}
+
+/// For centres that span space the point of the line is eliminated linearly, and its direction is left to a
+/// cubic and a quartic in the projective plane: 12 lines, by Bézout (Macdonald, Pach, Theobald, Common
+/// tangents to four unit balls in R³, 2001; Hoffmann, Yuan 2000). Isolated lines persist when centres and
+/// radii are moved, so no four centres have more.
+void bound_tangents(const Problem& problem, TheoreticalCounts& counts) {
+  counts.bound = CountBound{{Natural(12), 1, 1}, {}};
+  for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
+    counts.bound->reference.push_back(point);
+}
+
 }  // namespace
 
 TheoreticalCounts theoretical_counts(const Problem& problem) {
   TheoreticalCounts counts;
-  if (has_fixed_entity(problem)) {
+  if (seeks_common_tangents(problem)) {
+    counts.why_no_exact = "There is a line, and the exact number is known only for points.";
+    bound_tangents(problem, counts);
+  } else if (has_fixed_entity(problem)) {
     counts.why_no_exact = "Positions are fixed, and the count is known only where nothing is.";
     counts.why_no_bound = "Positions are fixed, and the bound is known only where nothing is.";
   } else if (problem.lines.empty()) {

@@ -10,7 +10,8 @@
 
 namespace gcs {
 
-/// A number with its decimal text: the text is exact, `value` is the nearest double.
+/// A number with its decimal text: the text is exact, `value` is the nearest double. Without a text `value`
+/// is exact.
 struct Decimal {
   double value = 0;
   std::string text;
@@ -79,6 +80,8 @@ struct Problem {
   std::vector<DistanceConstraint> constraints;
   std::vector<std::optional<Eigen::Vector3d>> fixed_points;  ///< one per point
   std::vector<std::optional<LinePosition>> fixed_lines;      ///< one per line
+  /// The decimal texts of the coordinates in fixed_points, which are exact; empty: those are.
+  std::vector<std::array<std::string, 3>> fixed_point_texts;
   std::optional<Reference> reference;
   std::optional<Figure> sketch;
   InterpolationChoice interpolation;

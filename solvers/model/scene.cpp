@@ -271,5 +271,6 @@ Figure Scene::representative(const Figure& figure) const {
 }
 
 Figure Scene::in_file_unit(const Figure& figure) const { return scaled(figure, unit_exponent_); }
+Figure Scene::in_scene_unit(const Figure& figure) const { return scaled(figure, -unit_exponent_); }
 
 }  // namespace gcs

@@ -52,6 +52,8 @@ class Scene {
   Figure representative(const Figure& figure) const;
   /// From the scene's unit to the file's, exactly (a power of two) unless it overflows.
   Figure in_file_unit(const Figure& figure) const;
+  /// The way back.
+  Figure in_scene_unit(const Figure& figure) const;
 
  private:
   Problem problem_;

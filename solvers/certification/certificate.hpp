@@ -1,0 +1,46 @@
+#pragma once
+/// Proofs that numbers lie next to a solution: Krawczyk's test in doubles where these suffice, else in balls
+/// of more and more bits.
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solvers/certification/ball_krawczyk.hpp"
+#include "solvers/certification/disc_krawczyk.hpp"
+
+namespace gcs {
+
+/// What is proven about one point x.
+struct Certificate {
+  enum class Realness { undecided, real, not_real };
+
+  bool is_proven = false;  ///< the solution in `enclosure` exists and is alone there
+  int bits = 0;            ///< the precision that it took; 53: doubles
+  Enclosure enclosure;
+  Realness realness = Realness::undecided;  ///< of the solution: of all its unknowns together
+  std::string cause;                        ///< why nothing is proven, in words; empty when it is
+
+  /// At least |x_i − solution_i|.
+  double offset(std::size_t i, std::complex<double> x_i) const;
+};
+
+class Certifier {
+ public:
+  explicit Certifier(QuadraticSystem system);
+
+  const QuadraticSystem& system() const { return system_; }
+  /// About the solution that Newton's method reaches from x, one number per unknown. The precision is raised
+  /// until the solution is proven and, of a system with real coefficients, is known to be real or not to be.
+  /// `least_bits`: where to begin; above 53 the enclosure is as small as the rounding of its doubles.
+  Certificate certify(const std::vector<std::complex<double>>& x, int least_bits = 53) const;
+
+ private:
+  QuadraticSystem system_;
+  bool is_real_;
+  std::optional<DiscKrawczyk> discs_;
+  std::vector<BallKrawczyk> levels_;
+};
+
+}  // namespace gcs

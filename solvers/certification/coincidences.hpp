@@ -1,0 +1,23 @@
+#pragma once
+/// Which of many proven solutions may be the same one, up to reflections.
+
+#include <vector>
+
+#include "solvers/certification/enclosure.hpp"
+
+namespace gcs {
+
+/// Two solutions that are not proven to be different.
+struct Coincidence {
+  int first = 0;
+  int second = 0;
+  bool is_proven = false;  ///< they are the same one, or mirror images
+};
+
+/// All pairs of solutions whose boxes, or those of their mirror images, meet. Two solutions of one system are
+/// different classes when the box of one misses every mirror image of the other's. `mirror`: see
+/// QuadraticSystem. Ordered by first, then second. n log n for n solutions of which few meet.
+std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions,
+                                      const std::vector<int>& mirror);
+
+}  // namespace gcs

@@ -282,23 +282,6 @@ bool is_singular(const AssessedSolution& solution) {
   return solution.multiplicity > 1 || !(solution.condition <= singular_condition);
 }
 
-/// Brings the counts that are determined in line with the list.
-void recount(Assessment& assessment) {
-  Counts& counts = assessment.counts;
-  const auto& solutions = assessment.solutions;
-  if (counts.real_up_to_reflection)
-    counts.real_up_to_reflection = std::count_if(
-        solutions.begin(), solutions.end(), [](const AssessedSolution& s) { return s.figure.is_real(); });
-  if (counts.complex_up_to_reflection) counts.complex_up_to_reflection = solutions.size();
-  if (counts.singular) counts.singular = std::count_if(solutions.begin(), solutions.end(), is_singular);
-  if (counts.on_path) {
-    std::set<int> met;
-    for (const AssessedCrossing& crossing : assessment.crossings)
-      if (crossing.solution) met.insert(*crossing.solution);
-    counts.on_path = met.size();
-  }
-}
-
 void Assessor::count() {
   Counts& counts = assessment_.counts;
   counts.singular = 0;
@@ -323,6 +306,22 @@ void Assessor::count() {
 }  // namespace
 
 Assessment assess(const Scene& scene, const SolveReport& report) { return Assessor(scene, report).run(); }
+
+void recount(Assessment& assessment) {
+  Counts& counts = assessment.counts;
+  const auto& solutions = assessment.solutions;
+  if (counts.real_up_to_reflection)
+    counts.real_up_to_reflection = std::count_if(
+        solutions.begin(), solutions.end(), [](const AssessedSolution& s) { return s.figure.is_real(); });
+  if (counts.complex_up_to_reflection) counts.complex_up_to_reflection = solutions.size();
+  if (counts.singular) counts.singular = std::count_if(solutions.begin(), solutions.end(), is_singular);
+  if (counts.on_path) {
+    std::set<int> met;
+    for (const AssessedCrossing& crossing : assessment.crossings)
+      if (crossing.solution) met.insert(*crossing.solution);
+    counts.on_path = met.size();
+  }
+}
 
 void keep_first(Assessment& assessment, std::size_t limit) {
   if (assessment.solutions.size() <= limit) return;

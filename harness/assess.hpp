@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/path_ends.hpp"
+#include "solvers/numeric/natural.hpp"
 #include "solvers/strategy.hpp"
 
 namespace gcs {
@@ -45,8 +46,24 @@ struct Counts {
 
 /// Something that must hold in a correct report and does not.
 struct FailedCheck {
-  std::string name;  ///< a fixed word: residual, off path, alternation, repetition, malformed
+  std::string name;  ///< a fixed word: residual, off path, alternation, repetition, malformed,
+                     ///< certificate, singular
   std::string what;  ///< one sentence for a person
+};
+
+/// What certificates prove of a list. Counts are of classes.
+struct Proofs {
+  std::optional<std::string> why_none;  ///< why certificates do not reach the scene, in a sentence
+  std::uint64_t classes = 0;            ///< solutions that are proven to exist, in different classes
+  std::uint64_t real = 0;               ///< those of them that are proven to be real
+  int most_bits = 0;                    ///< the highest precision that a proof took
+  std::optional<std::uint64_t>
+      generic;                   ///< solutions proven in the same way at the strategy's generic lengths
+  std::optional<Natural> limit;  ///< no lengths have more isolated solutions; empty: not known
+  bool limit_is_exact = false;   ///< generic lengths have so many
+
+  /// So many proven solutions are all there are.
+  bool meets_limit(std::uint64_t count) const;
 };
 
 struct Assessment {
@@ -55,11 +72,15 @@ struct Assessment {
   Counts counts;
   std::vector<PathEnds> ends;  ///< of all paths
   std::vector<FailedCheck> failed_checks;
+  std::optional<Proofs> proofs;  ///< empty unless asked for (see certify)
 };
 
 /// Assesses a report of any strategy; the report may be wrong in every way. Deterministic. Never throws for a
 /// bad report: what is malformed is left out and becomes a failed check.
 Assessment assess(const Scene& scene, const SolveReport& report);
+
+/// Brings the counts that are determined in line with the list.
+void recount(Assessment& assessment);
 
 /// Keeps the first `limit` solutions. Counts of solutions follow the list; crossings keep their place.
 void keep_first(Assessment& assessment, std::size_t limit);

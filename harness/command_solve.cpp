@@ -37,7 +37,6 @@ struct SolveArguments {
   std::string out;        ///< empty: no file; "-": standard output
   std::string solutions;  ///< "real", "all", or empty: whatever the strategy finds
   std::string resume;     ///< the journal's file; empty: none
-  bool certify = false;
   RunLimits limits;
 };
 
@@ -45,7 +44,6 @@ struct SolveArguments {
 std::optional<std::string> why_unavailable(const SolveArguments& arguments) {
   if (arguments.strategy.starts_with("exec:"))
     return "external programs as strategies are not available in this version";
-  if (arguments.certify) return "--certify: certificates are not available in this version";
   if (arguments.solutions == "all")
     return "--solutions all: complex solutions are not available in this version, every strategy finds real "
            "ones";
@@ -205,7 +203,8 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
       ->type_name("N");
   command.add_option("--solutions", arguments.solutions, "Which solutions: real or all")
       ->check(CLI::IsMember({"real", "all"}));
-  command.add_flag("--certify", arguments.certify, "Prove every solution (not available in this version)");
+  command.add_flag("--certify", arguments.limits.certify,
+                   "Prove that every solution exists, is real or not as listed, and a class of its own");
   command
       .add_option("--resume", arguments.resume,
                   "Keep a journal in FILE; when it is there, go on where it ends, with the same result")

@@ -141,11 +141,30 @@ JsonValue timing_value(const Timing& timing) {
   return json_object({{"wall_s", json_number(timing.wall_s)},
                       {"cpu_s", json_number(timing.cpu_s)},
                       {"prepare_s", json_number(timing.prepare_s)},
+                      {"certify_s", json_or_null(timing.certify_s, json_number)},
                       {"recalled_steps", json_count(static_cast<std::uint64_t>(timing.recalled_steps))}});
 }
 
 JsonValue claim_value(const std::optional<Claim>& claim) {
   return json_or_null(claim, [](Claim c) { return json_text(std::string(word(c))); });
+}
+
+/// Null unless the run was certified.
+JsonValue proofs_value(const std::optional<Proofs>& proofs) {
+  return json_or_null(proofs, [](const Proofs& p) {
+    const auto text = [](const std::string& reason) { return json_text(reason); };
+    const auto count = [](const Natural& number) { return json_count(number); };
+    if (p.why_none) return json_object({{"why_none", json_or_null(p.why_none, text)}});
+    return json_object({{"why_none", json_null()},
+                        {"classes", json_count(p.classes)},
+                        {"real", json_count(p.real)},
+                        {"most_bits", json_number(p.most_bits)},
+                        {"generic", json_or_null(p.generic, count)},
+                        {"limit", json_or_null(p.limit, count)},
+                        {"limit_is_exact", json_boolean(p.limit_is_exact)},
+                        {"complete", json_boolean(p.meets_limit(p.classes))},
+                        {"generic_complete", json_boolean(p.generic && p.meets_limit(*p.generic))}});
+  });
 }
 
 JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
@@ -163,6 +182,7 @@ JsonMembers result_members(const Instance& instance, const SolveRun& run, const 
           {"reason", json_text(run.reason)},
           {"claim", claim_value(run.claim)},
           {"counts", json_object(std::move(counts))},
+          {"proofs", proofs_value(run.assessment.proofs)},
           {"failed_checks", failed_checks_value(run.assessment.failed_checks)},
           {"solutions", solutions_value(instance.problem, run.assessment.solutions)},
           {"path", path_value(run)},

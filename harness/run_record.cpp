@@ -75,6 +75,13 @@ void visit_curve(Record& curve, Visit visit) {
 }
 
 template <typename Record, typename Visit>
+void visit_proofs(Record& proofs, Visit visit) {
+  visit("classes", proofs.classes);
+  visit("real", proofs.real);
+  visit("complete", proofs.is_complete);
+}
+
+template <typename Record, typename Visit>
 void visit_solution(Record& solution, Visit visit) {
   visit("real", solution.is_real);
   visit("multiplicity", solution.multiplicity);
@@ -132,11 +139,13 @@ Json cell_json(const CellRecord& cell) {
             {"residual", cell.residual},
             {"estimate_s", cell.estimate_s ? Json(*cell.estimate_s) : Json(nullptr)},
             {"counts", Json::object()},
+            {"proofs", nullptr},
             {"work", Json::object()},
             {"particulars", Json::object()},
             {"solutions", Json::array()},
             {"repetitions", Json::array()}};
   visit_counts(cell.counts, Writer{json["counts"]});
+  if (cell.proofs) visit_proofs(*cell.proofs, Writer{json["proofs"]});
   visit_work(cell.work, Writer{json["work"]});
   visit_particulars(cell.particulars, Writer{json["particulars"]});
   for (const RecordedSolution& solution : cell.solutions)
@@ -161,6 +170,8 @@ CellRecord cell_of(const Json& json) {
   cell.options = options_of(json.at("options"));
   cell.status = status_of(json.at("status").get<std::string>());
   visit_counts(cell.counts, Reader{json.at("counts")});
+  if (const Json proofs = json.value("proofs", Json()); !proofs.is_null())
+    visit_proofs(cell.proofs.emplace(), Reader{proofs});
   visit_work(cell.work, Reader{json.at("work")});
   for (const auto& [name, value] : json.at("particulars").items())
     cell.particulars.push_back({name, value.get<std::int64_t>()});

@@ -43,6 +43,13 @@ struct RecordedSolution {
   std::map<std::string, std::array<double, 3>> points;
 };
 
+/// What certificates prove of a cell's answer (see Proofs).
+struct RecordedProofs {
+  std::uint64_t classes = 0;  ///< solutions proven to exist, each in a class of its own
+  std::uint64_t real = 0;     ///< those of them that are proven to be real
+  bool is_complete = false;   ///< no lengths have more: these are all complex solutions
+};
+
 /// One cell: its assessed warm-up, and the times of the repetitions.
 struct CellRecord {
   CellSpec spec;
@@ -51,6 +58,7 @@ struct CellRecord {
   std::string reason;      ///< empty when complete
   std::string difference;  ///< why the answer is wrong; empty: nothing speaks against it
   Counts counts;
+  std::optional<RecordedProofs> proofs;  ///< empty: certificates do not reach the scene, or were not asked
   WorkCounters work;
   std::vector<Particular> particulars;
   double residual = 0;                      ///< largest relative residual of the solutions

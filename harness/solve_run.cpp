@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "harness/atomic_file.hpp"
+#include "harness/certify.hpp"
 #include "harness/json_document.hpp"
 #include "harness/start_file.hpp"
 #include "harness/stop_conditions.hpp"
@@ -102,6 +103,12 @@ void limit_solutions(SolveRun& run, std::size_t limit) {
   run.reason = fmt::format("{} of the {} solutions found are kept, as asked", limit, found);
 }
 
+void certify_solutions(const Scene& scene, const SolveReport& report, SolveRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  certify(scene, theoretical_counts(scene.problem()), report.generic_member, run.threads, run.assessment);
+  run.timing.certify_s = seconds_since(start);
+}
+
 }  // namespace
 
 std::string_view word(RunStatus status) {
@@ -143,6 +150,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   set_status(run, report, watch.cause(), limits);
   run.claim = report.claim;
   run.assessment = assess(scene, report);
+  if (limits.certify) certify_solutions(scene, report, run);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
   run.work = report.work;
   run.particulars = std::move(report.particulars);

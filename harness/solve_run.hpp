@@ -17,6 +17,7 @@ struct RunLimits {
   int threads = 1;
   std::optional<double> time_limit_s = std::nullopt;        ///< over prepare and solve together
   std::optional<std::size_t> max_solutions = std::nullopt;  ///< how many classes are kept
+  bool certify = false;  ///< prove what is listed (see certify); not part of the time limit
 };
 
 enum class RunStatus { complete, partial, infinite, unsupported, gave_up, interrupted, timed_out };
@@ -32,6 +33,7 @@ struct Timing {
   double cpu_s = 0;                 ///< of solve, all threads together
   double prepare_s = 0;             ///< wall time of prepare
   std::int64_t recalled_steps = 0;  ///< taken from the journal of an earlier run, and so not in these times
+  std::optional<double> certify_s = std::nullopt;  ///< wall time of proving the assessment, if asked for
 };
 
 struct SolveRun {

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string_view>
+
+#include "harness/certificates_view.hpp"
 
 namespace gcs {
 
@@ -13,10 +16,6 @@ namespace {
 
 /// A longer table scrolls away; the file has it all.
 constexpr std::size_t shown_crossings = 40;
-
-std::string line(std::string_view label, std::string_view text) {
-  return fmt::format("  {:<14}{}\n", label, text);
-}
 
 /// "1 class", "2 classes"
 std::string amount(std::uint64_t count, std::string_view singular, std::string_view plural) {
@@ -40,7 +39,8 @@ std::string solution_counts(const Problem& problem, const Counts& counts) {
   std::string text;
   const auto append = [&](std::string_view label, const std::optional<std::uint64_t>& count,
                           std::string_view what) {
-    if (count) text += line(label, fmt::format("{}, {}", amount(*count, "solution", "solutions"), what));
+    if (count)
+      text += summary_line(label, fmt::format("{}, {}", amount(*count, "solution", "solutions"), what));
   };
   append("on path", counts.on_path, fmt::format("met on S, {}", convention(problem)));
   append("real", counts.real_up_to_reflection, convention(problem));
@@ -54,7 +54,7 @@ std::string solution_counts(const Problem& problem, const Counts& counts) {
 std::string path_counts(const Counts& counts) {
   std::string bound;
   if (counts.generic)
-    bound = line(
+    bound = summary_line(
         "generic",
         amount(*counts.generic, "class", "classes") + " at generic lengths" +
             (counts.at_infinity ? fmt::format(", of which {} at infinity here", *counts.at_infinity) : ""));
@@ -62,7 +62,7 @@ std::string path_counts(const Counts& counts) {
   std::string text = amount(*counts.paths, "path", "paths");
   if (counts.at_infinity.value_or(0) > 0) text += fmt::format(", {} to infinity", *counts.at_infinity);
   if (counts.failed_paths.value_or(0) > 0) text += fmt::format(", {} without an end", *counts.failed_paths);
-  return bound + line("tracked", text);
+  return bound + summary_line("tracked", text);
 }
 
 /// "1/(1-t)", "1/(1-t)^2", "1/(1-t)^(1/2)"
@@ -81,7 +81,7 @@ std::string growths(const std::vector<PathEnds>& all) {
   for (const auto& [known, paths] : counts)
     text += (text.empty() ? amount(paths, "path", "paths") : fmt::format(", {}", paths)) + " like " +
             growth(known);
-  return text.empty() ? "" : line("at infinity", text);
+  return text.empty() ? "" : summary_line("at infinity", text);
 }
 
 std::string crossings_table(const Assessment& assessment) {
@@ -104,20 +104,27 @@ std::string crossings_table(const Assessment& assessment) {
   return text + (hidden > 0 ? fmt::format("  and {} more (--out FILE lists all)\n\n", hidden) : "\n");
 }
 
-std::string range(const std::vector<AssessedSolution>& solutions, double AssessedSolution::*member) {
+template <typename Member>
+std::string range(const std::vector<AssessedSolution>& solutions, Member member) {
   double low = std::numeric_limits<double>::infinity();
   double high = 0;
   for (const AssessedSolution& solution : solutions) {
-    low = std::min(low, solution.*member);
-    high = std::max(high, solution.*member);
+    low = std::min(low, std::invoke(member, solution));
+    high = std::max(high, std::invoke(member, solution));
   }
   return fmt::format("{:.2g} to {:.2g}", low, high);
 }
 
 std::string quality(const std::vector<AssessedSolution>& solutions) {
   if (solutions.empty()) return "";
-  return line("residual", range(solutions, &AssessedSolution::residual)) +
-         line("condition", range(solutions, &AssessedSolution::condition));
+  const bool certified = std::all_of(solutions.begin(), solutions.end(),
+                                     [](const AssessedSolution& s) { return s.error_bound.has_value(); });
+  std::string text;
+  if (certified)
+    text = summary_line(
+        "error", range(solutions, [](const AssessedSolution& s) { return *s.error_bound; }) + ", proven");
+  return text + summary_line("residual", range(solutions, &AssessedSolution::residual)) +
+         summary_line("condition", range(solutions, &AssessedSolution::condition));
 }
 
 /// The counters that are not zero, in the order of the result file.
@@ -134,12 +141,13 @@ std::string work(const WorkCounters& counters) {
   append(counters.jacobians, "Jacobians");
   append(counters.factorisations, "factorisations");
   append(counters.plan_changes, "plan changes");
-  std::string lines = text.empty() ? "" : line("work", text);
-  if (counters.smallest_step) lines += line("smallest step", fmt::format("{:.3g}", *counters.smallest_step));
+  std::string lines = text.empty() ? "" : summary_line("work", text);
+  if (counters.smallest_step)
+    lines += summary_line("smallest step", fmt::format("{:.3g}", *counters.smallest_step));
   if (counters.mean_driving_parameters && counters.max_driving_parameters)
-    lines +=
-        line("driving", fmt::format("{:.3g} parameters on average, {} at most",
-                                    *counters.mean_driving_parameters, *counters.max_driving_parameters));
+    lines += summary_line(
+        "driving", fmt::format("{:.3g} parameters on average, {} at most", *counters.mean_driving_parameters,
+                               *counters.max_driving_parameters));
   return lines;
 }
 
@@ -151,7 +159,7 @@ std::string particulars(const std::vector<Particular>& counts) {
     std::replace(name.begin(), name.end(), '_', ' ');
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count.value);
   }
-  return text.empty() ? "" : line("counted", text);
+  return text.empty() ? "" : summary_line("counted", text);
 }
 
 std::string time(const Timing& timing) {
@@ -160,22 +168,34 @@ std::string time(const Timing& timing) {
           ? ""
           : fmt::format(", after recalling {} from the journal",
                         amount(static_cast<std::uint64_t>(timing.recalled_steps), "step", "steps"));
-  return line("time", fmt::format("{:.3g} s (cpu {:.3g} s), prepared in {:.3g} s{}", timing.wall_s,
-                                  timing.cpu_s, timing.prepare_s, recalled));
+  return summary_line("time", fmt::format("{:.3g} s (cpu {:.3g} s), prepared in {:.3g} s{}", timing.wall_s,
+                                          timing.cpu_s, timing.prepare_s, recalled));
 }
 
 std::string failed_checks(const std::vector<FailedCheck>& checks) {
-  return checks.empty() ? "" : line("checks", amount(checks.size(), "check does", "checks do") + " not hold");
+  return checks.empty()
+             ? ""
+             : summary_line("checks", amount(checks.size(), "check does", "checks do") + " not hold");
+}
+
+std::string proofs_text(const Assessment& assessment) {
+  if (!assessment.proofs) return "";
+  return certificates_text(*assessment.proofs, assessment.solutions.size(),
+                           assessment.counts.complex_up_to_reflection.has_value());
 }
 
 }  // namespace
 
+std::string summary_line(std::string_view label, std::string_view text) {
+  return fmt::format("  {:<14}{}\n", label, text);
+}
+
 std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run.assessment;
   return headline(instance, run) + solution_counts(instance.problem, assessment.counts) +
-         path_counts(assessment.counts) + growths(assessment.ends) + crossings_table(assessment) +
-         quality(assessment.solutions) + particulars(run.particulars) + work(run.work) + time(run.timing) +
-         failed_checks(assessment.failed_checks);
+         path_counts(assessment.counts) + proofs_text(assessment) + growths(assessment.ends) +
+         crossings_table(assessment) + quality(assessment.solutions) + particulars(run.particulars) +
+         work(run.work) + time(run.timing) + failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

@@ -57,8 +57,9 @@ class Builder {
       const double classes = static_cast<double>(*(cell->counts.*count));
       const double value = classes * copies(instance);
       const std::string note = fmt::format(
-          "Found by {}: {} {}.", label_of(cell->spec), number_text(classes),
-          instance.has_given_positions ? "with the positions that are given" : "up to reflection");
+          "By {}: {} {}, {}.", label_of(cell->spec), number_text(classes),
+          instance.has_given_positions ? "with the positions that are given" : "up to reflection",
+          standing(cell->proofs, *(cell->counts.*count), count == &Counts::real_up_to_reflection));
       return std::pair{TableCell{number_text(value), {table_.footnote(note)}}, ratio_entry(value, figure)};
     });
   }
@@ -125,6 +126,16 @@ class Builder {
         return {answer_entry(table_, cell, std::nullopt), empty_entry()};
     }
     return {TableCell{"not measured", {}}, empty_entry()};
+  }
+
+  /// Whether a number of solutions is proven.
+  static std::string standing(const std::optional<RecordedProofs>& proofs, std::uint64_t count,
+                              bool of_real) {
+    if (!proofs) return "found, not certified";
+    const std::uint64_t certified = of_real ? proofs->real : proofs->classes;
+    if (certified != count) return fmt::format("found, {} of them certified", certified);
+    return proofs->is_complete ? "proven: all certified, and no lengths have more complex ones"
+                               : "all certified; that there are no more is found, not proven";
   }
 
   static std::string origin(const RecordedLimit& limit) {

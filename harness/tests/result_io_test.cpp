@@ -46,8 +46,8 @@ using Names = std::vector<std::string>;
 TEST_CASE("a result has every field of its format") {
   const Json result = parsed(toy_run());
   CHECK(keys(result) == Names{"claim", "counts", "ends", "environment", "failed_checks", "format", "instance",
-                              "options", "path", "reason", "seed", "solutions", "statistics", "status",
-                              "strategy", "timing"});
+                              "options", "path", "proofs", "reason", "seed", "solutions", "statistics",
+                              "status", "strategy", "timing"});
   CHECK(result["format"] == "gcsbench-result/1");
   CHECK(result["strategy"] == "toy");
   CHECK(result["options"] == Json{{"step", "0.1"}});
@@ -55,8 +55,11 @@ TEST_CASE("a result has every field of its format") {
   CHECK(result["status"] == "complete");
   CHECK(result["reason"] == "");
   CHECK(result["claim"] == "on path");
-  CHECK(result["timing"] ==
-        Json{{"wall_s", 0.25}, {"cpu_s", 0.5}, {"prepare_s", 0.125}, {"recalled_steps", 7}});
+  CHECK(result["timing"] == Json{{"wall_s", 0.25},
+                                 {"cpu_s", 0.5},
+                                 {"prepare_s", 0.125},
+                                 {"recalled_steps", 7},
+                                 {"certify_s", nullptr}});
   CHECK(result["environment"] == Json{{"cpu", "a cpu"},
                                       {"compiler", "a compiler"},
                                       {"flags", "-O2"},

@@ -1,0 +1,36 @@
+#pragma once
+/// Proves what an assessment lists: that every solution exists, is the only one there, is real or not as
+/// listed and in a class of its own, and that the list is complete where its length meets a limit that
+/// nothing exceeds. (Krawczyk's test with the decimal lengths of the file; solvers/certification/.)
+
+#include "harness/assess.hpp"
+#include "solvers/certification/certificate.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
+
+namespace gcs {
+
+class SceneEquations;
+
+/// One solution of a list and what is proven about it.
+struct SolutionProof {
+  Certificate certificate;
+  double distance = 0;  ///< at most so far from the figure, in the scene's unit; see SceneEquations::distance
+  int same_as = -1;     ///< the first solution of the list that is not proven to be another class; −1: none
+  bool is_proven_same = false;  ///< and it is proven to be the same class
+};
+
+/// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). The same for
+/// any number of threads.
+std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
+                                           const std::vector<Figure>& figures, int threads);
+
+/// Sets what no list is longer than.
+void set_limit(const TheoreticalCounts& limits, Proofs& proofs);
+
+/// Fills in `certified`, `error_bound`, counts.certified and `proofs` of an assessment; what cannot be proven
+/// becomes a failed check by the name of "certificate", or "singular" where it is listed as multiple. Where
+/// certificates do not reach the scene proofs.why_none says why.
+void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
+             int threads, Assessment& assessment);
+
+}  // namespace gcs

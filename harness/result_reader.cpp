@@ -1,0 +1,149 @@
+#include "harness/result_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "harness/instance_names.hpp"
+#include "harness/json_cursor.hpp"
+#include "harness/record_fields.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr std::string_view format_name = "gcsbench-result/1";
+
+bool is_null(const JsonCursor& cursor) { return cursor.value().kind == JsonValue::Kind::null; }
+
+bool read_boolean(const JsonCursor& cursor) {
+  if (cursor.value().kind != JsonValue::Kind::boolean)
+    cursor.fail("this is neither true nor false", "give one of them");
+  return cursor.value().boolean;
+}
+
+std::uint64_t read_count(const JsonCursor& cursor) {
+  const bool is_text = cursor.value().kind == JsonValue::Kind::string;
+  const std::string text = is_text ? cursor.text() : cursor.number().text;
+  std::uint64_t count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc() || end != text.data() + text.size())
+    cursor.fail("'" + text + "' is no count", "give a whole number that is not negative");
+  return count;
+}
+
+/// A vector of numbers, or of pairs [re, im].
+struct Vectors {
+  Eigen::Vector3d real = Eigen::Vector3d::Zero();
+  Eigen::Vector3d imaginary = Eigen::Vector3d::Zero();
+};
+
+Vectors read_vector(const JsonCursor& cursor, int dimension, bool is_real) {
+  Vectors result;
+  if (is_real) {
+    result.real = cursor.coordinates(dimension);
+    return result;
+  }
+  const auto components =
+      cursor.elements(static_cast<std::size_t>(dimension), "complex coordinates [re, im]");
+  for (int i = 0; i < dimension; ++i) {
+    const auto parts = components[static_cast<std::size_t>(i)].elements(2, "numbers, re and im");
+    result.real[i] = parts[0].number().value;
+    result.imaginary[i] = parts[1].number().value;
+  }
+  return result;
+}
+
+void read_points(const JsonCursor& points, const Problem& problem, bool is_real, Figure& figure) {
+  const auto count = static_cast<Eigen::Index>(problem.points.size());
+  figure.points = Eigen::Matrix3Xd::Zero(3, count);
+  if (!is_real) figure.imaginary = Eigen::Matrix3Xd::Zero(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const JsonCursor position = points.required(problem.points[static_cast<std::size_t>(i)]);
+    const Vectors vectors = read_vector(position, problem.dimension, is_real);
+    figure.points.col(i) = vectors.real;
+    if (!is_real) figure.imaginary.col(i) = vectors.imaginary;
+  }
+}
+
+void read_lines(const JsonCursor& lines, const Problem& problem, bool is_real, Figure& figure) {
+  for (const std::string& name : problem.lines) {
+    const JsonCursor line = lines.required(name);
+    const Vectors point = read_vector(line.required("point"), 3, is_real),
+                  direction = read_vector(line.required("direction"), 3, is_real);
+    figure.lines.push_back({point.real, direction.real});
+    if (!is_real) figure.imaginary_lines.push_back({point.imaginary, direction.imaginary});
+  }
+}
+
+AssessedSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
+  AssessedSolution solution;
+  const bool is_real = read_boolean(cursor.required("real"));
+  read_points(cursor.required("points"), problem, is_real, solution.figure);
+  if (!problem.lines.empty()) read_lines(cursor.required("lines"), problem, is_real, solution.figure);
+  if (const auto multiplicity = cursor.optional("multiplicity"))
+    solution.multiplicity = static_cast<int>(read_count(*multiplicity));
+  const auto condition = cursor.optional("condition");
+  const bool has_condition = condition && !is_null(*condition);
+  solution.condition = has_condition ? condition->number().value : std::numeric_limits<double>::infinity();
+  const auto bound = cursor.optional("error_bound");
+  if (bound && !is_null(*bound)) solution.error_bound = bound->number().value;
+  if (const auto certified = cursor.optional("certified")) solution.certified = read_boolean(*certified);
+  return solution;
+}
+
+std::vector<AssessedCrossing> read_crossings(const JsonCursor& path, std::size_t solutions) {
+  std::vector<AssessedCrossing> crossings;
+  if (is_null(path)) return crossings;
+  for (const JsonCursor& element : path.elements()) {
+    AssessedCrossing crossing;
+    const JsonCursor solution = element.required("solution"), direction = element.required("direction");
+    if (!is_null(solution)) {
+      crossing.solution = static_cast<int>(read_count(solution));
+      if (static_cast<std::size_t>(*crossing.solution) >= solutions)
+        solution.fail("there is no such solution", fmt::format("give a number below {}, or null", solutions));
+    }
+    crossing.direction = direction.number().value > 0 ? 1 : -1;
+    crossings.push_back(crossing);
+  }
+  return crossings;
+}
+
+Counts read_counts(const JsonCursor& cursor) {
+  Counts counts;
+  visit_counts(counts, [&](const std::string& name, std::optional<std::uint64_t>& count) {
+    const auto given = cursor.optional(name);
+    if (given && !is_null(*given)) count = read_count(*given);
+  });
+  return counts;
+}
+
+void require_format(const JsonCursor& root) {
+  const JsonCursor format = root.required("format");
+  if (format.text() != format_name)
+    format.fail("the format is '" + format.text() + "'",
+                fmt::format("give a file of the format '{}'", format_name));
+}
+
+}  // namespace
+
+StoredResult parse_result(const std::string& text, const std::string& file) {
+  const JsonValue document = parse_json(text, file);
+  const JsonCursor root(document, file);
+  require_format(root);
+  StoredResult result;
+  result.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
+  result.strategy = root.required("strategy").text();
+  result.status = root.required("status").text();
+  const auto claim = root.optional("claim");
+  if (claim && !is_null(*claim)) result.claim = claim->text();
+  for (const JsonCursor& solution : root.required("solutions").elements())
+    result.listed.solutions.push_back(read_solution(solution, result.instance.problem));
+  if (const auto path = root.optional("path"))
+    result.listed.crossings = read_crossings(*path, result.listed.solutions.size());
+  if (const auto counts = root.optional("counts")) result.listed.counts = read_counts(*counts);
+  return result;
+}
+
+}  // namespace gcs

@@ -1,0 +1,153 @@
+/// Results are written, spoiled and verified: every kind of spoiling is caught under its own name.
+
+#include "harness/verify.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "harness/result_io.hpp"
+#include "harness/strategy_choice.hpp"
+
+using namespace gcs;
+using Json = nlohmann::json;
+
+namespace {
+
+struct Case {
+  std::string instance;
+  std::string strategy;
+};
+
+/// Points in the plane and in space, real and complex, on a path and all; a line that the frame holds, and
+/// one beside given points.
+const std::vector<Case> cases{{"k33", "rcp"},
+                              {"octahedron", "cayley-menger"},
+                              {"octahedron-cyclohexane", "cayley-menger"},
+                              {"disulfide", "full-space"},
+                              {"hoffmann-yuan", "theta-scan"},
+                              {"tangents-durand", "sphere-tangents"}};
+
+Json result_of(const Case& one) {
+  const Instance instance = load_instance(one.instance);
+  RunLimits limits;
+  limits.certify = true;
+  const SolveRun run = run_strategy(find_strategy(one.strategy), {}, Scene(instance.problem), limits);
+  REQUIRE(run.status == RunStatus::complete);
+  CHECK(run.assessment.failed_checks.empty());
+  return Json::parse(result_text(instance, run, {}));
+}
+
+std::set<std::string> mismatches(const Json& result) {
+  std::set<std::string> names;
+  for (const FailedCheck& mismatch : verify(parse_result(result.dump(), "result.json"), 2).mismatches)
+    names.insert(mismatch.name);
+  return names;
+}
+
+using Names = std::set<std::string>;
+
+/// The first number that is not 0 among the coordinates of the solution's points or lines.
+double& first_coordinate(Json& solution, const char* entities) {
+  std::vector<Json*> open{&solution[entities]};
+  while (!open.empty()) {
+    Json* value = open.back();
+    open.pop_back();
+    if (value->is_number_float() && value->get<double>() != 0) return value->get_ref<double&>();
+    if (value->is_structured())
+      for (Json& part : *value) open.push_back(&part);
+  }
+  throw std::logic_error("a solution without coordinates");
+}
+
+}  // namespace
+
+TEST_CASE("what a strategy finds is certified, and its result verified from the file alone") {
+  for (const Case& one : cases) {
+    INFO(one.instance << ", " << one.strategy);
+    const Json result = result_of(one);
+    CHECK(result["counts"]["certified"] == result["solutions"].size());
+    for (const Json& solution : result["solutions"]) {
+      CHECK(solution["certified"] == true);
+      CHECK(solution["error_bound"].get<double>() > 0);
+    }
+    CHECK(mismatches(result).empty());
+  }
+}
+
+TEST_CASE("a shifted solution is caught") {
+  for (const Case& one : cases) {
+    INFO(one.instance);
+    Json result = result_of(one);
+    const bool has_free_line = one.instance == "tangents-durand";
+    first_coordinate(result["solutions"][0], has_free_line ? "lines" : "points") += 1e-9;
+    CHECK(mismatches(result) == Names{"solution"});
+    // Where no bound is stated the scene's size sets it.
+    result["solutions"][0]["error_bound"] = nullptr;
+    CHECK(mismatches(result) == Names{"solution"});
+  }
+}
+
+TEST_CASE("a duplicate is caught, and a mirror image too") {
+  for (const Case& one : cases) {
+    INFO(one.instance);
+    Json result = result_of(one);
+    result["solutions"].push_back(result["solutions"][0]);
+    CHECK(mismatches(result).count("class") == 1);
+  }
+  Json result = result_of({"octahedron", "cayley-menger"});
+  Json image = result["solutions"][0];
+  for (Json& point : image["points"]) point[2] = -point[2].get<double>();
+  result["solutions"].push_back(image);
+  CHECK(mismatches(result).count("class") == 1);
+}
+
+TEST_CASE("a dropped solution is caught") {
+  for (const Case& one : cases) {
+    INFO(one.instance);
+    Json result = result_of(one);
+    result["solutions"].erase(result["solutions"].size() - 1);
+    if (result["path"].is_array())
+      for (Json& crossing : result["path"])
+        if (crossing["solution"] == result["solutions"].size()) crossing["solution"] = nullptr;
+    CHECK(mismatches(result).count("count") == 1);
+  }
+}
+
+TEST_CASE("a solution without its conjugate is caught even where counts are adjusted") {
+  Json result = result_of({"octahedron", "cayley-menger"});
+  const std::size_t left = result["solutions"].size() - 1;
+  REQUIRE(result["solutions"][left]["real"] == false);
+  result["solutions"].erase(left);
+  result["counts"]["complex_up_to_reflection"] = left;
+  result["counts"]["certified"] = left;
+  CHECK(mismatches(result) == Names{"conjugate"});
+}
+
+TEST_CASE("solutions of other lengths are caught") {
+  for (const Case& one : cases) {
+    INFO(one.instance);
+    Json result = result_of(one);
+    Json& constraint = result["instance"]["constraints"][0];
+    Json& given = constraint.contains("length") ? constraint["length"] : constraint["squared"];
+    given = given.get<double>() * (1 + 1e-6);
+    CHECK(mismatches(result).count("solution") == 1);
+  }
+}
+
+TEST_CASE("a real solution that is listed as complex is caught") {
+  Json result = result_of({"octahedron", "cayley-menger"});
+  Json& solution = result["solutions"][0];
+  solution["real"] = false;
+  for (Json& point : solution["points"])
+    for (Json& coordinate : point) coordinate = Json::array({coordinate, 0.0});
+  CHECK(mismatches(result).count("real") == 1);
+}
+
+TEST_CASE("a file that is no result is refused with its place") {
+  CHECK_THROWS_WITH(parse_result("{\"format\": \"gcsbench-run/1\"}", "a.json"),
+                    Catch::StartsWith("a.json: /format"));
+  Json result = result_of({"k33", "rcp"});
+  result["solutions"][0]["points"].erase("p3");
+  CHECK_THROWS_WITH(parse_result(result.dump(), "a.json"), Catch::StartsWith("a.json: /solutions/0/points"));
+}

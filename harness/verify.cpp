@@ -1,0 +1,150 @@
+#include "harness/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "harness/certify.hpp"
+#include "harness/record_fields.hpp"
+#include "solvers/certification/coincidences.hpp"
+#include "solvers/certification/scene_equations.hpp"
+
+namespace gcs {
+namespace {
+
+/// Of the scene's size: where a result states no bound of its own.
+constexpr double default_error = 1e-12;
+
+/// Precise enough for a distance that doubles overestimate.
+constexpr int precise_bits = 128;
+
+class Verifier {
+ public:
+  Verifier(const StoredResult& result, int threads)
+      : result_(result), scene_(result.instance.problem), equations_(scene_) {
+    for (const AssessedSolution& solution : result.listed.solutions)
+      figures_.push_back(scene_.in_scene_unit(solution.figure));
+    proofs_ = prove_solutions(equations_, figures_, threads);
+  }
+
+  Verification run() {
+    for (std::size_t i = 0; i < proofs_.size(); ++i) check_solution(i);
+    const bool is_whole = result_.claim == "all complex" && result_.status == "complete";
+    if (is_whole) check_conjugates();
+    check_counts();
+    summarise();
+    return std::move(verification_);
+  }
+
+ private:
+  void mismatch(const char* name, std::string what) {
+    verification_.mismatches.push_back({name, std::move(what)});
+  }
+
+  void check_solution(std::size_t i) {
+    using Realness = Certificate::Realness;
+    const SolutionProof& proof = proofs_[i];
+    if (!proof.certificate.is_proven) {
+      mismatch("solution", fmt::format("solution {} is not proven: {}", i, proof.certificate.cause));
+      return;
+    }
+    check_distance(i);
+    if (proof.same_as >= 0)
+      mismatch("class",
+               fmt::format("solution {} is {} class as solution {}", i,
+                           proof.is_proven_same ? "the same" : "not proven to be another", proof.same_as));
+    const bool is_real = result_.listed.solutions[i].figure.is_real();
+    if (proof.certificate.realness != (is_real ? Realness::real : Realness::not_real))
+      mismatch("real",
+               fmt::format("solution {} is listed as {}, which is not so", i, is_real ? "real" : "complex"));
+  }
+
+  /// In the scene's unit.
+  double precise_distance(std::size_t i) const {
+    const Certifier certifier(equations_.system());
+    return equations_.distance(figures_[i],
+                               certifier.certify(equations_.coordinates(figures_[i]), precise_bits));
+  }
+
+  void check_distance(std::size_t i) {
+    const std::optional<double> stated = result_.listed.solutions[i].error_bound;
+    const double bound =
+        stated ? std::ldexp(*stated, -scene_.unit_exponent()) : default_error * scene_.size();
+    if (proofs_[i].distance <= bound) return;
+    const double distance = precise_distance(i);
+    if (distance <= bound) return;
+    mismatch("solution",
+             fmt::format("solution {} is {:.2g} away from the proven one next to it, more than {} {:.2g}", i,
+                         std::ldexp(distance, scene_.unit_exponent()),
+                         stated ? "its error bound" : "1e-12 of the scene's size,",
+                         std::ldexp(bound, scene_.unit_exponent())));
+  }
+
+  /// Lengths are real: the conjugate of a solution is another one, or of the same class.
+  void check_conjugates() {
+    std::vector<Enclosure> boxes;
+    std::vector<std::size_t> place;
+    for (std::size_t i = 0; i < proofs_.size(); ++i) {
+      if (!proofs_[i].certificate.is_proven) continue;
+      boxes.push_back(proofs_[i].certificate.enclosure);
+      place.push_back(i);
+    }
+    const auto count = static_cast<int>(boxes.size());
+    for (int i = 0; i < count; ++i) {
+      boxes.push_back(boxes[static_cast<std::size_t>(i)]);
+      for (std::complex<double>& value : boxes.back().mid) value = std::conj(value);
+    }
+    std::set<int> met;
+    for (const Coincidence& pair : coincidences(boxes, equations_.system().mirror))
+      if (pair.first < count && pair.second >= count) met.insert(pair.second - count);
+    for (int i = 0; i < count; ++i)
+      if (met.count(i) == 0)
+        mismatch("conjugate",
+                 fmt::format("the conjugate of solution {} is not in a list that is said to be complete",
+                             place[static_cast<std::size_t>(i)]));
+  }
+
+  void check_counts() {
+    Assessment own = result_.listed;
+    recount(own);
+    if (own.counts.certified)
+      own.counts.certified = static_cast<std::uint64_t>(
+          std::count_if(own.solutions.begin(), own.solutions.end(),
+                        [](const AssessedSolution& solution) { return solution.certified; }));
+    std::vector<std::optional<std::uint64_t>> given;
+    visit_counts(result_.listed.counts,
+                 [&](const std::string&, const auto& count) { given.push_back(count); });
+    std::size_t i = 0;
+    visit_counts(own.counts, [&](const std::string& name, const auto& count) {
+      if (count != given[i])
+        mismatch("count", fmt::format("the count {} is {}, and the list gives {}", name, *given[i], *count));
+      ++i;
+    });
+  }
+
+  void summarise() {
+    Proofs& proofs = verification_.proofs;
+    for (std::size_t i = 0; i < proofs_.size(); ++i) {
+      const Certificate& certificate = proofs_[i].certificate;
+      if (!certificate.is_proven || proofs_[i].same_as >= 0) continue;
+      ++proofs.classes;
+      proofs.real += certificate.realness == Certificate::Realness::real ? 1 : 0;
+      proofs.most_bits = std::max(proofs.most_bits, certificate.bits);
+    }
+    set_limit(theoretical_counts(scene_.problem()), proofs);
+  }
+
+  const StoredResult& result_;
+  const Scene scene_;
+  const SceneEquations equations_;
+  std::vector<Figure> figures_;
+  std::vector<SolutionProof> proofs_;
+  Verification verification_;
+};
+
+}  // namespace
+
+Verification verify(const StoredResult& result, int threads) { return Verifier(result, threads).run(); }
+
+}  // namespace gcs

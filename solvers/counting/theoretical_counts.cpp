@@ -8,6 +8,7 @@
 
 #include "solvers/counting/bezout_bound.hpp"
 #include "solvers/counting/plane_count.hpp"
+#include "solvers/counting/ring_bound.hpp"
 #include "solvers/model/core_reduction.hpp"
 
 namespace gcs {
@@ -17,6 +18,7 @@ namespace {
 constexpr std::int64_t most_steps = 4'000'000;
 
 using Edge = std::array<int, 2>;
+using References = std::vector<std::vector<int>>;  ///< sets of points that make a frame
 
 bool has_fixed_entity(const Problem& problem) {
   const int entities = static_cast<int>(problem.points.size() + problem.lines.size());
@@ -65,11 +67,11 @@ PointGraph whole_graph(const Problem& problem) {
 }
 
 /// Pairs, or in space triples, of points with all their distances given.
-std::vector<std::vector<int>> reference_simplices(const PointGraph& graph, int dimension) {
+References reference_simplices(const PointGraph& graph, int dimension) {
   const std::size_t count = graph.points.size();
   std::vector<std::vector<bool>> joined(count, std::vector<bool>(count, false));
   for (const auto& [a, b] : graph.edges) joined[a][b] = joined[b][a] = true;
-  std::vector<std::vector<int>> simplices;
+  References simplices;
   for (const auto& [a, b] : graph.edges) {
     if (dimension == 2) simplices.push_back({std::min(a, b), std::max(a, b)});
     for (int c = std::max(a, b) + 1; dimension == 3 && c < static_cast<int>(count); ++c)
@@ -79,14 +81,34 @@ std::vector<std::vector<int>> reference_simplices(const PointGraph& graph, int d
   return simplices;
 }
 
-CountBound bound_of(const SolutionCount& count, const PointGraph& graph, const std::vector<int>& reference) {
-  CountBound bound{count, {}};
-  for (const int number : reference) bound.reference.push_back(graph.points[number]);
-  return bound;
+/// The points of the whole problem.
+std::vector<int> points_of(const PointGraph& graph, std::vector<int> numbers) {
+  for (int& number : numbers) number = graph.points[number];
+  return numbers;
 }
 
 constexpr const char* bound_takes_too_long =
     "The constraint graph hangs together too widely: counting its orientations would take too long.";
+
+std::optional<CountBound> bezout_bound_of_points(const Problem& problem, const PointGraph& graph,
+                                                 const References& references) {
+  const BoundProblem part{problem.dimension, graph.edges, std::vector<bool>(graph.points.size(), false),
+                          references};
+  const auto smallest = smallest_bezout_bound(part);
+  if (!smallest) return std::nullopt;
+  return CountBound{
+      count_of_points(problem, smallest->fixed_frame), points_of(graph, references[smallest->reference]), {}};
+}
+
+std::optional<CountBound> ring_bound_of_points(const Problem& problem, const PointGraph& graph,
+                                               const References& references) {
+  if (problem.dimension != 3) return std::nullopt;
+  const auto found = ring_bound(static_cast<int>(graph.points.size()), graph.edges, references);
+  if (!found) return std::nullopt;
+  CountBound bound{count_of_points(problem, found->fixed_frame), points_of(graph, references.front()), {}};
+  for (const std::vector<int>& body : found->bodies) bound.ring.push_back(points_of(graph, body));
+  return bound;
+}
 
 /// Of a problem of points, by the simplices of the given part of it; the rest hangs on this part.
 void bound_points(const Problem& problem, const PointGraph& graph, TheoreticalCounts& counts) {
@@ -96,16 +118,17 @@ void bound_points(const Problem& problem, const PointGraph& graph, TheoreticalCo
         "No three points have all their distances given, and the bound needs such a triangle.";
     return;
   }
-  const BoundProblem part{problem.dimension, graph.edges, std::vector<bool>(graph.points.size(), false),
-                          references};
-  const auto smallest = smallest_bezout_bound(part);
-  if (!smallest) {
+  counts.bound = bezout_bound_of_points(problem, graph, references);
+  const auto of_ring = ring_bound_of_points(problem, graph, references);
+  if (of_ring && (!counts.bound || of_ring->count.fixed_frame < counts.bound->count.fixed_frame))
+    counts.bound = of_ring;
+  if (!counts.bound) {
     counts.why_no_bound = bound_takes_too_long;
     return;
   }
   const int hanging = static_cast<int>(problem.points.size() - graph.points.size());
-  counts.bound = bound_of(count_of_points(problem, Natural::power_of_two(hanging) * smallest->fixed_frame),
-                          graph, references[smallest->reference]);
+  Natural& fixed_frame = counts.bound->count.fixed_frame;
+  fixed_frame = Natural::power_of_two(hanging) * fixed_frame;
 }
 
 void count_exactly(const Problem& problem, const CoreReduction& reduction, const PointGraph& core,
@@ -153,9 +176,9 @@ void bound_points_and_line(const Problem& problem, TheoreticalCounts& counts) {
     counts.why_no_bound = bound_takes_too_long;
     return;
   }
-  counts.bound =
-      bound_of(count_with_line(smallest->fixed_frame), graph, whole.references[smallest->reference]);
-  counts.bound->reference.insert(counts.bound->reference.begin(), static_cast<int>(problem.points.size()));
+  const int point = whole.references[smallest->reference].front();
+  const int line = static_cast<int>(problem.points.size());
+  counts.bound = CountBound{count_with_line(smallest->fixed_frame), {line, point}, {}};
 }
 
 /// All points are given, and nothing but a line is sought by its distances from four of them.

@@ -1,6 +1,7 @@
 #pragma once
 /// How many complex solutions a problem has at generic lengths, without solving it: exactly
-/// (plane_count.hpp), or at most (bezout_bound.hpp). No lengths whatever leave more isolated ones.
+/// (plane_count.hpp), or at most (bezout_bound.hpp, ring_bound.hpp). No lengths whatever leave more isolated
+/// ones.
 
 #include <optional>
 #include <string>
@@ -21,10 +22,11 @@ struct SolutionCount {
   Natural all_signs() const { return fixed_frame * Natural(static_cast<std::uint64_t>(sign_changes)); }
 };
 
-/// An upper bound, with the entities that were held fixed to compute it: d points, or a line and a point.
+/// An upper bound: the m-Bézout bound, or that of a ring of hinged bodies.
 struct CountBound {
   SolutionCount count;
-  std::vector<int> reference;
+  std::vector<int> reference;          ///< entities that make the frame: d points, or a line and a point
+  std::vector<std::vector<int>> ring;  ///< the points of the ring's bodies; empty for the m-Bézout bound
 };
 
 struct TheoreticalCounts {
@@ -42,7 +44,8 @@ struct TheoreticalCounts {
 
 /// Precondition: the problem is well posed (see analyse_structure). Takes seconds at most.
 /// Exact: points in the plane, if the core is small enough, and points in space of which all but three can be
-/// placed one by one. Bound: points, or points and one line, and nothing fixed.
+/// placed one by one. Bound, the smaller of the two, the m-Bézout bound if they are equal: points, or points
+/// and one line, and nothing fixed.
 TheoreticalCounts theoretical_counts(const Problem& problem);
 
 }  // namespace gcs

@@ -1,9 +1,11 @@
 #include "solvers/complex_tracking/monodromy_search.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solvers/complex_tracking/complex_report.hpp"
 #include "solvers/complex_tracking/trace_test.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/tests/sample_problems.hpp"
 
@@ -75,6 +77,22 @@ TEST_CASE("loops find as many solutions as there are, from any seed") {
     CHECK(Setting(samples::problem_of(2, 6, prism, lengths), seed).search(std::nullopt).solutions.size() ==
           12);
     CHECK(Setting(samples::octahedron(), seed).search(std::nullopt).solutions.size() == 8);
+  }
+}
+
+TEST_CASE("loops find as many solutions as the bound of a ring of hinged bodies allows") {
+  // The bound is met at generic lengths where no three hinges meet (ring_bound_test.cpp).
+  const std::vector<std::vector<bool>> patterns{{true, true, true, false, false, true},
+                                                {false, true, false, true, true, false}};
+  for (const std::vector<bool>& meets : patterns) {
+    const samples::Edges edges = samples::hinged_ring_edges(meets);
+    const int points = 6 + static_cast<int>(std::count(meets.begin(), meets.end(), false));
+    const Problem problem = samples::problem_of(3, points, edges, std::vector<double>(edges.size(), 1.0));
+    const auto counts = theoretical_counts(problem);
+    REQUIRE(counts.bound);
+    REQUIRE(counts.bound->ring.size() == 6);
+    CHECK(Natural(Setting(problem).search(std::nullopt).solutions.size()) ==
+          counts.bound->count.up_to_reflection());
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <string>
 
 namespace gcs::samples {
@@ -94,6 +95,32 @@ Edges icosahedron_edges() {
   return {{0, 1},  {1, 3},  {3, 2}, {2, 5}, {5, 4},  {4, 7},  {7, 8},  {8, 9},  {9, 11}, {11, 10},
           {10, 1}, {10, 6}, {3, 6}, {5, 6}, {7, 6},  {9, 6},  {10, 3}, {10, 9}, {9, 7},  {7, 5},
           {5, 3},  {1, 2},  {2, 4}, {4, 8}, {8, 11}, {11, 1}, {0, 8},  {0, 4},  {0, 2},  {0, 11}};
+}
+
+Edges edges_within(const std::vector<std::vector<int>>& bodies) {
+  std::set<std::array<int, 2>> edges;
+  for (const std::vector<int>& body : bodies)
+    for (const int a : body)
+      for (const int b : body)
+        if (a < b) edges.insert({a, b});
+  return {edges.begin(), edges.end()};
+}
+
+Edges hinged_ring_edges(const std::vector<bool>& meets) {
+  const int bodies = static_cast<int>(meets.size());
+  std::vector<std::array<int, 2>> hinges;
+  int points = 0;
+  for (int i = 0; i < bodies; ++i) {
+    const int start = i > 0 && meets[i - 1] ? hinges.back()[1] : points++;
+    hinges.push_back({start, points++});
+  }
+  if (meets.back()) hinges.back()[1] = hinges.front()[0];
+  std::vector<std::vector<int>> all;
+  for (int i = 0; i < bodies; ++i) {
+    const auto &hinge = hinges[i], &next = hinges[(i + 1) % bodies];
+    all.push_back({hinge[0], hinge[1], next[0], next[1]});
+  }
+  return edges_within(all);
 }
 
 Edges random_rigid_graph(int dimension, int points, RandomNumbers& random) {

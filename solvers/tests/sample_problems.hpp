@@ -28,6 +28,13 @@ Edges disulfide_edges();
 Edges dodecagon_edges();
 Edges icosahedron_edges();
 
+/// All pairs of points that are in one body.
+Edges edges_within(const std::vector<std::vector<int>>& bodies);
+
+/// Rigid bodies in space in a ring, each hinged to the next by an edge that they share: body i is a triangle
+/// where its two hinges meet in a point, otherwise a tetrahedron.
+Edges hinged_ring_edges(const std::vector<bool>& meets);
+
 /// A graph made by Henneberg's two steps from a simplex, hence generically rigid and without a redundant
 /// edge.
 Edges random_rigid_graph(int dimension, int points, RandomNumbers& random);

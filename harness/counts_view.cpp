@@ -19,8 +19,8 @@ std::string exact_text(const TheoreticalCounts& counts) {
 
 std::string bound_text(const Problem& problem, const TheoreticalCounts& counts) {
   if (!counts.bound) return "none: " + counts.why_no_bound;
-  return fmt::format("at most {}; reference {}", in_conventions(counts.bound->count),
-                     fmt::join(reference_names(problem, *counts.bound), ", "));
+  return fmt::format("at most {}; {}", in_conventions(counts.bound->count),
+                     bound_origin(names_of(problem, *counts.bound)));
 }
 
 JsonMembers convention_members(const SolutionCount& count) {
@@ -33,7 +33,11 @@ JsonValue exact_value(const SolutionCount& count) { return json_object(conventio
 
 JsonValue bound_value(const Problem& problem, const CountBound& bound) {
   JsonMembers members = convention_members(bound.count);
-  members.emplace_back("reference", json_texts(reference_names(problem, bound)));
+  const BoundNames names = names_of(problem, bound);
+  members.emplace_back("reference", json_texts(names.reference));
+  std::vector<JsonValue> bodies;
+  for (const std::vector<std::string>& body : names.ring) bodies.push_back(json_texts(body));
+  members.emplace_back("ring", json_array(std::move(bodies)));
   return json_object(std::move(members));
 }
 
@@ -46,7 +50,7 @@ std::string row(std::string_view label, const std::string& text) {
 }
 
 std::string counts_text(const Problem& problem, const TheoreticalCounts& counts) {
-  return row("complex solutions", exact_text(counts)) + row("m-Bézout bound", bound_text(problem, counts));
+  return row("complex solutions", exact_text(counts)) + row("upper bound", bound_text(problem, counts));
 }
 
 JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts) {
@@ -57,10 +61,24 @@ JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts) 
                       {"why_no_bound", reason_value(counts.why_no_bound)}});
 }
 
-std::vector<std::string> reference_names(const Problem& problem, const CountBound& bound) {
-  std::vector<std::string> names;
-  for (const int entity : bound.reference) names.push_back(problem.name(entity));
-  return names;
+BoundNames names_of(const Problem& problem, const CountBound& bound) {
+  const auto names = [&](const std::vector<int>& entities) {
+    std::vector<std::string> result;
+    for (const int entity : entities) result.push_back(problem.name(entity));
+    return result;
+  };
+  BoundNames all{names(bound.reference), {}};
+  for (const std::vector<int>& body : bound.ring) all.ring.push_back(names(body));
+  return all;
+}
+
+std::string bound_origin(const BoundNames& names) {
+  if (names.ring.empty())
+    return fmt::format("m-Bézout bound with {} held fixed", fmt::join(names.reference, ", "));
+  std::vector<std::string> bodies;
+  for (const std::vector<std::string>& body : names.ring)
+    bodies.push_back(fmt::format("{}", fmt::join(body, " ")));
+  return fmt::format("ring of {} hinged bodies: {}", bodies.size(), fmt::join(bodies, ", "));
 }
 
 }  // namespace gcs

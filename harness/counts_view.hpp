@@ -18,10 +18,18 @@ std::string row(std::string_view label, const std::string& text);
 std::string counts_text(const Problem& problem, const TheoreticalCounts& counts);
 
 /// The members `exact` and `bound`, objects by convention or null, and `why_no_exact` and `why_no_bound`,
-/// sentences or null.
+/// sentences or null. A bound has its `reference` and, empty unless it is of one, the bodies of its `ring`.
 JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts);
 
-/// The names of the entities that were held fixed.
-std::vector<std::string> reference_names(const Problem& problem, const CountBound& bound);
+/// The entities of a bound by name.
+struct BoundNames {
+  std::vector<std::string> reference;
+  std::vector<std::vector<std::string>> ring;
+};
+
+BoundNames names_of(const Problem& problem, const CountBound& bound);
+
+/// Which bound it is, of what.
+std::string bound_origin(const BoundNames& names);
 
 }  // namespace gcs

@@ -57,7 +57,7 @@ template <typename Record, typename Visit>
 void visit_limit(Record& limit, Visit visit) {
   visit("exact", limit.is_exact);
   visit("all_signs", limit.all_signs);
-  visit("reference", limit.reference);
+  visit("reference", limit.bound.reference);
 }
 
 template <typename Record, typename Visit>
@@ -189,7 +189,10 @@ Json instance_json(const MeasuredInstance& instance) {
     visit_length(length, Writer{json["lengths"].emplace_back(Json::object())});
   json["given_positions"] = instance.has_given_positions;
   json["complex_limit"] = nullptr;
-  if (instance.limit) visit_limit(*instance.limit, Writer{json["complex_limit"]});
+  if (instance.limit) {
+    visit_limit(*instance.limit, Writer{json["complex_limit"]});
+    json["complex_limit"]["ring"] = instance.limit->bound.ring;
+  }
   return json;
 }
 
@@ -198,8 +201,10 @@ MeasuredInstance instance_of(const Json& json) {
   visit_instance(instance, Reader{json});
   for (const Json& entry : json.at("lengths")) visit_length(instance.lengths.emplace_back(), Reader{entry});
   instance.has_given_positions = json.value("given_positions", false);
-  if (const Json limit = json.value("complex_limit", Json()); !limit.is_null())
+  if (const Json limit = json.value("complex_limit", Json()); !limit.is_null()) {
     visit_limit(instance.limit.emplace(), Reader{limit});
+    instance.limit->bound.ring = limit.value("ring", std::vector<std::vector<std::string>>());
+  }
   return instance;
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/counts_view.hpp"
 #include "harness/environment.hpp"
 #include "harness/solve_run.hpp"
 
@@ -80,9 +81,9 @@ struct GivenLength {
 
 /// How many complex solutions there are at most (see theoretical_counts).
 struct RecordedLimit {
-  bool is_exact = false;               ///< otherwise the m-Bézout bound
-  std::string all_signs;               ///< in decimal
-  std::vector<std::string> reference;  ///< entities held fixed for the bound
+  bool is_exact = false;  ///< otherwise a bound
+  std::string all_signs;  ///< in decimal
+  BoundNames bound = {};  ///< what the bound is of
 };
 
 /// An instance as far as tables speak of it.

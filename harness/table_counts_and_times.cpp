@@ -140,8 +140,9 @@ class Builder {
 
   static std::string origin(const RecordedLimit& limit) {
     if (limit.is_exact) return "Exact at generic lengths: recursion over bigraphs, Capco et al. 2018.";
-    return fmt::format("m-Bézout bound with {} held fixed, Bartzos, Emiris, Schicho 2020.",
-                       fmt::join(limit.reference, ", "));
+    return bound_origin(limit.bound) + (limit.bound.ring.empty()
+                                            ? ", Bartzos, Emiris, Schicho 2020."
+                                            : "; given shapes close in at most 16 ways.");
   }
 
   static std::string label(const Variant& variant) { return label_of(variant.on("")); }

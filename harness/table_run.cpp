@@ -155,7 +155,7 @@ std::optional<RecordedLimit> complex_limit(const Problem& problem) {
   const SolutionCount* limit = counts.upper_limit();
   if (limit == nullptr) return std::nullopt;
   RecordedLimit recorded{counts.exact.has_value(), limit->all_signs().decimal(), {}};
-  if (!recorded.is_exact) recorded.reference = reference_names(problem, *counts.bound);
+  if (!recorded.is_exact) recorded.bound = names_of(problem, *counts.bound);
   return recorded;
 }
 

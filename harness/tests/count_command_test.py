@@ -27,10 +27,11 @@ class Count(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (DONE, ""))
         return json.loads(done.stdout)
 
-    # Exact: Capco et al. 2018. Bounds: Bartzos, Emiris, Schicho 2020.
+    # Exact: Capco et al. 2018. Bounds: Bartzos, Emiris, Schicho 2020; for the disulfide bond, a ring of two
+    # tetrahedra and four triangles, 2·2·16 by the bound 16 of a closed chain of six hinges.
     def test_literature(self):
         exact = {"k33": 16, "prism": 24, "dodecagon": 6180}
-        bound = {"octahedron": 16, "icosahedron": 54272, "dodecagon": 15360}
+        bound = {"octahedron": 16, "icosahedron": 54272, "dodecagon": 15360, "disulfide": 64}
         for instance, number in exact.items():
             self.assertEqual(self.counts(instance)["exact"]["fixed_frame"], number)
         for instance, number in bound.items():
@@ -43,6 +44,16 @@ class Count(unittest.TestCase):
         self.assertEqual([bound[name] for name in ["fixed_frame", "up_to_reflection", "all_signs"]],
                          [512, 128, 1024])
         self.assertEqual(bound["reference"], ["L", "p5"])
+
+    def test_a_bound_says_what_it_is_of(self):
+        bodies = ["p1 p2 p3", "p1 p2 p7 p8", "p2 p3 p4", "p3 p4 p5 p6", "p5 p6 p7", "p6 p7 p8"]
+        ring = self.counts("disulfide")["bound"]["ring"]
+        self.assertEqual(sorted(" ".join(body) for body in ring), bodies)
+        text = run("count", "disulfide").stdout
+        for body in bodies:
+            self.assertIn(body, text)
+        self.assertEqual(self.counts("octahedron")["bound"]["ring"], [])
+        self.assertIn("m-Bézout bound with p1, p2, p3 held fixed", run("count", "octahedron").stdout)
 
     def test_a_number_or_the_reason_why_there_is_none(self):
         for one in json.loads(run("list", "instances", "--json").stdout)["instances"]:

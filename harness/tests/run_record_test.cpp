@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "harness/json_document.hpp"
 #include "harness/tests/toy_run.hpp"
@@ -30,7 +31,7 @@ TEST_CASE("a record reads back as what was written") {
   REQUIRE(again.instances.front().limit);
   CHECK_FALSE(again.instances.front().limit->is_exact);
   CHECK(again.instances.front().limit->all_signs == "64");
-  CHECK(again.instances.front().limit->reference.size() == 3);
+  CHECK(again.instances.front().limit->bound.reference.size() == 3);
   CHECK_FALSE(again.instances.back().limit);
 }
 
@@ -56,6 +57,16 @@ TEST_CASE("particulars, solutions, curves and whether positions are given read b
   CHECK(again.curves[0].gap == record.curves[0].gap);
   REQUIRE(again.tables.size() == record.tables.size());
   CHECK(again.tables[0].instances == record.tables[0].instances);
+}
+
+TEST_CASE("the ring of a bound reads back, and a run from before rings has none") {
+  RunRecord record = toy::run_record();
+  std::vector<std::vector<std::string>>& ring = record.instances.front().limit->bound.ring;
+  ring = {{"p1", "p2", "p3"}, {"p2", "p3", "p4", "p5"}};
+  nlohmann::json json = nlohmann::json::parse(to_json_text(record));
+  CHECK(parse_run_record(json.dump(), "run.json").instances.front().limit->bound.ring == ring);
+  json["instances"][0]["complex_limit"].erase("ring");
+  CHECK(parse_run_record(json.dump(), "run.json").instances.front().limit->bound.ring.empty());
 }
 
 TEST_CASE("a cell is found by instance, strategy and options") {

@@ -75,7 +75,7 @@ inline RunRecord run_record() {
                        12,
                        3,
                        {{{"p1", "p2"}, "1.10", false}},
-                       RecordedLimit{false, "64", {"p1", "p2", "p3"}}},
+                       RecordedLimit{false, "64", {{"p1", "p2", "p3"}, {}}}},
                       {"icosahedron", "icosahedron.json", "01ff", 30, 3}};
   record.cells = {
       cell({"octahedron", "full-space", {}}, 4, 31, 1.5e-3),

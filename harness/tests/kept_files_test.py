@@ -20,7 +20,7 @@ from command_line_test import BAD_INPUT, INTERRUPTED, NOT_SOLVED, run
 
 
 class Journal(command_line_test.CommandLine):
-    SOLVE = ["solve", "disulfide", "--strategy", "monodromy", "--out", "-"]
+    SOLVE = ["solve", "hoffmann-yuan", "--strategy", "monodromy", "--out", "-"]
 
     def interrupted(self, journal, sent):
         """Starts to solve and sends the signal once some results are in the journal."""

@@ -149,24 +149,6 @@ JsonValue claim_value(const std::optional<Claim>& claim) {
   return json_or_null(claim, [](Claim c) { return json_text(std::string(word(c))); });
 }
 
-/// Null unless the run was certified.
-JsonValue proofs_value(const std::optional<Proofs>& proofs) {
-  return json_or_null(proofs, [](const Proofs& p) {
-    const auto text = [](const std::string& reason) { return json_text(reason); };
-    const auto count = [](const Natural& number) { return json_count(number); };
-    if (p.why_none) return json_object({{"why_none", json_or_null(p.why_none, text)}});
-    return json_object({{"why_none", json_null()},
-                        {"classes", json_count(p.classes)},
-                        {"real", json_count(p.real)},
-                        {"most_bits", json_number(p.most_bits)},
-                        {"generic", json_or_null(p.generic, count)},
-                        {"limit", json_or_null(p.limit, count)},
-                        {"limit_is_exact", json_boolean(p.limit_is_exact)},
-                        {"complete", json_boolean(p.meets_limit(p.classes))},
-                        {"generic_complete", json_boolean(p.generic && p.meets_limit(*p.generic))}});
-  });
-}
-
 JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
   JsonMembers counts, statistics, origin;
   visit_counts(run.assessment.counts, MemberWriter(counts));
@@ -202,6 +184,23 @@ std::string member_text(const std::string& name, const JsonValue& value) {
 }
 
 }  // namespace
+
+JsonValue proofs_value(const std::optional<Proofs>& proofs) {
+  return json_or_null(proofs, [](const Proofs& p) {
+    const auto text = [](const std::string& reason) { return json_text(reason); };
+    const auto count = [](const Natural& number) { return json_count(number); };
+    if (p.why_none) return json_object({{"why_none", json_or_null(p.why_none, text)}});
+    return json_object({{"why_none", json_null()},
+                        {"classes", json_count(p.classes)},
+                        {"real", json_count(p.real)},
+                        {"most_bits", json_number(p.most_bits)},
+                        {"generic", json_or_null(p.generic, count)},
+                        {"limit", json_or_null(p.limit, count)},
+                        {"limit_is_exact", json_boolean(p.limit_is_exact)},
+                        {"complete", json_boolean(p.meets_limit(p.classes))},
+                        {"generic_complete", json_boolean(p.generic && p.meets_limit(*p.generic))}});
+  });
+}
 
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment) {
   std::string text = "{";

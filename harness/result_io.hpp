@@ -1,6 +1,7 @@
 #pragma once
 /// Writes gcsbench-result/1.
 
+#include <optional>
 #include <string>
 
 #include "harness/environment.hpp"
@@ -8,6 +9,9 @@
 #include "harness/solve_run.hpp"
 
 namespace gcs {
+
+/// What certificates prove, as in a result; null unless that was asked for.
+JsonValue proofs_value(const std::optional<Proofs>& proofs);
 
 /// The result as JSON text that ends in a newline: one top-level member a line, one solution a line. What
 /// does not apply is null; so is an infinite condition. The instance keeps the decimal text of its numbers.

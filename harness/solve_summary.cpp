@@ -54,10 +54,11 @@ std::string solution_counts(const Problem& problem, const Counts& counts) {
 std::string path_counts(const Counts& counts) {
   std::string bound;
   if (counts.generic)
-    bound = summary_line(
-        "generic",
-        amount(*counts.generic, "class", "classes") + " at generic lengths" +
-            (counts.at_infinity ? fmt::format(", of which {} at infinity here", *counts.at_infinity) : ""));
+    bound = summary_line("generic",
+                         amount(*counts.generic, "class", "classes") + " at generic lengths" +
+                             (counts.at_infinity && counts.paths.value_or(*counts.generic) == *counts.generic
+                                  ? fmt::format(", of which {} at infinity here", *counts.at_infinity)
+                                  : ""));
   if (!counts.paths) return bound;
   std::string text = amount(*counts.paths, "path", "paths");
   if (counts.at_infinity.value_or(0) > 0) text += fmt::format(", {} to infinity", *counts.at_infinity);

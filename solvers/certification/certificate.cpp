@@ -105,4 +105,10 @@ Certificate Certifier::certify(const Point& x, int least_bits) const {
   return certificate;
 }
 
+std::optional<BallKrawczyk::Proof> Certifier::prove(const Point& x, slong bits) const {
+  const BallKrawczyk level(system_, bits);
+  const BallKrawczyk::Newton newton = level.refined(BallKrawczyk::vector(x));
+  return newton.converged ? level.prove(newton.x) : std::nullopt;
+}
+
 }  // namespace gcs

@@ -35,6 +35,8 @@ class Certifier {
   /// until the solution is proven and, of a system with real coefficients, is known to be real or not to be.
   /// `least_bits`: where to begin; above 53 the enclosure is as small as the rounding of its doubles.
   Certificate certify(const std::vector<std::complex<double>>& x, int least_bits = 53) const;
+  /// The proof in balls of that precision, for many digits; nothing where it does not suffice.
+  std::optional<BallKrawczyk::Proof> prove(const std::vector<std::complex<double>>& x, slong bits) const;
 
  private:
   QuadraticSystem system_;

@@ -104,6 +104,7 @@ void SceneEquations::add_distance(int constraint) {
 }
 
 int SceneEquations::line_unknown(int line, int part, int axis) const {
+  if (!is_free_beside_given_points(scene_)) return -1;
   return points_.unknowns() + 9 * line + 3 * part + axis;
 }
 

@@ -37,15 +37,20 @@ class SceneEquations {
   /// next to it, in the scene's unit. Of a line its point nearest to the origin counts, and its direction
   /// times the scene's size.
   double distance(const Figure& figure, const Certificate& certificate) const;
+  /// The number of the unknown that is coordinate `axis` of a point, or −1 where it is given.
+  int point_unknown(int point, int axis) const { return points_.unknown(point, axis); }
+  /// Of the point of a line (part 0) or its direction (part 1); −1 for a line that the frame puts on the
+  /// x-axis.
+  int line_unknown(int line, int part, int axis) const;
+  /// What the frame or the file gives for a coordinate, in the scene's unit.
+  ExactNumber given_coordinate(int point, int axis) const;
 
  private:
-  ExactNumber given_coordinate(int point, int axis) const;
   ExactNumber given_square(int constraint) const;
   LinearForm difference(int a, int b, int axis) const;
   void add_distance(int constraint);
   void add_distance_to_free_line(int constraint);
   void add_line_conditions(int line);
-  int line_unknown(int line, int part, int axis) const;
 
   const Scene& scene_;
   DistanceSystem points_;

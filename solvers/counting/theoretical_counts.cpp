@@ -194,7 +194,7 @@ bool seeks_common_tangents(const Problem& problem) {
 /// tangents to four unit balls in R³, 2001; Hoffmann, Yuan 2000). Isolated lines persist when centres and
 /// radii are moved, so no four centres have more.
 void bound_tangents(const Problem& problem, TheoreticalCounts& counts) {
-  counts.bound = CountBound{{Natural(12), 1, 1}, {}};
+  counts.bound = CountBound{{Natural(12), 1, 1}, {}, {}};
   for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
     counts.bound->reference.push_back(point);
 }

@@ -1,0 +1,61 @@
+/// gcsbench reference: a stored result's solutions, proven, with many digits.
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "harness/atomic_file.hpp"
+#include "harness/commands.hpp"
+#include "harness/reference_io.hpp"
+#include "harness/text_input.hpp"
+#include "solvers/certification/scene_equations.hpp"
+
+namespace gcs {
+
+namespace {
+
+struct ReferenceArguments {
+  std::string result;
+  std::string out;
+  ReferenceSettings settings;
+};
+
+ExitCode write_reference(const ReferenceArguments& arguments) {
+  const StoredResult result = parse_result(
+      read_file(arguments.result, "give a file that `gcsbench solve --out` has written"), arguments.result);
+  if (const auto reason = why_not_certified(Scene(result.instance.problem))) {
+    std::cerr << "gcsbench: " << *reason << '\n';
+    return ExitCode::not_solved;
+  }
+  AtomicFile file(arguments.out);
+  file.commit(reference_text(result, arguments.settings));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_reference_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<ReferenceArguments>();
+  CLI::App* command = app.add_subcommand("reference", "Write a result's solutions, proven, with many digits");
+  command->add_option("RESULT", arguments->result, "A result that solve --out wrote")->required();
+  command->add_option("--out", arguments->out, "The file to write")->type_name("FILE")->required();
+  command->add_option("--digits", arguments->settings.digits, "Significant digits of every number")
+      ->check(CLI::Range(17, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_flag("--only-real", arguments->settings.only_real, "Leave the complex solutions out");
+  command->add_option("--threads", arguments->settings.threads, "Threads to use")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N")
+      ->capture_default_str();
+  command->footer(
+      "The result is verified first, as `gcsbench verify` does it; one that does not verify is refused.\n"
+      "\nExample:\n"
+      "  gcsbench solve octahedron --strategy cayley-menger --out result.json\n"
+      "  gcsbench reference result.json --out octahedron.json\n");
+  command->callback(
+      [&invocation, arguments] { invocation.action = [arguments] { return write_reference(*arguments); }; });
+}
+
+}  // namespace gcs

@@ -1,0 +1,94 @@
+#include "harness/reference_io.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "harness/certify.hpp"
+#include "harness/json_build.hpp"
+#include "harness/result_io.hpp"
+#include "harness/verify.hpp"
+#include "solvers/certification/decimal_figure.hpp"
+#include "solvers/run_on_threads.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr std::string_view format_name = "gcsbench-reference/1";
+
+JsonValue vector_value(const DecimalVector& vector, int dimension, bool is_real) {
+  std::vector<JsonValue> coordinates;
+  for (int axis = 0; axis < dimension; ++axis) {
+    const DecimalNumber& number = vector[static_cast<std::size_t>(axis)];
+    coordinates.push_back(is_real ? json_text(number.re) : json_texts({number.re, number.im}));
+  }
+  return json_array(std::move(coordinates));
+}
+
+JsonValue solution_value(const Problem& problem, const DecimalFigure& figure, bool is_real) {
+  JsonMembers points, lines;
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    points.emplace_back(problem.points[i], vector_value(figure.points[i], problem.dimension, is_real));
+  for (std::size_t i = 0; i < problem.lines.size(); ++i)
+    lines.emplace_back(problem.lines[i],
+                       json_object({{"point", vector_value(figure.lines[i].point, 3, is_real)},
+                                    {"direction", vector_value(figure.lines[i].direction, 3, is_real)}}));
+  return json_object({{"real", json_boolean(is_real)},
+                      {"points", json_object(std::move(points))},
+                      {"lines", json_object(std::move(lines))},
+                      {"error_bound", json_number(figure.error)},
+                      {"unique_within", json_number(figure.unique)},
+                      {"bits", json_number(figure.bits)}});
+}
+
+void require_proven(const StoredResult& result, const Verification& verification) {
+  if (verification.mismatches.empty()) return;
+  throw InputError(result.instance.origin, "/solutions",
+                   "the result does not verify: " + verification.mismatches.front().what,
+                   "solve again, and look at what `gcsbench verify` says");
+}
+
+/// One text for each solution that is kept.
+std::vector<std::string> solution_texts(const StoredResult& result, const ReferenceSettings& settings) {
+  const Scene scene(result.instance.problem);
+  const SceneEquations equations(scene);
+  const std::vector<AssessedSolution>& solutions = result.listed.solutions;
+  std::vector<std::string> texts(solutions.size());
+  const auto step = static_cast<std::size_t>(settings.threads);
+  run_on_threads(settings.threads, [&](int thread) {
+    for (std::size_t i = static_cast<std::size_t>(thread); i < solutions.size(); i += step) {
+      const bool is_real = solutions[i].figure.is_real();
+      if (settings.only_real && !is_real) continue;
+      const auto figure =
+          decimal_figure(equations, scene, scene.in_scene_unit(solutions[i].figure), settings.digits);
+      if (figure) texts[i] = to_text(solution_value(scene.problem(), *figure, is_real), -1);
+    }
+  });
+  std::erase_if(texts, [](const std::string& text) { return text.empty(); });
+  return texts;
+}
+
+}  // namespace
+
+std::string reference_text(const StoredResult& result, const ReferenceSettings& settings) {
+  const Verification verification = verify(result, settings.threads);
+  require_proven(result, verification);
+  const std::vector<std::string> solutions = solution_texts(result, settings);
+  const std::size_t wanted = settings.only_real ? verification.proofs.real : result.listed.solutions.size();
+  if (solutions.size() != wanted)
+    throw InputError(result.instance.origin, "/solutions",
+                     fmt::format("only {} of {} solutions are proven to {} digits", solutions.size(), wanted,
+                                 settings.digits),
+                     "ask for fewer digits");
+  const JsonValue origin = json_object({{"strategy", json_text(result.strategy)},
+                                        {"claim", json_text(result.claim)},
+                                        {"digits", json_number(settings.digits)},
+                                        {"only_real", json_boolean(settings.only_real)}});
+  return fmt::format(
+      "{{\"format\": \"{}\",\n \"instance\": {},\n \"origin\": {},\n \"proofs\": {},\n "
+      "\"solutions\": [\n  {}\n ]}}\n",
+      format_name, to_text(result.instance.document, -1), to_text(origin, -1),
+      to_text(proofs_value(verification.proofs), -1), fmt::join(solutions, ",\n  "));
+}
+
+}  // namespace gcs

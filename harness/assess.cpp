@@ -315,12 +315,22 @@ void recount(Assessment& assessment) {
         solutions.begin(), solutions.end(), [](const AssessedSolution& s) { return s.figure.is_real(); });
   if (counts.complex_up_to_reflection) counts.complex_up_to_reflection = solutions.size();
   if (counts.singular) counts.singular = std::count_if(solutions.begin(), solutions.end(), is_singular);
+  if (counts.certified)
+    counts.certified = std::count_if(solutions.begin(), solutions.end(),
+                                     [](const AssessedSolution& s) { return s.certified; });
   if (counts.on_path) {
     std::set<int> met;
     for (const AssessedCrossing& crossing : assessment.crossings)
       if (crossing.solution) met.insert(*crossing.solution);
     counts.on_path = met.size();
   }
+}
+
+void keep_real(Assessment& assessment) {
+  const auto is_complex = [](const AssessedSolution& solution) { return !solution.figure.is_real(); };
+  std::erase_if(assessment.solutions, is_complex);
+  assessment.counts.complex_up_to_reflection.reset();
+  recount(assessment);
 }
 
 void keep_first(Assessment& assessment, std::size_t limit) {

@@ -82,6 +82,9 @@ Assessment assess(const Scene& scene, const SolveReport& report);
 /// Brings the counts that are determined in line with the list.
 void recount(Assessment& assessment);
 
+/// Keeps the real solutions, which come first. How many complex ones there are is not determined then.
+void keep_real(Assessment& assessment);
+
 /// Keeps the first `limit` solutions. Counts of solutions follow the list; crossings keep their place.
 void keep_first(Assessment& assessment, std::size_t limit);
 

@@ -35,7 +35,7 @@ struct SolveArguments {
   std::string strategy;
   std::vector<std::string> settings;
   std::string out;        ///< empty: no file; "-": standard output
-  std::string solutions;  ///< "real", "all", or empty: whatever the strategy finds
+  std::string solutions;  ///< "real" or "all"; empty: all
   std::string resume;     ///< the journal's file; empty: none
   RunLimits limits;
 };
@@ -44,9 +44,6 @@ struct SolveArguments {
 std::optional<std::string> why_unavailable(const SolveArguments& arguments) {
   if (arguments.strategy.starts_with("exec:"))
     return "external programs as strategies are not available in this version";
-  if (arguments.solutions == "all")
-    return "--solutions all: complex solutions are not available in this version, every strategy finds real "
-           "ones";
   return std::nullopt;
 }
 
@@ -125,10 +122,12 @@ ExitCode solve(const SolveArguments& arguments, bool quiet) {
   const std::unique_ptr<FileJournal> journal = open_journal(arguments, entry, options, instance);
 
   catch_interrupts();
+  RunLimits limits = arguments.limits;
+  limits.only_real = arguments.solutions == "real";
   const Scene scene(instance.problem);
   SolveRun run = [&] {
     ProgressLine progress(!quiet);
-    return run_strategy(entry, options, scene, arguments.limits, {&progress, journal.get()});
+    return run_strategy(entry, options, scene, limits, {&progress, journal.get()});
   }();
   if (journal) run.timing.recalled_steps = journal->recalled();
   print_answer(arguments, instance, run, file);
@@ -201,7 +200,9 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
   command.add_option("--max-solutions", arguments.limits.max_solutions, "List at most so many solutions")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  command.add_option("--solutions", arguments.solutions, "Which solutions: real or all")
+  command
+      .add_option("--solutions", arguments.solutions,
+                  "Which solutions to list: real, or all that the strategy finds, which is the default")
       ->check(CLI::IsMember({"real", "all"}));
   command.add_flag("--certify", arguments.limits.certify,
                    "Prove that every solution exists, is real or not as listed, and a class of its own");

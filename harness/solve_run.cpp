@@ -151,6 +151,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   run.claim = report.claim;
   run.assessment = assess(scene, report);
   if (limits.certify) certify_solutions(scene, report, run);
+  if (limits.only_real) keep_real(run.assessment);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
   run.work = report.work;
   run.particulars = std::move(report.particulars);

@@ -17,6 +17,7 @@ struct RunLimits {
   int threads = 1;
   std::optional<double> time_limit_s = std::nullopt;        ///< over prepare and solve together
   std::optional<std::size_t> max_solutions = std::nullopt;  ///< how many classes are kept
+  bool only_real = false;                                   ///< leave complex solutions out of the list
   bool certify = false;  ///< prove what is listed (see certify); not part of the time limit
 };
 

@@ -108,10 +108,6 @@ class Verifier {
   void check_counts() {
     Assessment own = result_.listed;
     recount(own);
-    if (own.counts.certified)
-      own.counts.certified = static_cast<std::uint64_t>(
-          std::count_if(own.solutions.begin(), own.solutions.end(),
-                        [](const AssessedSolution& solution) { return solution.certified; }));
     std::vector<std::optional<std::uint64_t>> given;
     visit_counts(result_.listed.counts,
                  [&](const std::string&, const auto& count) { given.push_back(count); });

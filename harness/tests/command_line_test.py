@@ -309,12 +309,58 @@ class Solve(CommandLine):
         self.assertTrue(json.loads(done.stdout))
 
     def test_what_this_version_cannot_do_is_said(self):
-        for arguments in [["--certify"], ["--solutions", "all"]]:
-            with self.subTest(arguments):
-                done = run("solve", "octahedron", "--strategy", "full-space", *arguments)
-                self.assert_one_message(done, NOT_SOLVED, "not available in this version")
         done = run("solve", "octahedron", "--strategy", "exec:true")
         self.assert_one_message(done, NOT_SOLVED, "not available in this version")
+
+    def test_only_real_solutions(self):
+        solve = ["solve", "octahedron", "--strategy", "cayley-menger", "--certify", "--out", "-"]
+        result = {kind: json.loads(run(*solve, "--solutions", kind).stdout) for kind in ("real", "all")}
+        real = [one for one in result["all"]["solutions"] if one["real"]]
+        self.assertEqual(result["real"]["solutions"], real)
+        self.assertEqual(result["real"]["counts"]["certified"], len(real))
+        self.assertIsNone(result["real"]["counts"]["complex_up_to_reflection"])
+
+    def test_certificates(self):
+        out = self.folder / "result.json"
+        done = run("solve", "octahedron", "--strategy", "cayley-menger", "--certify", "--out", out)
+        self.assertEqual(done.returncode, DONE)
+        # Bartzos, Emiris, Schicho 2020: at most 16 in the fixed frame, 8 up to reflection.
+        self.assertIn("proven: the upper bound of 8 is met", done.stdout)
+        self.assertEqual(run("verify", out).returncode, DONE)
+        result = json.loads(out.read_text())
+        result["solutions"][0]["points"]["p4"][0] += 1e-9
+        out.write_text(json.dumps(result))
+        done = run("verify", out)
+        self.assertEqual(done.returncode, CHECK_FAILED)
+        self.assertIn("solution 0 is 1e-09 away", done.stderr)
+
+    def test_what_is_not_proven_fails_a_check(self):
+        done = run("solve", "tangents-fourfold", "--strategy", "sphere-tangents", "--certify")
+        self.assertEqual(done.returncode, CHECK_FAILED)
+        self.assertIn("singular", done.stderr)
+
+    def test_references(self):
+        result, reference = self.folder / "result.json", self.folder / "reference.json"
+        run("solve", "octahedron", "--strategy", "cayley-menger", "--out", result)
+        self.assertEqual(run("reference", result, "--out", reference).returncode, DONE)
+        found = json.loads(result.read_text())["solutions"]
+        exact = json.loads(reference.read_text())["solutions"]
+        self.assertEqual(len(exact), len(found))
+        for one, other in zip(found, exact):
+            self.assertLess(other["error_bound"], 1e-28)
+            if one["real"]:
+                for name, place in one["points"].items():
+                    for number, text in zip(place, other["points"][name]):
+                        self.assertAlmostEqual(number, float(text), delta=1e-13)
+
+    def test_a_result_that_does_not_verify_makes_no_reference(self):
+        result, reference = self.folder / "result.json", self.folder / "reference.json"
+        done = run("solve", "octahedron", "--strategy", "cayley-menger", "--out", "-")
+        content = json.loads(done.stdout)
+        content["solutions"][0]["points"]["p4"][0] += 1e-9
+        result.write_text(json.dumps(content))
+        self.assert_one_message(run("reference", result, "--out", reference), BAD_INPUT, result, "does not verify")
+        self.assertFalse(reference.exists())
 
     def test_time_limit(self):
         out = self.folder / "result.json"

@@ -60,6 +60,11 @@ Violations check_report(const Scene& scene, const SolveReport& report);
 /// claim says so. Instances without known counts pass.
 Violations check_counts(std::string_view instance, const Scene& scene, const SolveReport& report);
 
+/// `certificate`: every solution is proven to exist, to be real or not as reported and a class of its own,
+/// and no more are proven than there can be. Those reported as multiple pass, and scenes out of certificates'
+/// reach.
+Violations check_certificates(const Scene& scene, const SolveReport& report);
+
 /// `repeatable`: the same object, another object, one that has solved `other` before, one that is watched and
 /// one with two threads report the same bits.
 Violations check_repeatability(const Subject& subject, const Scene& scene, const Scene& other);

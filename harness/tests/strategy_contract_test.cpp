@@ -81,6 +81,7 @@ void check_one_solve(const Subject& subject, const Instance& instance) {
   expect_none(subject, instance.id, check_completion(report));
   expect_none(subject, instance.id, check_report(scene, report));
   expect_none(subject, instance.id, check_counts(instance.id, scene, report));
+  expect_none(subject, instance.id, check_certificates(scene, report));
 }
 
 /// All that the strategies report on the scene, each against each and against the theoretical counts of its

@@ -134,7 +134,8 @@ BallKrawczyk::Newton BallKrawczyk::refined(const BallMatrix& start) const {
   const double small = std::ldexp(1.0, static_cast<int>(-bits_ / 2));
   for (int step = 0; step < most_steps && !newton.converged; ++step) {
     BallMatrix& x = newton.x;
-    if (!acb_mat_approx_solve(correction.get(), jacobian(x).get(), value(x).get(), bits_)) break;
+    newton.is_singular = !acb_mat_approx_solve(correction.get(), jacobian(x).get(), value(x).get(), bits_);
+    if (newton.is_singular) break;
     drop_radii(correction);
     acb_mat_sub(x.get(), x.get(), correction.get(), bits_);
     drop_radii(x);

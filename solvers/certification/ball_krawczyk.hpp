@@ -25,6 +25,7 @@ class BallKrawczyk {
   struct Newton {
     BallMatrix x;                                                 ///< a point
     double correction = std::numeric_limits<double>::infinity();  ///< the last one, relative to the size of x
+    bool is_singular = false;                                     ///< the Jacobian at x is
     bool converged = false;  ///< the last correction is below half the precision
   };
   /// Newton's method from a point x.

@@ -55,7 +55,7 @@ Certificate::Realness realness(const Enclosure& enclosure) {
 
 std::string cause_of(const BallKrawczyk::Newton& newton) {
   if (newton.converged) return "it is so nearly singular that no surroundings are proven to hold it alone";
-  if (newton.correction < slow_convergence)
+  if (newton.is_singular || newton.correction < slow_convergence)
     return "it is singular: a multiple solution, or several that " + std::to_string(precisions.back()) +
            " bits do not tell apart";
   return "Newton's method from it leads to no solution";

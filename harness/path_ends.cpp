@@ -8,12 +8,13 @@
 namespace gcs {
 
 std::vector<PathEnds> ends_of(const std::vector<PathRecord>& paths) {
-  std::map<std::tuple<PathRecord::End, int, int, std::string>, std::uint64_t> counts;
-  for (const PathRecord& path : paths) ++counts[{path.end, path.winding_number, path.pole_order, path.cause}];
+  std::map<std::tuple<PathRecord::End, int, int, bool, std::string>, std::uint64_t> counts;
+  for (const PathRecord& path : paths)
+    ++counts[{path.end, path.winding_number, path.pole_order, path.proven, path.cause}];
   std::vector<PathEnds> ends;
   for (const auto& [kind, count] : counts) {
-    const auto& [end, winding_number, pole_order, cause] = kind;
-    ends.push_back({end, winding_number, pole_order, cause, count});
+    const auto& [end, winding_number, pole_order, proven, cause] = kind;
+    ends.push_back({end, winding_number, pole_order, proven, cause, count});
   }
   return ends;
 }

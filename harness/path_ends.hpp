@@ -16,6 +16,7 @@ struct PathEnds {
   PathRecord::End end = PathRecord::End::failed;
   int winding_number = 0;
   int pole_order = 0;
+  bool proven = false;
   std::string cause;
   std::uint64_t paths = 0;
 };

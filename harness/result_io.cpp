@@ -120,6 +120,7 @@ JsonValue ends_value(const std::vector<PathEnds>& all) {
          {"cause", json_text(ends.cause)},
          {"winding_number", ends.winding_number > 0 ? json_number(ends.winding_number) : json_null()},
          {"exponent", exponent_value(ends)},
+         {"proven", json_boolean(ends.proven)},
          {"paths", json_count(ends.paths)}}));
   return json_array(std::move(values));
 }

@@ -85,6 +85,15 @@ std::string growths(const std::vector<PathEnds>& all) {
   return text.empty() ? "" : summary_line("at infinity", text);
 }
 
+/// Empty where nothing is proven.
+std::string path_proofs(const std::vector<PathEnds>& all) {
+  std::uint64_t proven = 0;
+  for (const PathEnds& ends : all) proven += ends.proven ? ends.paths : 0;
+  if (proven == 0) return "";
+  return summary_line("proven", amount(proven, "path closes", "paths close") +
+                                    "; the order and number of crossings are those of S");
+}
+
 std::string crossings_table(const Assessment& assessment) {
   if (assessment.crossings.empty()) return "";
   std::string text =
@@ -195,8 +204,9 @@ std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run.assessment;
   return headline(instance, run) + solution_counts(instance.problem, assessment.counts) +
          path_counts(assessment.counts) + proofs_text(assessment) + growths(assessment.ends) +
-         crossings_table(assessment) + quality(assessment.solutions) + particulars(run.particulars) +
-         work(run.work) + time(run.timing) + failed_checks(assessment.failed_checks);
+         path_proofs(assessment.ends) + crossings_table(assessment) + quality(assessment.solutions) +
+         particulars(run.particulars) + work(run.work) + time(run.timing) +
+         failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

@@ -60,6 +60,7 @@ struct PathRecord {
   std::vector<Crossing> crossings;
   int winding_number = 0;  ///< w: near its end the path is a series in (1 − t)^(1/w); 0: not determined
   int pole_order = 0;      ///< k: at infinity like (1 − t)^(−k/w); 0: finite, or not determined
+  bool proven = false;     ///< its closing, and the order and number of its crossings, are proven
 };
 
 /// A count that only this strategy knows, such as the candidates of a scan.

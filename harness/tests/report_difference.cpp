@@ -72,12 +72,13 @@ class Fields {
   }
 
   void add(const std::string& name, const PathRecord& path) {
-    const auto& [end, cause, length, crossings, winding_number, pole_order] = path;
+    const auto& [end, cause, length, crossings, winding_number, pole_order, proven] = path;
     add(name + ".end", end);
     add(name + ".cause", cause);
     add(name + ".length", length);
     add(name + ".winding_number", winding_number);
     add(name + ".pole_order", pole_order);
+    add(name + ".proven", proven);
     add(name + ".crossings.size()", crossings.size());
     for (const auto& [candidate, direction] : crossings) {
       add(name + ".crossing.candidate", candidate);

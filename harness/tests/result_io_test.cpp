@@ -115,16 +115,31 @@ TEST_CASE("ends that are alike are counted together") {
   SolveRun run = toy_run();
   CHECK(parsed(run)["ends"] ==
         Json::parse(
-            R"([{"end": "closed", "cause": "", "winding_number": null, "exponent": null, "paths": 1}])"));
+            R"([{"end": "closed", "cause": "", "winding_number": null, "exponent": null, "proven": false,
+                 "paths": 1}])"));
   using End = PathRecord::End;
   const PathRecord twofold{End::singular, "", 0, {}, 2, 0}, escaped{End::at_infinity, "", 0, {}, 2, 2},
       lost{End::failed, "its steps became too small", 0, {}, 0, 0};
   run.assessment.ends = ends_of({escaped, twofold, lost, escaped, escaped});
   CHECK(parsed(run)["ends"] == Json::parse(R"([
-    {"end": "singular", "cause": "", "winding_number": 2, "exponent": null, "paths": 1},
-    {"end": "at infinity", "cause": "", "winding_number": 2, "exponent": [1, 1], "paths": 3},
+    {"end": "singular", "cause": "", "winding_number": 2, "exponent": null, "proven": false, "paths": 1},
+    {"end": "at infinity", "cause": "", "winding_number": 2, "exponent": [1, 1], "proven": false,
+     "paths": 3},
     {"end": "failed", "cause": "its steps became too small", "winding_number": null, "exponent": null,
-     "paths": 1}])"));
+     "proven": false, "paths": 1}])"));
+}
+
+TEST_CASE("what is proven of a path is told apart from what is only found") {
+  SolveRun run = toy_run();
+  CHECK_THAT(solve_summary(toy::instance(), run), !Catch::Contains("proven"));
+  PathRecord found;
+  found.end = PathRecord::End::closed;
+  PathRecord proven = found;
+  proven.proven = true;
+  run.assessment.ends = ends_of({found, proven});
+  CHECK(parsed(run)["ends"].size() == 2);
+  CHECK(parsed(run)["ends"][1]["proven"] == true);
+  CHECK_THAT(solve_summary(toy::instance(), run), Catch::Contains("1 path closes; the order and number"));
 }
 
 TEST_CASE("the summary says how fast paths escape") {

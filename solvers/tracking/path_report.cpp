@@ -51,6 +51,7 @@ SolveReport path_report(const Scene& scene, TrackedPath path,
   report.reason = path.cause;
   report.work = path.work;
   PathRecord record{record_end(path.end), path.cause, path.length, {}};
+  record.proven = path.proven;
   for (const PathCrossing& crossing : path.crossings) {
     Eigen::VectorXd x = system.coordinates(scene.in_frame(figure_of(crossing.point)));
     const Eigen::VectorXd before = x;

@@ -22,6 +22,7 @@ struct TrackedPath {
   std::string cause;  ///< a sentence, empty when closed
   double length = 0;  ///< arc length tracked, in the coordinates of the tracker
   std::vector<PathCrossing> crossings;
+  bool proven = false;  ///< that it is closed, and the order and number of its crossings
   WorkCounters work;
 };
 

@@ -31,19 +31,22 @@ std::vector<Instance> small_instances() {
   return instances;
 }
 
-/// Whether the strategy has an option of that name with these values.
-bool has_choice(const StrategyEntry& entry, std::string_view name, std::string_view allowed) {
+/// Whether the strategy has an option of that name with this value among others.
+bool has_choice(const StrategyEntry& entry, std::string_view name, std::string_view value) {
   return std::any_of(entry.options.begin(), entry.options.end(), [&](const OptionSpec& option) {
-    return option.name == name && option.allowed == allowed;
+    return option.name == name &&
+           ("|" + std::string(option.allowed) + "|").find("|" + std::string(value) + "|") !=
+               std::string::npos;
   });
 }
 
-/// All strategies, those with a direct method by homotopy as well.
+/// All strategies, those with a direct method by homotopy and those that can prove a path so as well.
 std::vector<Subject> subjects() {
   std::vector<Subject> result;
   for (const StrategyEntry& entry : all_strategies()) {
     result.push_back({entry});
-    if (has_choice(entry, "method", "direct|homotopy")) result.push_back({entry, {{"method", "homotopy"}}});
+    if (has_choice(entry, "method", "homotopy")) result.push_back({entry, {{"method", "homotopy"}}});
+    if (has_choice(entry, "mode", "certified")) result.push_back({entry, {{"mode", "certified"}}});
   }
   return result;
 }
@@ -52,7 +55,7 @@ std::vector<Subject> subjects() {
 std::vector<Subject> published_subjects() {
   std::vector<Subject> result;
   for (const StrategyEntry& entry : all_strategies())
-    if (has_choice(entry, "mode", "fast|paper")) result.push_back({entry, {{"mode", "paper"}}});
+    if (has_choice(entry, "mode", "paper")) result.push_back({entry, {{"mode", "paper"}}});
   return result;
 }
 

@@ -6,12 +6,14 @@
 /// through the folds of t until it is back at the sketch, and every crossing of t = 1 is a solution.
 ///
 /// mode=fast is tracking/series_tracker.hpp on tracking/distance_curve.hpp, mode=paper is
-/// tracking/euler_newton_tracker.hpp on tracking/paper_homotopies.hpp.
+/// tracking/euler_newton_tracker.hpp on tracking/paper_homotopies.hpp, mode=certified is
+/// tracking/certified_tracker.hpp: it proves that S closes and the number and order of its crossings.
 ///
 /// Claims the solutions on S. Fails, and says where, when S is singular or nearly so, or too long for
 /// max_steps. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point Distance Problems by
 /// Homotopy, 2016.
 
+#include "solvers/tracking/certified_tracker.hpp"
 #include "solvers/tracking/distance_curve.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_options.hpp"
@@ -24,17 +26,20 @@ constexpr double paper_step_max = 0.1;  // [I] §7.3.1, without a plan
 
 class FullSpace final : public Strategy {
  public:
-  explicit FullSpace(const OptionMap& options) : options_(read_path_options(options, paper_step_max)) {}
+  explicit FullSpace(const OptionMap& options)
+      : options_(read_path_options(options, all_modes, paper_step_max)) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override { return why_no_path(scene); }
 
   SolveReport solve(const SolveRequest& request) override {
     const TrackerContext context{request.stop, request.monitor};
-    if (options_.mode == PathMode::paper) {
-      PaperDistanceHomotopy homotopy(request.scene);
-      EulerNewtonTracker tracker(homotopy, options_.paper, context);
-      return path_report(request.scene, tracker.run(),
-                         [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
+    switch (options_.mode) {
+      case PathMode::paper:
+        return solve_as_published(request.scene, context);
+      case PathMode::certified:
+        return solve_with_proof(request.scene, context);
+      case PathMode::fast:
+        break;
     }
     DistanceCurve curve(request.scene, options_.fast.order, options_.fast.tolerance);
     SeriesTracker tracker(curve, options_.fast, context);
@@ -43,6 +48,20 @@ class FullSpace final : public Strategy {
   }
 
  private:
+  SolveReport solve_as_published(const Scene& scene, const TrackerContext& context) const {
+    PaperDistanceHomotopy homotopy(scene);
+    EulerNewtonTracker tracker(homotopy, options_.paper, context);
+    return path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
+  }
+
+  SolveReport solve_with_proof(const Scene& scene, const TrackerContext& context) const {
+    CertifiedTracker tracker(scene, options_.fast, context);
+    SolveReport report =
+        path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return tracker.figure(y); });
+    report.particulars = {{"tubes", report.work.iterations}, {"rejected_tubes", report.work.rejected_steps}};
+    return report;
+  }
+
   PathOptions options_;
 };
 
@@ -54,7 +73,7 @@ StrategyEntry full_space_entry() {
   entry.summary = "tracks the path S from the sketch in all coordinates";
   entry.citation = "Imbach, Mathis, Schreck 2016, sections 2.2 and 7.1";
   entry.needs_sketch = true;
-  entry.options = path_option_specs("0.1");
+  entry.options = path_option_specs(all_modes, "0.1");
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<FullSpace>(options);
   };

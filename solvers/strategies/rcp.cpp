@@ -44,7 +44,8 @@ constexpr double paper_step_max = 0.05;  // [I] §7.3.1, with a plan
 
 class Rcp final : public Strategy {
  public:
-  explicit Rcp(const OptionMap& options) : options_(read_path_options(options, paper_step_max)) {
+  explicit Rcp(const OptionMap& options)
+      : options_(read_path_options(options, uncertified_modes, paper_step_max)) {
     swap_ = choice_option(options, "swap", "on|off") == 0;
     rule_.alpha = number_option(options, "alpha", 1e-6, 0.49);
     rule_.watch_sine = choice_option(options, "measure", "guarded|published") == 0;
@@ -88,7 +89,7 @@ StrategyEntry rcp_entry() {
       "tracks S in the driving parameters of a construction plan changed on the fly (Algorithm 1)";
   entry.citation = "Imbach, Mathis, Schreck 2016, Algorithms 1 to 4";
   entry.needs_sketch = true;
-  entry.options = path_option_specs("0.05");
+  entry.options = path_option_specs(uncertified_modes, "0.05");
   entry.options.push_back(
       {"alpha", "0.1", "a number from 1e-6 to 0.49", "the plan is changed when a measure falls to this"});
   entry.options.push_back({"measure", "guarded", "guarded|published",

@@ -1,27 +1,49 @@
 #include "solvers/tracking/path_options.hpp"
 
 namespace gcs {
+namespace {
 
-std::vector<OptionSpec> path_option_specs(std::string_view paper_step_max) {
+constexpr std::string_view modes_in_words =
+    "fast: Taylor series in arc length; paper: Euler-Newton as published";
+constexpr std::string_view all_modes_in_words =
+    "fast: Taylor series in arc length; paper: Euler-Newton as published; certified: a chain of tubes, each "
+    "proven to hold one arc of S";
+
+PathMode read_mode(const OptionMap& options, std::string_view modes) {
+  const int choice = choice_option(options, "mode", all_modes);
+  if (choice >= 2 && modes != all_modes)
+    throw OptionError(
+        "option mode=certified: only full-space has it: the proof needs all coordinates, and a plan's figure "
+        "is "
+        "known at its driving parameters only");
+  return static_cast<PathMode>(choice);
+}
+
+}  // namespace
+
+std::vector<OptionSpec> path_option_specs(std::string_view modes, std::string_view paper_step_max) {
   const SeriesTrackerOptions defaults;
   return {
-      {"mode", "fast", "fast|paper", "fast: Taylor series in arc length; paper: Euler-Newton as published"},
+      {"mode", "fast", modes, modes == all_modes ? all_modes_in_words : modes_in_words},
       {"step_max", "auto", "auto, or a number from 1e-6 to 1e6",
        paper_step_max == "0.1"
-           ? "largest step; auto: 1 (fast, in units of the scene), 0.1 (paper, in the file's unit)"
+           ? "largest step; auto: 1 (fast and certified, in units of the scene), 0.1 (paper, in the file's "
+             "unit)"
            : "largest step; auto: 1 (fast, in units of the scene), 0.05 (paper, in the file's unit)"},
       {"step_min", "1e-10", "a number from 1e-15 to 1", "below this step the tracker gives up"},
       {"max_steps", std::to_string(defaults.max_steps), "a whole number from 1 to 1000000000",
        "the tracker gives up after so many steps"},
       {"orientation", "forward", "forward|backward", "leave the sketch towards growing or falling t"},
-      {"order", std::to_string(defaults.order), "a whole number from 4 to 40", "order of the series (fast)"},
-      {"tolerance", "1e-7", "a number from 1e-14 to 1e-5", "size of the last terms of the series (fast)"},
+      {"order", std::to_string(defaults.order), "a whole number from 4 to 40",
+       "order of the series (fast, certified)"},
+      {"tolerance", "1e-7", "a number from 1e-14 to 1e-5",
+       "size of the last terms of the series (fast, certified)"},
   };
 }
 
-PathOptions read_path_options(const OptionMap& options, double paper_step_max) {
+PathOptions read_path_options(const OptionMap& options, std::string_view modes, double paper_step_max) {
   PathOptions path;
-  path.mode = choice_option(options, "mode", "fast|paper") == 0 ? PathMode::fast : PathMode::paper;
+  path.mode = read_mode(options, modes);
   if (options.find("step_max")->second == "auto")
     path.paper.step_max = paper_step_max;
   else

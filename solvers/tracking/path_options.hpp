@@ -10,7 +10,7 @@
 
 namespace gcs {
 
-enum class PathMode { fast, paper };
+enum class PathMode { fast, paper, certified };
 
 struct PathOptions {
   PathMode mode = PathMode::fast;
@@ -18,10 +18,14 @@ struct PathOptions {
   EulerNewtonOptions paper;
 };
 
-/// `paper_step_max`: what [I] states for δmax, in words of the option's text.
-std::vector<OptionSpec> path_option_specs(std::string_view paper_step_max);
+/// The modes that a strategy has, in the order of PathMode.
+inline constexpr std::string_view uncertified_modes = "fast|paper";
+inline constexpr std::string_view all_modes = "fast|paper|certified";
+
+/// `modes`: one of the two above; `paper_step_max`: what [I] states for δmax, in words of the option's text.
+std::vector<OptionSpec> path_option_specs(std::string_view modes, std::string_view paper_step_max);
 
 /// Throws OptionError.
-PathOptions read_path_options(const OptionMap& options, double paper_step_max);
+PathOptions read_path_options(const OptionMap& options, std::string_view modes, double paper_step_max);
 
 }  // namespace gcs

@@ -21,7 +21,36 @@ constexpr double width = 4;               ///< relative to the residual
 
 constexpr double largest_contraction = 0.9;
 
+/// How far t may be from that on c: the bounds on lengths hold up to 1.
+constexpr double largest_time_reach = 0.5;
+
+/// The transpose of J G for the J with these differences of coordinates and derivatives −pull(e) by t;
+/// `transposed` is Gᵀ.
+template <class Difference, class Pull>
+Eigen::MatrixXd jacobian_times(const TubeSeries& series, const Eigen::MatrixXd& transposed,
+                               const Difference& difference, const Pull& pull) {
+  const Eigen::Index time = transposed.cols() - 1;
+  Eigen::MatrixXd product(transposed.rows(), series.edges());
+  for (int e = 0; e < series.edges(); ++e) {
+    auto row = product.col(e);
+    row = -pull(e) * transposed.col(time);
+    for (int axis = 0; axis < series.axes(); ++axis) {
+      const auto [i, j] = series.ends(axis, e);
+      const double d = difference(axis, e);
+      if (i <= time) row += d * transposed.col(i);
+      if (j <= time) row -= d * transposed.col(j);
+    }
+  }
+  return product;
+}
+
 }  // namespace
+
+PointBox ArcPoint::hull() const {
+  PointBox box = point;
+  box.radius = (box.radius + spread.cwiseAbs().colwise().sum().transpose()) * round_up;
+  return box;
+}
 
 PathTube::PathTube(const DistanceSystem& system, std::vector<EnclosedLength> lengths, int order)
     : series_(system, std::move(lengths), order) {}
@@ -85,21 +114,30 @@ void PathTube::set_weights(const Eigen::ArrayXd& v) {
   }
 }
 
-/// A bound on (I − J P) v over the tube of the last weights.
-Eigen::ArrayXd PathTube::moved(const Eigen::ArrayXd& v) const {
-  const Eigen::Index m = series_.edges();
-  const Eigen::VectorXd x = v.matrix();
-  Eigen::ArrayXd sum = (defect_.transpose() * x).array() + bounds_.h * (turn_.transpose() * x).array() +
-                       bounds_.h * bounds_.h * (bend_.transpose() * x).array();
-  const Eigen::ArrayXd reach = axis_weights_ * (differences_.transpose() * x).array();
-  for (int axis = 0; axis < series_.axes(); ++axis) sum += reach.segment(axis * m, m);
-  return (sum + time_weights_ * row_sizes_.col(row_sizes_.cols() - 1).dot(x)) * round_up;
+void PathTube::set_moves(const Eigen::ArrayXd& v) {
+  const Eigen::Index m = series_.edges(), time = row_sizes_.cols() - 1;
+  set_weights(v);
+  moves_ = defect_ + bounds_.h * turn_ + (bounds_.h * bounds_.h) * bend_;
+  for (Eigen::Index e = 0; e < m; ++e) {
+    for (int axis = 0; axis < series_.axes(); ++axis)
+      moves_.col(e) += axis_weights_[axis * m + e] * differences_.col(axis * m + e);
+    moves_.col(e) += time_weights_[e] * row_sizes_.col(time);
+  }
 }
 
-Eigen::ArrayXd PathTube::room_for(const PointBox& box) const {
-  const auto direction = series_.curve().coefficient(1);
-  const double along = section_.normal.cwiseAbs().dot(box.radius) / section_.normal.dot(direction);
-  return (section_.jacobian.cwiseAbs() * (box.radius + along * direction.cwiseAbs())).array();
+Eigen::ArrayXd PathTube::moved(const Eigen::ArrayXd& v) const {
+  return (moves_.transpose() * v.matrix()).array() * round_up;
+}
+
+Eigen::MatrixXd PathTube::in_section(const Eigen::MatrixXd& spread) const {
+  return jacobian_times(
+      series_, spread, [this](int axis, int e) { return series_.coefficient(axis, e, 0); },
+      [this](int e) { return series_.pull(e, 0); });
+}
+
+Eigen::ArrayXd PathTube::room_for(const PointBox& box, const Eigen::MatrixXd& spread) const {
+  return (section_.jacobian.cwiseAbs() * box.radius).array() +
+         in_section(spread).cwiseAbs().colwise().sum().transpose().array();
 }
 
 bool PathTube::prove(double h, const Eigen::ArrayXd& room) {
@@ -114,7 +152,18 @@ bool PathTube::prove(double h, const Eigen::ArrayXd& room) {
     coordinate_turn_ += k * (k - 1) * power / (h * h) * sizes.col(n);
   }
   set_progress();
-  return progress_ > 0 && contracts(room);
+  if (!(progress_ > 0 && contracts(room))) return false;
+  bound_arc();
+  return true;
+}
+
+void PathTube::bound_arc() {
+  const Eigen::VectorXd time = row_sizes_.rightCols<1>();
+  inner_radius_ = resolved(bounds_.residual).min(radius_);
+  set_start_defect();
+  set_speed();
+  time_radius_ = time.dot(inner_radius_.matrix()) * round_up;
+  time_speed_radius_ = time.dot(speed_.matrix()) * round_up;
 }
 
 /// ν·c'(s) ≥ ν·c_1 − Σ_{n ≥ 2} n |ν·c_n| h^(n−1)
@@ -128,45 +177,35 @@ void PathTube::set_progress() {
   progress_ = (along[1] - rest * round_up) * (1 - few_roundings) - rounding;
 }
 
-/// Finds r with |F(s, 0)| + |(I − J P) r| < r by iterating its fixed point, widened.
+/// r = (I − |I − J P|)⁻¹ b for a right side b that is the same part of every equation's terms: then
+/// Krawczyk's operator contracts in the norm of r by what r leaves of b. The matrix depends on r, but little.
 bool PathTube::contracts(const Eigen::ArrayXd& room) {
-  constexpr int rounds = 12;
+  constexpr int rounds = 3;
   const Eigen::Index m = series_.edges();
   Eigen::ArrayXd terms = Eigen::ArrayXd::Zero(m);
   for (int axis = 0; axis <= series_.axes(); ++axis) terms += bounds_.size.segment(axis * m, m).square();
-  const Eigen::ArrayXd target = width * (bounds_.residual + room) + least_radius * terms;
-  radius_ = 2 * target;
+  const double part = (width * (bounds_.residual + room) / terms).maxCoeff() + least_radius;
+  radius_ = 2 * part * terms;
   for (int i = 0; i < rounds; ++i) {
-    set_weights(radius_);
-    const double time_reach = row_sizes_.col(row_sizes_.cols() - 1).dot(radius_.matrix());
-    if (!(time_reach <= 0.5)) return false;
-    const Eigen::ArrayXd move = moved(radius_);
-    contraction_ = ratio(move);
-    if (contraction_ <= largest_contraction &&
-        (radius_ - (move + bounds_.residual) * round_up).minCoeff() > 0) {
-      sharpen();
-      return true;
-    }
-    radius_ = 1.1 * (target + move);
+    set_moves(radius_);
+    move_lu_.compute(Eigen::MatrixXd::Identity(m, m) - moves_.transpose());
+    radius_ = move_lu_.solve((part * terms).matrix()).array();
+    const double least = radius_.minCoeff(), time_reach = row_sizes_.rightCols<1>().dot(radius_.matrix());
+    if (!(least > 0 && time_reach <= largest_time_reach)) return false;
+    set_moves(radius_);
+    contraction_ = ratio(moved(radius_));
+    if (contraction_ > largest_contraction) continue;
+    if ((radius_ - (moved(radius_) + bounds_.residual) * round_up).minCoeff() > 0) return true;
   }
   return false;
 }
 
-/// A bound on every v in V with |v| ≤ push + |(I − J P) v|.
-Eigen::ArrayXd PathTube::fixed_point(const Eigen::ArrayXd& push) const {
-  constexpr int rounds = 4;
-  Eigen::ArrayXd v = radius_ * std::min(1.0, ratio(push) / (1 - contraction_) * round_up);
-  for (int i = 0; i < rounds; ++i) v = v.min((push + moved(v)) * round_up);
-  return v;
-}
-
-void PathTube::sharpen() {
-  const Eigen::Index last = row_sizes_.cols() - 1;
-  inner_radius_ = fixed_point(bounds_.residual);
-  set_start_defect();
-  set_speed();
-  time_radius_ = row_sizes_.col(last).dot(inner_radius_.matrix()) * round_up;
-  time_speed_radius_ = row_sizes_.col(last).dot(speed_.matrix()) * round_up;
+/// A vector w with push + |I − J P| w ≤ w bounds all v with |v| ≤ push + |I − J P| |v|.
+Eigen::ArrayXd PathTube::resolved(const Eigen::ArrayXd& push) const {
+  constexpr double above = 1 + 0x1p-20;
+  const Eigen::ArrayXd w = above * move_lu_.solve(push.matrix()).array();
+  if ((w - (push + moved(w)) * round_up).minCoeff() >= 0) return w;
+  return radius_ * (ratio(push) / (1 - contraction_) * round_up);
 }
 
 void PathTube::set_start_defect() {
@@ -193,7 +232,7 @@ void PathTube::set_speed() {
     const double length = bounds_.size[axes * m + e] + bounds_.length_error[e] + move;
     push[e] += (slope * move + length * slope_move) * bounds_.time_speed;
   }
-  speed_ = radius_ * (ratio(push) / (1 - contraction_) * round_up);
+  speed_ = resolved(push);
 }
 
 Eigen::VectorXd PathTube::polynomial_error() const {
@@ -219,27 +258,31 @@ double PathTube::section_parameter(const Eigen::VectorXd& y) const {
   return s;
 }
 
-/// ν·y = ν·c(s) fixes s; then v = J (y − c(s)) + (I − J P) v.
-PlaceInTube PathTube::locate(const PointBox& box) const {
-  const double s = section_parameter(box.mid);
+/// ν·y = ν·c(s) fixes s up to ds; then v = J (y − c(s)) + (I − J P) v.
+PlaceInTube PathTube::locate(const PointBox& box, const Eigen::MatrixXd& spread) const {
+  const double s = section_parameter(box.mid), terms = static_cast<double>(box.mid.size() + 4) * epsilon;
   Eigen::VectorXd c;
   series_.curve().evaluate(s, c);
-  const Eigen::VectorXd offset = box.mid - c,
-                        error = box.radius + polynomial_error() + epsilon * offset.cwiseAbs();
-  const Eigen::VectorXd normal = section_.normal.cwiseAbs();
-  const double terms = static_cast<double>(offset.size() + 4);
+  const Eigen::VectorXd offset = box.mid - c;
+  const Eigen::VectorXd error = box.radius + polynomial_error() +
+                                terms * (offset.cwiseAbs() + spread.cwiseAbs().colwise().sum().transpose());
   const double along = std::abs(section_.normal.dot(offset)),
-               along_error = (normal.dot(error) + terms * epsilon * normal.dot(offset.cwiseAbs())) * round_up;
-  const double spread = (along + along_error) / progress_ * round_up;
-  PlaceInTube place{PlaceInTube::Kind::unknown, {s - spread, s + spread}};
-  const bool at_end = std::abs(s) == bounds_.h;
-  if (at_end && along > along_error) return {PlaceInTube::Kind::outside, {s, s}};
+               along_error =
+                   (section_.normal.cwiseAbs().dot(error) + (spread * section_.normal).cwiseAbs().sum()) *
+                   round_up;
+  if (std::abs(s) == bounds_.h && along > along_error) return {PlaceInTube::Kind::outside, {s, s}};
+  const double ds = (along + along_error) / progress_ * round_up;
+  PlaceInTube place{PlaceInTube::Kind::unknown, {s - ds, s + ds}};
   if (!(place.s.low > -bounds_.h && place.s.high < bounds_.h)) return place;
+  const PointBox direction = polynomial_tangent({s, s});
+  const Eigen::MatrixXd sizes = section_.jacobian.cwiseAbs();
   const Eigen::ArrayXd v = (section_.jacobian * offset).array().abs();
-  const Eigen::ArrayXd v_error = (section_.jacobian.cwiseAbs() *
-                                  (error + coordinate_speed_ * spread + terms * epsilon * offset.cwiseAbs()))
-                                     .array() *
-                                 round_up;
+  const Eigen::ArrayXd v_error =
+      ((sizes * (error + ds * (direction.radius + ds * coordinate_turn_ + terms * direction.mid.cwiseAbs())) +
+        ds * (section_.jacobian * direction.mid).cwiseAbs())
+           .array() +
+       in_section(spread).cwiseAbs().colwise().sum().transpose().array()) *
+      round_up;
   if (((v + v_error) * round_up - radius_ * (1 - start_defect_)).maxCoeff() < 0)
     place.kind = PlaceInTube::Kind::inside;
   else if ((v - v_error - radius_ * (1 + start_defect_) * round_up).maxCoeff() > 0)
@@ -270,19 +313,16 @@ void PathTube::residual(const Eigen::VectorXd& y, const Eigen::VectorXd& error, 
 }
 
 Eigen::MatrixXd PathTube::section_jacobian(const Eigen::VectorXd& y) const {
-  const Eigen::Index m = series_.edges(), time = y.size() - 1;
-  Eigen::MatrixXd transposed(m, m);
-  for (Eigen::Index e = 0; e < m; ++e) {
+  const Eigen::Index time = y.size() - 1;
+  const auto difference = [&](int axis, int e) {
+    const auto [i, j] = series_.ends(axis, e);
+    return (i <= time ? y[i] : 0) - (j <= time ? y[j] : 0);
+  };
+  const auto pull = [&](int e) {
     const LengthPath& path = series_.lengths()[static_cast<std::size_t>(e)].path;
-    transposed.col(e) = -path.value(y[time]) * path.slope(y[time]) * section_.rows.col(time);
-    for (int axis = 0; axis < series_.axes(); ++axis) {
-      const auto [i, j] = series_.ends(axis, static_cast<int>(e));
-      const double difference = (i <= time ? y[i] : 0) - (j <= time ? y[j] : 0);
-      if (i <= time) transposed.col(e) += difference * section_.rows.col(i);
-      if (j <= time) transposed.col(e) -= difference * section_.rows.col(j);
-    }
-  }
-  return transposed.transpose();
+    return path.value(y[time]) * path.slope(y[time]);
+  };
+  return jacobian_times(series_, section_.rows, difference, pull).transpose();
 }
 
 ArcPoint PathTube::at(double s) const {
@@ -301,20 +341,25 @@ ArcPoint PathTube::at(double s) const {
   const double terms = static_cast<double>(v.size() + 4) * epsilon;
   error += terms * (row_sizes_.transpose() * v.cwiseAbs());
   residual(y, error, f, f_error);
-  const Eigen::VectorXd left = fixed_point(f.abs() + f_error).matrix();
-  return {{y, (error + row_sizes_.transpose() * left) * round_up}, tangent({s, s})};
+  const Eigen::VectorXd left = resolved(f.abs() + f_error).matrix();
+  return {{y, error * round_up}, left.asDiagonal() * section_.rows, tangent({s, s})};
 }
 
-PointBox PathTube::tangent(const ParameterRange& range) const {
+/// c' at the middle of the range, and how far it is from there to its ends.
+PointBox PathTube::polynomial_tangent(const ParameterRange& range) const {
   const double s = (range.low + range.high) / 2;
   const Eigen::MatrixXd& c = series_.curve().coefficients();
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(c.rows());
   for (Eigen::Index n = c.cols() - 1; n >= 1; --n)
     direction = direction * s + static_cast<double>(n) * c.col(n);
-  const Eigen::VectorXd rounding = static_cast<double>(2 * c.cols() + 4) * epsilon * coordinate_speed_;
-  return {direction, (row_sizes_.transpose() * speed_.matrix() + rounding +
-                      (range.high - range.low) * coordinate_turn_) *
-                         round_up};
+  const double rounding = static_cast<double>(2 * c.cols() + 4) * epsilon;
+  return {direction, rounding * coordinate_speed_ + (range.high - range.low) * coordinate_turn_};
+}
+
+PointBox PathTube::tangent(const ParameterRange& range) const {
+  PointBox box = polynomial_tangent(range);
+  box.radius = (box.radius + row_sizes_.transpose() * speed_.matrix()) * round_up;
+  return box;
 }
 
 }  // namespace gcs

@@ -16,17 +16,23 @@
 /// J P, its first two derivatives along c, and bounds on the rest. All rounding is enclosed, and the proof
 /// holds for all lengths within the errors of EnclosedLength at once.
 
-#include <optional>
+#include <Eigen/LU>
 
 #include "solvers/certification/curve_section.hpp"
 #include "solvers/certification/tube_series.hpp"
 
 namespace gcs {
 
-/// A point of the arc at a known s with the direction of growing s there, both enclosed.
+/// A point of the arc at a known s with the direction of growing s there, both enclosed. The point is
+/// point + Gᵀ δ with |δ_i| ≤ 1 and `point` in its box: along the equations' level sets, where the point is
+/// least certain, the entries of G belong together.
 struct ArcPoint {
   PointBox point;
+  Eigen::MatrixXd spread;  ///< G, m × (m + 1)
   PointBox tangent;
+
+  /// A box that holds the point.
+  PointBox hull() const;
 };
 
 struct ParameterRange {
@@ -49,8 +55,8 @@ class PathTube {
   bool expand(const ArcSeries& c);
   /// A half length at which a proof may succeed.
   double promising_half_length() const;
-  /// The least r with which a point of S that is known to lie in the box can be shown to lie in the tube.
-  Eigen::ArrayXd room_for(const PointBox& box) const;
+  /// About the r with which a point of S that is known this well can be shown to lie in the tube.
+  Eigen::ArrayXd room_for(const PointBox& box, const Eigen::MatrixXd& spread) const;
   /// Proves that the tube of half length h > 0 holds one arc, with r somewhat above what that and `room`
   /// need; false where the test fails. Everything below needs a proof.
   bool prove(double h, const Eigen::ArrayXd& room);
@@ -63,8 +69,8 @@ class PathTube {
   double time_radius() const { return time_radius_; }
   double time_speed_radius() const { return time_speed_radius_; }
 
-  /// Where a point of S lies. Precondition: the box holds a point of S.
-  PlaceInTube locate(const PointBox& box) const;
+  /// Where a point of S lies that is enclosed as in ArcPoint. `spread` may have no rows.
+  PlaceInTube locate(const PointBox& box, const Eigen::MatrixXd& spread) const;
   /// The arc at |s| ≤ h, sharpened by Newton's method.
   ArcPoint at(double s) const;
   /// An enclosure of the arc's tangents within a range of s.
@@ -73,15 +79,21 @@ class PathTube {
  private:
   void set_matrices();
   bool contracts(const Eigen::ArrayXd& room);
-  void sharpen();
-  Eigen::ArrayXd moved(const Eigen::ArrayXd& v) const;
-  Eigen::ArrayXd fixed_point(const Eigen::ArrayXd& push) const;
+  void bound_arc();
   void set_weights(const Eigen::ArrayXd& v);
+  void set_moves(const Eigen::ArrayXd& v);
+  /// |I − J P| v, an upper bound over the tube of the last set_moves.
+  Eigen::ArrayXd moved(const Eigen::ArrayXd& v) const;
+  /// A bound on |v| for every v in V with |v| ≤ push + |I − J P| |v|.
+  Eigen::ArrayXd resolved(const Eigen::ArrayXd& push) const;
   double ratio(const Eigen::ArrayXd& size) const { return (size / radius_).maxCoeff() * round_up; }
   void set_progress();
   void set_start_defect();
   void set_speed();
   Eigen::VectorXd polynomial_error() const;
+  PointBox polynomial_tangent(const ParameterRange& range) const;
+  /// The transpose of J G on c(0), G being the transpose of `spread`.
+  Eigen::MatrixXd in_section(const Eigen::MatrixXd& spread) const;
   /// f at y, and a bound on its error when the exact point is off by `error`.
   void residual(const Eigen::VectorXd& y, const Eigen::VectorXd& error, Eigen::ArrayXd& f,
                 Eigen::ArrayXd& f_error) const;
@@ -98,6 +110,8 @@ class PathTube {
   Eigen::ArrayXd radius_;                 ///< r
   Eigen::ArrayXd inner_radius_;           ///< of the arc itself
   Eigen::ArrayXd axis_weights_, time_weights_;
+  Eigen::MatrixXd moves_;                         ///< above |I − J P| on the tube, transposed
+  Eigen::PartialPivLU<Eigen::MatrixXd> move_lu_;  ///< of I − moves_, for guesses that are then verified
   Eigen::VectorXd coordinate_size_, coordinate_speed_, coordinate_turn_;
   double contraction_ = 1;   ///< of Krawczyk's operator in the norm max |v_i|/r_i
   double start_defect_ = 1;  ///< of I − J P at s = 0 alone

@@ -25,6 +25,7 @@ CertifiedTracker::CertifiedTracker(const Scene& scene, const SeriesTrackerOption
       context_(context),
       curve_(scene, options.order, options.tolerance),
       data_(enclose_path_data(scene, system_)),
+      known_as_box_(0, curve_.coordinates()),
       here_(system_, data_.lengths, options.order),
       there_(system_, data_.lengths, options.order),
       series_(curve_.coordinates(), options.order) {}
@@ -60,9 +61,9 @@ TrackedPath CertifiedTracker::run() {
 }
 
 CertifiedTracker::Failure CertifiedTracker::first_tube(double half_length) {
-  if (!there_.prove(half_length, there_.room_for(data_.start))) return Failure::proof;
+  if (!there_.prove(half_length, there_.room_for(data_.start, known_as_box_))) return Failure::proof;
   stretch_ = {};
-  const PlaceInTube start = there_.locate(data_.start);
+  const PlaceInTube start = there_.locate(data_.start, known_as_box_);
   if (start.kind != PlaceInTube::Kind::inside) return Failure::link;
   stretch_.entry = start.s;
   return end_stretch(there_, true, stretch_);
@@ -91,7 +92,7 @@ CertifiedTracker::Failure CertifiedTracker::next_tube(double ahead) {
   const double needed = ahead / first_reach;
   const double most = std::min(
       {options_.step_max, series_.step_for(options_.tolerance), there_.promising_half_length(), 2 * needed});
-  const Eigen::ArrayXd room = there_.room_for(exit_.point);
+  const Eigen::ArrayXd room = there_.room_for(exit_.point, exit_.spread);
   Failure failure = Failure::proof;
   for (double h = std::max(most, needed); h >= needed; h = std::max(h * shrink, h > needed ? needed : 0))
     if (there_.prove(h, room)) {
@@ -104,7 +105,7 @@ CertifiedTracker::Failure CertifiedTracker::next_tube(double ahead) {
 }
 
 CertifiedTracker::Failure CertifiedTracker::link(const PathTube& tube, Stretch& stretch) const {
-  const PlaceInTube place = tube.locate(exit_.point);
+  const PlaceInTube place = tube.locate(exit_.point, exit_.spread);
   if (place.kind != PlaceInTube::Kind::inside) return Failure::link;
   const PointBox tangent = tube.tangent(place.s);
   const Eigen::VectorXd a = exit_.tangent.mid.cwiseAbs(), b = tangent.mid.cwiseAbs();
@@ -122,7 +123,7 @@ CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bo
   const double used = used_parts[0] * tube.half_length();
   std::optional<double> close;
   if (!is_first) {
-    const PlaceInTube sketch = tube.locate(data_.start);
+    const PlaceInTube sketch = tube.locate(data_.start, known_as_box_);
     if (sketch.kind == PlaceInTube::Kind::inside && sketch.s.high > stretch.entry.low) {
       if (!(sketch.s.low > stretch.entry.high)) return Failure::closing;
       if (sketch.s.low <= used) close = sketch.s.low;

@@ -68,7 +68,8 @@ class CertifiedTracker {
   TrackerContext context_;
   DistanceCurve curve_;
   PathData data_;
-  PathTube here_, there_;  ///< the last tube taken, and the one being tried
+  Eigen::MatrixXd known_as_box_;  ///< the sketch's spread: none
+  PathTube here_, there_;         ///< the last tube taken, and the one being tried
   ArcSeries series_;
   Stretch stretch_;    ///< of there_ while it is tried, then of here_
   ArcPoint exit_;      ///< where the used part of here_ ends

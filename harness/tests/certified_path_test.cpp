@@ -82,3 +82,30 @@ TEST_CASE("rcp refuses mode=certified with a reason") {
       CHECK_THROWS_WITH(entry.make(complete_options(entry, {{"mode", "certified"}})),
                         Catch::Contains("only full-space has it"));
 }
+
+TEST_CASE("the jumps of the published tracker are named") {
+  const Scene scene(load_instance("icosahedron").problem);
+  const SolveReport proven = solved(scene, {{"mode", "certified"}});
+  const SolveReport jumped = solved(scene, {{"mode", "paper"}, {"step_max", "0.1"}, {"jumps", "named"}});
+  CHECK(proven.paths[0].proven);
+  CHECK_FALSE(jumped.paths[0].proven);
+  CHECK(jumped.paths[0].end == PathRecord::End::closed);
+  CHECK(jumped.paths[0].crossings.size() > proven.paths[0].crossings.size());
+  CHECK(jumped.status == SolveStatus::partial);
+  REQUIRE(jumped.particulars.size() == 1);
+  CHECK(jumped.particulars[0].name == "jumps");
+  // Once away, and once back, or it would not have closed.
+  CHECK(jumped.particulars[0].value >= 2);
+  CHECK_THAT(jumped.reason,
+             Catch::Contains("to a curve that is not S") && Catch::Contains("from a curve that is not S"));
+}
+
+TEST_CASE("a tracker that keeps to the path has no jumps to name") {
+  for (const std::string id : {"octahedron", "dodecagon", "k33"}) {
+    const Scene scene(load_instance(id).problem);
+    const SolveReport report = solved(scene, {{"mode", "paper"}, {"jumps", "named"}});
+    INFO(id << ": " << report.reason);
+    CHECK(report.status == SolveStatus::complete);
+    CHECK(report.particulars == std::vector<Particular>{{"jumps", 0}});
+  }
+}

@@ -65,7 +65,9 @@ class PathTube {
   const ArcSeries& curve() const { return series_.curve(); }
   /// A bound on |y_i − c_i(s)| for the points of the arc.
   Eigen::VectorXd radius() const;
-  /// Bounds on the same for t, and on the difference of the derivatives of t by s.
+  /// A bound on |c''(s)|.
+  double turn() const { return coordinate_turn_.norm() * round_up; }
+  /// Bounds on |t − t(c(s))| for the points of the arc, and on the difference of the derivatives by s.
   double time_radius() const { return time_radius_; }
   double time_speed_radius() const { return time_speed_radius_; }
 

@@ -16,6 +16,7 @@
 #include "solvers/tracking/certified_tracker.hpp"
 #include "solvers/tracking/distance_curve.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
+#include "solvers/tracking/path_jumps.hpp"
 #include "solvers/tracking/path_options.hpp"
 #include "solvers/tracking/path_report.hpp"
 
@@ -24,10 +25,17 @@ namespace {
 
 constexpr double paper_step_max = 0.1;  // [I] §7.3.1, without a plan
 
+/// The tracker of [I] corrects until a correction is below 1e-10 in the file's unit: an accepted point is
+/// this near to S, relative to the scene's size, unless S is nearly singular there.
+constexpr double newton_distance = 1e-7;
+
 class FullSpace final : public Strategy {
  public:
   explicit FullSpace(const OptionMap& options)
-      : options_(read_path_options(options, all_modes, paper_step_max)) {}
+      : options_(read_path_options(options, all_modes, paper_step_max)),
+        names_jumps_(choice_option(options, "jumps", "ignored|named") == 1) {
+    options_.paper.keep_points = names_jumps_;
+  }
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override { return why_no_path(scene); }
 
@@ -51,7 +59,36 @@ class FullSpace final : public Strategy {
   SolveReport solve_as_published(const Scene& scene, const TrackerContext& context) const {
     PaperDistanceHomotopy homotopy(scene);
     EulerNewtonTracker tracker(homotopy, options_.paper, context);
-    return path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
+    TrackedPath path = tracker.run();
+    std::vector<Eigen::VectorXd> points = std::move(path.points);
+    SolveReport report =
+        path_report(scene, std::move(path), [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
+    if (names_jumps_) {
+      for (Eigen::VectorXd& y : points) y.head(y.size() - 1) *= std::ldexp(1.0, -scene.unit_exponent());
+      name_jumps(scene, points, context, report);
+    }
+    return report;
+  }
+
+  /// A path that left S is no complete answer, however it ends.
+  void name_jumps(const Scene& scene, const std::vector<Eigen::VectorXd>& points,
+                  const TrackerContext& context, SolveReport& report) const {
+    SeriesTrackerOptions proof;
+    proof.orientation = options_.fast.orientation;
+    CertifiedTracker tracker(scene, proof, context);
+    tracker.keep_arcs();
+    const TrackedPath path = tracker.run();
+    if (!path.proven) {
+      report.status = report.status == SolveStatus::complete ? SolveStatus::partial : report.status;
+      report.reason = "jumps are not known, since S could not be proven: " + path.cause;
+      return;
+    }
+    const std::vector<PathJump> jumps =
+        find_jumps(points, tracker.arcs(), path.crossings, newton_distance * scene.size());
+    report.particulars = {{"jumps", static_cast<std::int64_t>(jumps.size())}};
+    if (jumps.empty()) return;
+    report.status = report.status == SolveStatus::complete ? SolveStatus::partial : report.status;
+    report.reason += (report.reason.empty() ? "" : "; ") + in_words(jumps);
   }
 
   SolveReport solve_with_proof(const Scene& scene, const TrackerContext& context) const {
@@ -63,6 +100,7 @@ class FullSpace final : public Strategy {
   }
 
   PathOptions options_;
+  bool names_jumps_;
 };
 
 }  // namespace
@@ -74,6 +112,8 @@ StrategyEntry full_space_entry() {
   entry.citation = "Imbach, Mathis, Schreck 2016, sections 2.2 and 7.1";
   entry.needs_sketch = true;
   entry.options = path_option_specs(all_modes, "0.1");
+  entry.options.push_back({"jumps", "ignored", "ignored|named",
+                           "named (paper): says where the tracker left the path, which is then proven too"});
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<FullSpace>(options);
   };

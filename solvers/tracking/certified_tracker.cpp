@@ -148,6 +148,9 @@ void CertifiedTracker::take() {
   const double step = stretch_.exit - stretch_.entry.low;
   ++work.iterations;
   work.smallest_step = std::min(work.smallest_step.value_or(step), step);
+  if (keeps_arcs_)
+    arcs_.push_back({here_.curve(), stretch_.entry.low, stretch_.exit, path_.length,
+                     here_.radius().norm() * round_up, here_.turn()});
   path_.length += step;
   for (const TubeCrossing& crossing : stretch_.crossings)
     path_.crossings.push_back({here_.at(crossing.s).point.mid, crossing.direction});

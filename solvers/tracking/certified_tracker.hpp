@@ -26,6 +26,7 @@
 #include "solvers/certification/path_tube.hpp"
 #include "solvers/certification/tube_crossings.hpp"
 #include "solvers/tracking/distance_curve.hpp"
+#include "solvers/tracking/proven_path.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 #include "solvers/tracking/tracked_path.hpp"
 
@@ -37,7 +38,10 @@ class CertifiedTracker {
   /// depends on them. Precondition: the scene has a sketch and no lines.
   CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options, const TrackerContext& context);
 
+  /// To be called before run: arcs() then holds all of S that was proven.
+  void keep_arcs() { keeps_arcs_ = true; }
   TrackedPath run();
+  const std::vector<ProvenArc>& arcs() const { return arcs_; }
   /// The figure of a crossing's point, in the frame.
   Figure figure(const Eigen::VectorXd& y) const { return curve_.figure(y); }
 
@@ -75,6 +79,8 @@ class CertifiedTracker {
   ArcPoint exit_;      ///< where the used part of here_ ends
   double exit_s_ = 0;  ///< on here_
   double ahead_ = 0;   ///< how far beyond it the next centre is tried first
+  bool keeps_arcs_ = false;
+  std::vector<ProvenArc> arcs_;
   TrackedPath path_;
 };
 

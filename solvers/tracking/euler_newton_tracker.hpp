@@ -48,6 +48,7 @@ struct EulerNewtonOptions {
   double step_min = 1e-10;
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
+  bool keep_points = false;  ///< in TrackedPath::points, as figure_coordinates
 };
 
 template <Homotopy H>
@@ -63,6 +64,7 @@ class EulerNewtonTracker {
                     "the Jacobian is singular at the sketch: hypothesis (h1) fails there");
     start_ = homotopy_.figure_coordinates(here_);
     start_tangent_ = figure_direction(here_, tangent_);
+    if (options_.keep_points) path_.points.push_back(start_);
     while (homotopy_.work().iterations < options_.max_steps) {
       if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
       if (!step())
@@ -71,6 +73,7 @@ class EulerNewtonTracker {
       const bool closed = closes();
       record_crossing();
       path_.length += (there_ - here_).norm();
+      if (options_.keep_points) path_.points.push_back(homotopy_.figure_coordinates(there_));
       if (closed) return finish(TrackedPath::End::closed, "");
       previous_ = std::exchange(here_, there_);
       if (!next_tangent())

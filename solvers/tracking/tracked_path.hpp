@@ -22,6 +22,8 @@ struct TrackedPath {
   std::string cause;  ///< a sentence, empty when closed
   double length = 0;  ///< arc length tracked, in the coordinates of the tracker
   std::vector<PathCrossing> crossings;
+  std::vector<Eigen::VectorXd>
+      points;           ///< accepted ones, the start first, where the tracker was to keep them
   bool proven = false;  ///< that it is closed, and the order and number of its crossings
   WorkCounters work;
 };

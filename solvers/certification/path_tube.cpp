@@ -204,7 +204,7 @@ bool PathTube::contracts(const Eigen::ArrayXd& room) {
 Eigen::ArrayXd PathTube::resolved(const Eigen::ArrayXd& push) const {
   constexpr double above = 1 + 0x1p-20;
   const Eigen::ArrayXd w = above * move_lu_.solve(push.matrix()).array();
-  if ((w - (push + moved(w)) * round_up).minCoeff() >= 0) return w;
+  if (w.minCoeff() >= 0 && (w - (push + moved(w)) * round_up).minCoeff() >= 0) return w;
   return radius_ * (ratio(push) / (1 - contraction_) * round_up);
 }
 
@@ -266,12 +266,13 @@ PlaceInTube PathTube::locate(const PointBox& box, const Eigen::MatrixXd& spread)
   const Eigen::VectorXd offset = box.mid - c;
   const Eigen::VectorXd error = box.radius + polynomial_error() +
                                 terms * (offset.cwiseAbs() + spread.cwiseAbs().colwise().sum().transpose());
-  const double along = std::abs(section_.normal.dot(offset)),
-               along_error =
-                   (section_.normal.cwiseAbs().dot(error) + (spread * section_.normal).cwiseAbs().sum()) *
-                   round_up;
-  if (std::abs(s) == bounds_.h && along > along_error) return {PlaceInTube::Kind::outside, {s, s}};
-  const double ds = (along + along_error) / progress_ * round_up;
+  const double along = section_.normal.dot(offset);
+  const double along_error =
+      (section_.normal.cwiseAbs().dot(error) + (spread * section_.normal).cwiseAbs().sum()) * round_up;
+  // ν·c grows with s: beyond an end of the tube, ν·y is beyond that end's value.
+  if (s == bounds_.h && along > along_error) return {PlaceInTube::Kind::outside, {s, s}};
+  if (s == -bounds_.h && along < -along_error) return {PlaceInTube::Kind::outside, {s, s}};
+  const double ds = (std::abs(along) + along_error) / progress_ * round_up;
   PlaceInTube place{PlaceInTube::Kind::unknown, {s - ds, s + ds}};
   if (!(place.s.low > -bounds_.h && place.s.high < bounds_.h)) return place;
   const PointBox direction = polynomial_tangent({s, s});
@@ -295,8 +296,10 @@ void PathTube::residual(const Eigen::VectorXd& y, const Eigen::VectorXd& error, 
   const Eigen::Index m = series_.edges(), time = y.size() - 1;
   for (Eigen::Index e = 0; e < m; ++e) {
     const int edge = static_cast<int>(e);
-    const double a = series_.lengths()[static_cast<std::size_t>(e)].path.value(y[time]);
-    const double a_error = bounds_.value_error[e] + bounds_.slope[e] * error[time];
+    const LengthPath& path = series_.lengths()[static_cast<std::size_t>(e)].path;
+    const double a = path.value(y[time]);
+    // t is within 1/2 of that on c.
+    const double a_error = bounds_.value_error[e] + (bounds_.slope[e] + std::abs(path.bend)) * error[time];
     double sum = -a * a, size = a * a;
     f_error[e] = (std::abs(a) + a_error) * a_error;
     for (int axis = 0; axis < series_.axes(); ++axis) {

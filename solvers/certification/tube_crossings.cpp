@@ -107,10 +107,12 @@ class Isolation {
 int side_of(const PathTube& tube, double level, double s) { return TimeCurve(tube, level).side(s); }
 
 std::optional<std::vector<TubeCrossing>> crossings_of(const PathTube& tube, double level,
-                                                      const ParameterRange& first, double last) {
+                                                      const ParameterRange& first,
+                                                      const ParameterRange& last) {
   const TimeCurve curve(tube, level);
-  const End start{first.high, curve.side(first.high)}, end{last, curve.side(last)};
-  if (!curve.piece(first.low, first.high).misses_zero || end.side == 0) return std::nullopt;
+  const End start{first.high, curve.side(first.high)}, end{last.low, curve.side(last.low)};
+  if (!curve.piece(first.low, first.high).misses_zero || !curve.piece(last.low, last.high).misses_zero)
+    return std::nullopt;
   Isolation isolation(curve, smallest_piece * tube.half_length());
   if (!isolation.decide(start, end)) return std::nullopt;
   return isolation.found;

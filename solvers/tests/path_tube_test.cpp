@@ -188,14 +188,14 @@ TEST_CASE("crossings near a fold are proven, and a touched level is left undecid
   REQUIRE(tube.expand(ellipse.series(base / 2 + semi_major - 1e-7)));
   const double h = largest_proven(tube, ellipse.no_room());
   REQUIRE(h > 1e-4);
-  const ParameterRange begin{-0.9 * h, -0.9 * h};
+  const ParameterRange begin{-0.9 * h, -0.9 * h}, end{0.9 * h, 0.9 * h};
   const double depth = fold - tube.at(-0.9 * h).point.mid[3];
   REQUIRE(depth > 0);
-  CHECK_FALSE(crossings_of(tube, fold, begin, 0.9 * h));
-  const auto beyond = crossings_of(tube, fold + 0.1 * depth, begin, 0.9 * h);
+  CHECK_FALSE(crossings_of(tube, fold, begin, end));
+  const auto beyond = crossings_of(tube, fold + 0.1 * depth, begin, end);
   REQUIRE(beyond);
   CHECK(beyond->empty());
-  const auto before = crossings_of(tube, fold - 0.1 * depth, begin, 0.9 * h);
+  const auto before = crossings_of(tube, fold - 0.1 * depth, begin, end);
   REQUIRE(before);
   REQUIRE(before->size() == 2);
   CHECK(before->front().direction == 1);

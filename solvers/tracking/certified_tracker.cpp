@@ -121,20 +121,22 @@ CertifiedTracker::Failure CertifiedTracker::link(const PathTube& tube, Stretch& 
 CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bool is_first,
                                                         Stretch& stretch) const {
   const double used = used_parts[0] * tube.half_length();
-  std::optional<double> close;
+  std::optional<ParameterRange> close;
   if (!is_first) {
     const PlaceInTube sketch = tube.locate(data_.start, known_as_box_);
     if (sketch.kind == PlaceInTube::Kind::inside && sketch.s.high > stretch.entry.low) {
       if (!(sketch.s.low > stretch.entry.high)) return Failure::closing;
-      if (sketch.s.low <= used) close = sketch.s.low;
+      if (sketch.s.low <= used) close = sketch.s;
     }
     if (sketch.kind == PlaceInTube::Kind::unknown) return Failure::closing;
   }
   stretch.closes = close.has_value();
   for (const double part : used_parts) {
-    stretch.exit = close.value_or(part * tube.half_length());
+    const double at_part = part * tube.half_length();
+    const ParameterRange exit = close.value_or(ParameterRange{at_part, at_part});
+    stretch.exit = exit.low;
     if (side_of(tube, 1, stretch.exit) == 0) continue;
-    const auto crossings = crossings_of(tube, 1, stretch.entry, stretch.exit);
+    const auto crossings = crossings_of(tube, 1, stretch.entry, exit);
     if (!crossings) return Failure::crossing;
     stretch.crossings = *crossings;
     return Failure::none;

@@ -1,5 +1,7 @@
 #pragma once
-/// Complex numbers in lanes. The standard's would take care of infinities in every product.
+/// Complex numbers in lanes. The standard's would take care of infinities in every product. They are copied
+/// part by part: compilers copy larger objects in pieces that are shorter than a vector, and a vector that is
+/// loaded soon after waits for all of them.
 
 #include <complex>
 
@@ -11,6 +13,15 @@ template <class Real>
 struct Complex {
   Real re;
   Real im;
+
+  Complex() = default;
+  Complex(Real real, Real imaginary) : re(real), im(imaginary) {}
+  Complex(const Complex& other) : re(other.re), im(other.im) {}
+  Complex& operator=(const Complex& other) {
+    re = other.re;
+    im = other.im;
+    return *this;
+  }
 };
 
 template <class Real>

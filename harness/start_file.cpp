@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "harness/complex_rows.hpp"
 #include "harness/json_build.hpp"
 #include "harness/json_cursor.hpp"
 #include "harness/text_input.hpp"
@@ -111,24 +112,25 @@ void require_equations(const JsonCursor& equations, const SquareSystem& system) 
     equations.fail(fmt::format("there are {} equations, and here {}", given.size(), wanted.size()), own);
 }
 
-/// Not through JsonCursor but for errors: there may be a million of these.
-bool is_complex_number(const JsonValue& value) {
+std::complex<double> read_complex(const JsonCursor& number) {
+  const std::vector<JsonValue>& parts = number.value().elements;
   const auto is_number = [](const JsonValue& part) { return part.kind == JsonValue::Kind::number; };
-  return value.kind == JsonValue::Kind::array && value.elements.size() == 2 &&
-         std::all_of(value.elements.begin(), value.elements.end(), is_number);
+  if (parts.size() != 2 || !std::all_of(parts.begin(), parts.end(), is_number))
+    number.fail("this is no complex number", "give [re, im]");
+  return {parts[0].number, parts[1].number};
 }
 
 ComplexVectorX read_vector(const JsonCursor& vector, int size) {
-  const std::vector<JsonValue>& values = vector.value().elements;
-  if (static_cast<int>(values.size()) != size)
-    vector.elements(static_cast<std::size_t>(size), "complex numbers [re, im]");
   ComplexVectorX x;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!is_complex_number(values[i]))
-      vector.elements()[i].fail("this is no complex number", "give [re, im]");
-    x.emplace_back(values[i].elements[0].number, values[i].elements[1].number);
-  }
+  for (const JsonCursor& number : vector.elements(static_cast<std::size_t>(size), "complex numbers [re, im]"))
+    x.push_back(read_complex(number));
   return x;
+}
+
+std::vector<ComplexVectorX> read_vectors(const JsonCursor& vectors, int size) {
+  std::vector<ComplexVectorX> result;
+  for (const JsonCursor& vector : vectors.elements()) result.push_back(read_vector(vector, size));
+  return result;
 }
 
 SearchEnd read_end(const JsonCursor& end) {
@@ -165,7 +167,8 @@ std::optional<TraceTest> read_trace(const JsonCursor& trace) {
                    read_count(trace.required("solutions")), trace.required("defect").number().value};
 }
 
-void require_solutions(const JsonCursor& document, const Family& family, const GenericSolutions& generic) {
+void require_solutions(const JsonCursor& document, const std::string& file, const Family& family,
+                       const GenericSolutions& generic) {
   const JsonCursor solutions = document.required("solutions"),
                    count = document.required("search").required("solutions");
   if (read_count(count) != static_cast<std::int64_t>(generic.solutions.size()))
@@ -173,25 +176,42 @@ void require_solutions(const JsonCursor& document, const Family& family, const G
                                count.number().text),
                    "some are missing or too many: " + std::string(remedy));
   if (const auto defect = find_defect(family, generic))
-    solutions.elements()[static_cast<std::size_t>(defect->solution)].fail(defect->what, std::string(remedy));
+    throw InputError(file, fmt::format("{}/{}", solutions.pointer(), defect->solution), defect->what,
+                     std::string(remedy));
 }
 
-StartSystem read_start(const JsonCursor& document, const Family& family) {
+/// `solutions`: where they are known already, and the document has an empty list in their place.
+StartSystem read_start(const JsonCursor& document, const std::string& file, const Family& family,
+                       std::vector<ComplexVectorX> solutions) {
   require_format(document);
   require_equations(document.required("equations"), family.system);
   StartSystem start{read_search(document.required("search")), read_trace(document.required("trace"))};
   start.generic.squares = read_vector(document.required("squares"), family.system.equations());
-  for (const JsonCursor& solution : document.required("solutions").elements())
-    start.generic.solutions.push_back(read_vector(solution, family.system.unknowns));
-  require_solutions(document, family, start.generic);
+  start.generic.solutions = std::move(solutions);
+  if (start.generic.solutions.empty())
+    start.generic.solutions = read_vectors(document.required("solutions"), family.system.unknowns);
+  require_solutions(document, file, family, start.generic);
   return start;
+}
+
+bool has_no_solutions(const JsonValue& document) {
+  const JsonValue* solutions =
+      document.kind == JsonValue::Kind::object ? document.find("solutions") : nullptr;
+  return solutions && solutions->kind == JsonValue::Kind::array && solutions->elements.empty();
 }
 
 }  // namespace
 
 StartSystem StartFiles::read(const std::string& name, const Family& family) const {
-  const JsonValue document = parse_json(read_file(name, "give a file that save_start has written"), name);
-  return read_start(JsonCursor(document, name), family);
+  const std::string text = read_file(name, "give a file that save_start has written");
+  if (std::optional<ComplexRows> taken = take_complex_rows(text, "solutions", family.system.unknowns)) {
+    const JsonValue document = parse_json(taken->rest, name);
+    // Otherwise the rows were taken from another place than the solutions'.
+    if (has_no_solutions(document))
+      return read_start(JsonCursor(document, name), name, family, std::move(taken->rows));
+  }
+  const JsonValue document = parse_json(text, name);
+  return read_start(JsonCursor(document, name), name, family, {});
 }
 
 void StartFiles::reserve(const std::string& name) { reserved_[name] = std::make_unique<AtomicFile>(name); }

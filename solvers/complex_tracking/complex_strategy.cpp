@@ -52,7 +52,7 @@ SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
 }  // namespace
 
 std::vector<OptionSpec> tracking_option_specs() {
-  return {{"order", "14", "whole number from 4 to 40", "of the Taylor predictor"},
+  return {{"order", "12", "whole number from 4 to 40", "of the Taylor predictor"},
           {"tolerance", "1e-6", "number from 1e-12 to 1e-3",
            "error of a prediction, relative to how far the path goes until its series diverges"},
           {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them",

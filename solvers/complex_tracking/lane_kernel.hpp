@@ -2,10 +2,12 @@
 /// Predictor and corrector, one path per SIMD lane, for any kind of equations that come with their Jacobian
 /// and the right-hand sides of their Taylor series: SquareEquations, MonomialEquations.
 ///
-/// Predictor: the Taylor series of x(s), whose coefficients follow from one factorised Jacobian. The step is
-/// a fixed part of the radius of convergence ρ, which the last coefficients tell, so that the neglected part
-/// is `tolerance` times ℓ = ρ|x_1|, the way that the path goes until the series diverges: a length that
-/// scales with the scene and is short where other branches are near.
+/// Predictor: the Taylor series of x(s), whose coefficients follow from one factorised Jacobian, continued
+/// beyond the last one by the nearest two poles that it tells (series_tail.hpp). With the radius of
+/// convergence ρ, which the last coefficients tell, ℓ = ρ|x_1| is the way that the path goes until the series
+/// diverges: a length that scales with the scene and is short where other branches are near. A step is so
+/// long that the neglected part is `tolerance`·ℓ, at least as long as the series alone allows, which is a
+/// fixed part of ρ, and always shorter than ρ.
 ///
 /// Corrector: one step of Newton's method with a residual in two doubles, in place of a second
 /// factorisation: the Jacobian at the predicted point serves the correction and the next series. A step whose
@@ -18,7 +20,9 @@
 #include <vector>
 
 #include "solvers/complex_tracking/complex_lanes.hpp"
+#include "solvers/complex_tracking/lane_factors.hpp"
 #include "solvers/complex_tracking/lane_tracker.hpp"
+#include "solvers/complex_tracking/series_tail.hpp"
 
 namespace gcs::GCS_LANES {
 
@@ -35,11 +39,12 @@ class KernelTracker final : public LaneTracker {
         options_(options),
         n_(system.unknowns),
         order_(options.order),
+        part_of_radius_(std::pow(options.tolerance, 1.0 / options.order)),
         x_(n_),
         predicted_(n_),
         change_(n_),
         series_((order_ + 1) * n_),
-        entries_(elimination.entries) {}
+        factors_(elimination) {}
 
   int lanes() const override { return Real::count; }
   bool is_busy(int lane) const override { return paths_[lane].phase != Phase::idle; }
@@ -48,8 +53,8 @@ class KernelTracker final : public LaneTracker {
   void load(int lane, const Leg& leg) override {
     for (int i = 0; i < n_; ++i) {
       set(x_[i], lane, leg.start[i]);
-      for (int k = 0; k <= order_; ++k) set(series_[k * n_ + i], lane, 0);
-      set(series_[i], lane, leg.start[i]);
+      for (int k = 0; k <= order_; ++k) set(term(i, k), lane, 0);
+      set(term(i, 0), lane, leg.start[i]);
     }
     equations_.load(lane, *leg.route);
     paths_[lane] = Path{};
@@ -70,9 +75,10 @@ class KernelTracker final : public LaneTracker {
   }
 
  private:
-  static constexpr int sizes_kept = 3;            ///< of the last coefficients: some vanish by symmetry
-  static constexpr double allowance = 16;         ///< times the expected error: one bad step in a radius
-  static constexpr double rounding = 1e-15;       ///< a correction of that size says nothing about the step
+  static constexpr int sizes_kept = 3;         ///< of the last coefficients: some vanish by symmetry
+  static constexpr double longest_part = 0.6;  ///< of ρ: beyond, what a denominator foretells is seldom right
+  static constexpr double allowance = 16;      ///< times the expected error: one bad step in a radius
+  static constexpr double rounding = 1e-15;    ///< a correction of that size says nothing about the step
   static constexpr double furthest_start = 1e-6;  ///< a start point's or end point's distance from its zero
   static constexpr int most_rejected = 24;  ///< in a row: halving on would not help, precision is missing
   static constexpr double almost_one = 1 - 1e-14;
@@ -95,10 +101,15 @@ class KernelTracker final : public LaneTracker {
     return h;
   }
 
+  /// The coefficient of s^k in the series of unknown i.
+  Number& term(int i, int k) { return series_[i * (order_ + 1) + k]; }
+  const Number& term(int i, int k) const { return series_[i * (order_ + 1) + k]; }
+
   void predict(Real h) {
+    const auto [last, last_but_one] = tail_.weights(h);
     for (int i = 0; i < n_; ++i) {
-      Number sum = series_[order_ * n_ + i];
-      for (int k = order_ - 1; k >= 0; --k) sum = fused(h, sum, series_[k * n_ + i]);
+      Number sum = fused(last, term(i, order_), product(last_but_one, term(i, order_ - 1)));
+      for (int k = order_ - 2; k >= 0; --k) sum = fused(h, sum, term(i, k));
       predicted_[i] = sum;
     }
   }
@@ -112,44 +123,13 @@ class KernelTracker final : public LaneTracker {
       s.set_lane(lane, target);
       arriving.set_lane(lane, target == 1 ? 1 : 0);
     }
-    for (Number& entry : entries_) entry = {};
-    equations_.evaluate(predicted_, s, arriving, entries_);
-    for (int k = 0; k < n_; ++k) eliminate(elimination_.steps[k], elimination_.steps[k + 1]);
-  }
-
-  void eliminate(const Elimination::Step& step, const Elimination::Step& next) {
-    const Number inverse_pivot = inverse(entries_[step.pivot]);
-    entries_[step.pivot] = inverse_pivot;
-    for (int l = step.first_lower; l < next.first_lower; ++l) {
-      const auto& [row, entry, targets] = elimination_.lower[l];
-      const Number factor = product(entries_[entry], inverse_pivot);
-      entries_[entry] = factor;
-      const int* target = elimination_.targets.data() + targets;
-      for (int u = step.first_upper; u < next.first_upper; ++u, ++target)
-        entries_[*target] = fused_minus(factor, entries_[elimination_.upper[u].entry], entries_[*target]);
-    }
-  }
-
-  /// J z = right, in the order of elimination: right[k] belongs to the k-th equation, z[k] to the k-th
-  /// unknown. In place.
-  void solve(std::vector<Number>& right) const {
-    for (int k = 0; k < n_; ++k) {
-      for (int l = elimination_.steps[k].first_lower; l < elimination_.steps[k + 1].first_lower; ++l) {
-        const auto& [row, entry, targets] = elimination_.lower[l];
-        right[row] = fused_minus(entries_[entry], right[k], right[row]);
-      }
-    }
-    for (int k = n_ - 1; k >= 0; --k) {
-      Number sum = right[k];
-      for (int u = elimination_.steps[k].first_upper; u < elimination_.steps[k + 1].first_upper; ++u)
-        sum = fused_minus(entries_[elimination_.upper[u].entry], right[elimination_.upper[u].column], sum);
-      right[k] = product(sum, entries_[elimination_.steps[k].pivot]);
-    }
+    equations_.evaluate(predicted_, s, arriving, factors_.cleared_entries());
+    factors_.factorise();
   }
 
   void correct() {
     for (int k = 0; k < n_; ++k) change_[k] = equations_.residual(elimination_.equation[k], predicted_);
-    solve(change_);
+    factors_.solve(change_);
   }
 
   /// Decides on every lane's step; x_ of the accepted ones moves. Not 0 for an accepted lane.
@@ -237,32 +217,32 @@ class KernelTracker final : public LaneTracker {
 
   /// The series at x_ of the accepted lanes; the others keep theirs.
   void extend_series(Real accepted) {
-    for (int i = 0; i < n_; ++i) store(accepted, 0, i, x_[i]);
+    for (int i = 0; i < n_; ++i) store(accepted, i, 0, x_[i]);
     Real s;
     for (int lane = 0; lane < Real::count; ++lane) s.set_lane(lane, paths_[lane].state.s);
-    equations_.begin_series(x_, s);
+    equations_.begin_series(series_, s);
     std::array<Real, sizes_kept> last;
     Real first;
     for (int k = 1; k <= order_; ++k) {
-      for (int step = 0; step < n_; ++step)
-        change_[step] = equations_.right_side(elimination_.equation[step], k);
-      solve(change_);
-      Real size;
-      for (int step = 0; step < n_; ++step) {
-        size = larger(size, size_of(change_[step]));
-        store(accepted, k, elimination_.unknown[step], change_[step]);
-      }
-      equations_.extend_series(k, coefficient_);
-      if (k == 1) first = size;
-      if (k > order_ - sizes_kept) last[k - (order_ - sizes_kept) - 1] = size;
+      equations_.right_sides(k, elimination_.equation, series_, change_);
+      factors_.solve(change_);
+      for (int step = 0; step < n_; ++step) store(accepted, elimination_.unknown[step], k, change_[step]);
+      if (k == 1) first = largest_change();
+      if (k > order_ - sizes_kept) last[k - (order_ - sizes_kept) - 1] = largest_change();
     }
+    tail_.fit(series_, order_);
     for (int lane = 0; lane < Real::count; ++lane)
       if (accepted.lane(lane) != 0) choose_step(lane, first, last);
   }
 
-  void store(Real accepted, int k, int i, const Number& value) {
-    coefficient_[i] = value;
-    series_[k * n_ + i] = selected(accepted, value, series_[k * n_ + i]);
+  void store(Real accepted, int i, int k, const Number& value) {
+    term(i, k) = selected(accepted, value, term(i, k));
+  }
+
+  Real largest_change() const {
+    Real size;
+    for (const Number& change : change_) size = larger(size, size_of(change));
+    return size;
   }
 
   void choose_step(int lane, Real first, const std::array<Real, sizes_kept>& last) {
@@ -275,10 +255,24 @@ class KernelTracker final : public LaneTracker {
     }
     // A path that stands still has no radius; its whole leg is one step.
     path.reach = first.lane(lane) > 0 ? radius * first.lane(lane) : std::numeric_limits<double>::max();
-    const double h = first.lane(lane) > 0 ? radius * std::pow(options_.tolerance, 1.0 / order_) : 1;
+    const double h = first.lane(lane) > 0 ? longest_step(lane, radius, path.reach) : 1;
     path.h = std::min(h, 1 - path.state.s);
     if (path.state.s + path.h > almost_one) path.h = 1 - path.state.s;
     if (!(path.state.s + path.h > path.state.s)) finish(path, LegEnd::too_small);
+  }
+
+  /// h with misfit·h^N/|D(h)| = tolerance·ℓ, D(h) by two iterations, within its bounds. Where numbers
+  /// overflow the lower bound is left.
+  double longest_step(int lane, double radius, double reach) const {
+    const double power = options_.tolerance * reach / tail_.misfit().lane(lane);
+    const double shortest = part_of_radius_ * radius, longest = longest_part * radius;
+    double h = shortest;
+    for (int i = 0; i < 2; ++i) {
+      const double denominator = std::min(1.0, std::sqrt(tail_.squared_denominator(lane, h)));
+      h = std::pow(power * denominator, 1.0 / order_);
+      h = h > shortest ? std::min(h, longest) : shortest;
+    }
+    return h;
   }
 
   Equations equations_;
@@ -286,13 +280,14 @@ class KernelTracker final : public LaneTracker {
   const TrackingOptions options_;
   const int n_;
   const int order_;
+  const double part_of_radius_;  ///< that the series alone allows
   std::array<Path, Real::count> paths_{};
   std::vector<Number> x_;
   std::vector<Number> predicted_;
   std::vector<Number> change_;
-  std::vector<Number> coefficient_ = std::vector<Number>(x_.size());
-  std::vector<Number> series_;   ///< [order][unknown]
-  std::vector<Number> entries_;  ///< the Jacobian, then its factors with inverse pivots
+  std::vector<Number> series_;  ///< [unknown][order]
+  SeriesTail<Real> tail_;
+  LaneFactors<Number> factors_;  ///< of the Jacobian at predicted_
 };
 
 }  // namespace gcs::GCS_LANES

@@ -23,7 +23,9 @@ struct Route {
 };
 
 struct TrackingOptions {
-  int order = 14;           ///< of the Taylor predictor
+  static constexpr int highest_order = 48;
+
+  int order = 12;           ///< of the Taylor predictor, from 4 to highest_order
   double tolerance = 1e-6;  ///< of a prediction, relative to how far the path goes until its series diverges
   int most_steps = 2000;    ///< of a path, rejected ones included, unless its leg says otherwise
 };

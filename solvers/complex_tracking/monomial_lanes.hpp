@@ -67,54 +67,62 @@ class MonomialEquations {
     return {re.value(), im.value()};
   }
 
-  /// The series of the products begin at x.
-  void begin_series(const std::vector<Number>& x, Real s) {
+  /// At x = series[unknown][0].
+  void begin_series(const std::vector<Number>& series, Real s) {
     for (std::size_t j = 0; j < coefficient_.size(); ++j) {
       const auto [u, v] = system_.monomials[j];
-      Number* c = &coefficients_[j * (order_ + 1)];
-      route_.series(j, s, order_, c);
-      Number* p = &products_[j * (order_ + 1)];
-      const Number one{constant(1, Real{}), Real{}};
-      p[0] = u < 0 ? one : (v < 0 ? x[u] : product(x[u], x[v]));
+      route_.series(j, s, order_, &coefficients_[j * (order_ + 1)]);
+      Number& p = products_[j * (order_ + 1)];
+      const auto x = [&](int i) { return series[i * (order_ + 1)]; };
+      p = u < 0 ? Number{constant(1, Real{}), Real{}} : (v < 0 ? x(u) : product(x(u), x(v)));
     }
-    series_.assign(x.size() * (order_ + 1), {});
-    for (std::size_t i = 0; i < x.size(); ++i) series_[i * (order_ + 1)] = x[i];
   }
 
-  /// What the k-th term of f_e lacks for 0 when those of x up to k − 1 are known, with the sign turned.
-  Number right_side(int e, int k) {
-    Number sum{};
-    for (int j = system_.first[e]; j < system_.first[e + 1]; ++j) {
+  /// What the k-th terms of these f_e lack for 0, with the sign turned, in their order, from the terms of x
+  /// up to k − 1 in series[unknown][order]. Precondition: it was called for all lower k since `begin_series`,
+  /// or k = 1.
+  void right_sides(int k, const std::vector<int>& equations, const std::vector<Number>& series,
+                   std::vector<Number>& right) {
+    if (k > 1) extend_products(k - 1, series);
+    for (std::size_t j = 0; j < coefficient_.size(); ++j) {
       const auto [u, v] = system_.monomials[j];
+      products_[j * (order_ + 1) + k] = v < 0 ? Number{} : inner_terms(u, v, k, series);
+    }
+    for (std::size_t i = 0; i < equations.size(); ++i) right[i] = right_side(equations[i], k);
+  }
+
+ private:
+  Number right_side(int e, int k) const {
+    Number sum{};
+    const int terms = route_.has_rates() ? k : std::min(k, Route::degree);
+    for (int j = system_.first[e]; j < system_.first[e + 1]; ++j) {
       const Number* c = &coefficients_[j * (order_ + 1)];
-      Number* p = &products_[j * (order_ + 1)];
-      p[k] = v < 0 ? Number{} : inner_terms(u, v, k);
-      const int terms = route_.has_rates() ? k : std::min(k, Route::degree);
+      const Number* p = &products_[j * (order_ + 1)];
       for (int a = terms; a >= 0; --a) sum = fused_minus(c[a], p[k - a], sum);
     }
     return sum;
   }
 
   /// The k-th terms of the products, from those of x.
-  void extend_series(int k, const std::vector<Number>& x) {
-    for (std::size_t i = 0; i < x.size(); ++i) series_[i * (order_ + 1) + k] = x[i];
+  void extend_products(int k, const std::vector<Number>& series) {
     for (std::size_t j = 0; j < coefficient_.size(); ++j) {
       const auto [u, v] = system_.monomials[j];
-      Number& p = products_[j * (order_ + 1) + k];
       if (u < 0) continue;
-      p = v < 0 ? x[u] : fused(series_[u * (order_ + 1)], x[v], fused(x[u], series_[v * (order_ + 1)], p));
+      Number& p = products_[j * (order_ + 1) + k];
+      const Number* x = &series[u * (order_ + 1)];
+      const Number* y = v < 0 ? nullptr : &series[v * (order_ + 1)];
+      p = y ? fused(x[0], y[k], fused(x[k], y[0], p)) : x[k];
     }
   }
 
- private:
   static int entry(const Elimination& elimination, int e, int i) {
     return i < 0 ? -1 : elimination.entry(e, i);
   }
 
   /// Σ_{0<a<k} u_a·v_{k−a}
-  Number inner_terms(int u, int v, int k) const {
-    const Number* a = &series_[u * (order_ + 1)];
-    const Number* b = &series_[v * (order_ + 1)];
+  Number inner_terms(int u, int v, int k, const std::vector<Number>& series) const {
+    const Number* a = &series[u * (order_ + 1)];
+    const Number* b = &series[v * (order_ + 1)];
     Number sum{};
     if (u != v) {
       for (int i = 1; i < k; ++i) sum = fused(a[i], b[k - i], sum);
@@ -129,7 +137,6 @@ class MonomialEquations {
   const int order_;
   std::vector<std::array<int, 2>> entries_of_;  ///< of a monomial's derivatives by u and v (−1: none)
   std::vector<Number> coefficient_;
-  std::vector<Number> series_;        ///< [unknown][order]
   std::vector<Number> products_;      ///< [monomial][order]
   std::vector<Number> coefficients_;  ///< [monomial][order]
   LaneRoute<Real> route_;

@@ -5,6 +5,7 @@
 /// (rows d_0): d_0 · d_k = A_k/2 − (1/2) Σ_{0<a<k} d_a · d_{k−a}
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "solvers/complex_tracking/lane_route.hpp"
@@ -21,7 +22,6 @@ class SquareEquations {
       : system_(system),
         order_(order),
         difference_(system.differences.size()),
-        series_(system.differences.size() * (order + 1)),
         route_(system.given.size()),
         squares_(system.given.size()) {
     for (int e = 0; e < system.equations(); ++e) {
@@ -77,35 +77,91 @@ class SquareEquations {
     return {half * re.value(), half * im.value()};
   }
 
-  /// The series of the differences begin at x.
-  void begin_series(const std::vector<Number>& x, Real s) {
-    for (std::size_t d = 0; d < difference_.size(); ++d) series_[d * (order_ + 1)] = difference(d, x);
-    s_ = s;
-  }
+  /// At x = series[unknown][0].
+  void begin_series(const std::vector<Number>&, Real s) { s_ = s; }
 
-  /// A_k/2 − (1/2) Σ d_a · d_{k−a} of equation e.
-  Number right_side(int e, int k) const {
-    Number sum = constant(0.5, Real{}) * route_.term(e, k, s_);
-    Number middle{};
-    for (int d = system_.first[e]; d < system_.first[e + 1]; ++d) {
-      const Number* c = &series_[d * (order_ + 1)];
-      SplitSum<Real> products;
-      for (int a = 1; 2 * a < k; ++a) products.add_product(c[a], c[k - a]);
-      sum = sum - products.value();
-      if (k % 2 == 0) middle = fused(c[k / 2], c[k / 2], middle);
-    }
-    return fused(constant(-0.5, Real{}), middle, sum);
-  }
-
-  /// The k-th terms of the differences, from those of x.
-  void extend_series(int k, const std::vector<Number>& x) {
-    for (std::size_t d = 0; d < difference_.size(); ++d) {
-      const auto [minuend, subtrahend, value] = system_.differences[d];
-      series_[d * (order_ + 1) + k] = subtrahend >= 0 ? x[minuend] - x[subtrahend] : x[minuend];
-    }
+  /// A_k/2 − (1/2) Σ d_a·d_{k−a}, 0 < a < k, of the equations in this order, from the terms of x up to k − 1
+  /// in series[unknown][order]. Precondition: it was called for all lower k since `begin_series`, or k = 1.
+  void right_sides(int k, const std::vector<int>& equations, const std::vector<Number>& series,
+                   std::vector<Number>& right) {
+    if (k % 2 == 1)
+      (this->*convolutions_at(k))(equations, series.data(), right);
+    else
+      add_last_products(k, equations, series.data(), right);
+    if (k > Route::degree) return;
+    for (std::size_t i = 0; i < equations.size(); ++i)
+      right[i] = fused(constant(0.5, Real{}), route_.term(equations[i], k, s_), right[i]);
   }
 
  private:
+  using Convolutions = void (SquareEquations::*)(const std::vector<int>&, const Number*,
+                                                 std::vector<Number>&);
+
+  /// `convolutions` for an odd k.
+  static Convolutions convolutions_at(int k) {
+    static constexpr auto of_halves = []<int... halves>(std::integer_sequence<int, halves...>) {
+      return std::array<Convolutions, sizeof...(halves)>{&SquareEquations::convolutions<2 * halves + 1>...};
+    };
+    static constexpr auto table =
+        of_halves(std::make_integer_sequence<int, TrackingOptions::highest_order / 2>{});
+    return table[k / 2];
+  }
+
+  /// Of two orders at once: right = −(1/2) Σ d_a·d_{k−a}, 0 < a < k, and next_ = (1/2) Σ d_a·d_{k+1−a} but
+  /// for what needs d_k. The time goes into loading the terms, and so each is used for both.
+  template <int k>
+  void convolutions(const std::vector<int>& equations, const Number* series, std::vector<Number>& right) {
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+      SplitSum<Real> sum, next;
+      for_differences(equations[i], series,
+                      [&](const auto& difference) { add_products<k>(difference, sum, next); });
+      right[i] = -sum.value();
+      next_[i] = next.value();
+    }
+  }
+
+  /// The products d_a·d_b, a ≤ b, with a + b = k and then k + 1 in turn: each has a factor of the one before.
+  template <int k, class Terms>
+  static void add_products(const Terms& d, SplitSum<Real>& sum, SplitSum<Real>& next) {
+    static_assert(k % 2 == 1);
+    const Real half = constant(0.5, Real{});
+    [&]<int... is>(std::integer_sequence<int, is...>) {
+      [[maybe_unused]] const auto add = [&]<int a, int b>(std::integral_constant<int, a>,
+                                                          std::integral_constant<int, b>) {
+        sum.add_product(d(a), d(b));
+        next.add_product(a + 1 == b ? half * d(b) : d(a + 1), d(b));
+      };
+      (add(std::integral_constant<int, is + 1>{}, std::integral_constant<int, k - 1 - is>{}), ...);
+    }
+    (std::make_integer_sequence<int, k / 2>{});
+  }
+
+  /// right = −next_ − (the products that need d_{k−1}), k even.
+  void add_last_products(int k, const std::vector<int>& equations, const Number* series,
+                         std::vector<Number>& right) {
+    const Real factor = constant(k == 2 ? 0.5 : 1, Real{});
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+      Number sum = next_[i];
+      for_differences(equations[i], series,
+                      [&](const auto& d) { sum = fused(factor * d(1), d(k - 1), sum); });
+      right[i] = -sum;
+    }
+  }
+
+  /// Calls `use` with each difference of an equation, a function from k > 0 to the coefficient d_k.
+  template <class Use>
+  void for_differences(int equation, const Number* series, const Use& use) const {
+    for (int d = system_.first[equation]; d < system_.first[equation + 1]; ++d) {
+      const Number* u = series + system_.differences[d].minuend * (order_ + 1);
+      const int subtrahend = system_.differences[d].subtrahend;
+      const Number* v = series + subtrahend * (order_ + 1);
+      if (subtrahend < 0)
+        use([u](int k) { return u[k]; });
+      else
+        use([u, v](int k) { return u[k] - v[k]; });
+    }
+  }
+
   Number difference(std::size_t d, const std::vector<Number>& x) const {
     const auto [minuend, subtrahend, value] = system_.differences[d];
     return x[minuend] - (subtrahend >= 0 ? x[subtrahend] : Number{constant(value, Real{}), Real{}});
@@ -116,10 +172,10 @@ class SquareEquations {
   std::vector<std::array<int, 2>> entries_of_;  ///< of a difference's minuend and subtrahend (−1: none)
   std::vector<int> entries_of_linear_;
   std::vector<Number> difference_;
-  std::vector<Number> series_;  ///< [difference][order]
-  Real s_;                      ///< of the series
+  Real s_;  ///< of the series
   LaneRoute<Real> route_;
   std::vector<Number> squares_;
+  std::vector<Number> next_ = std::vector<Number>(squares_.size());  ///< see convolutions
 };
 
 }  // namespace gcs::GCS_LANES

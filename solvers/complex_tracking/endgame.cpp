@@ -16,8 +16,8 @@ constexpr double radius_ratio = 1.0 / 8;   // of one circle to the next
 constexpr double smallest_radius = 1e-13;  // of σ; the arithmetic of higher precision resolves it
 constexpr int corners = 8;                 // samples of a round
 constexpr int most_rounds = 8;             // winding numbers beyond are left to smaller circles
-constexpr int direct_steps = 40;           // a pole at a distance of 1e-7 from the way takes so many
-constexpr std::size_t batch = 1024;        // paths between two reports of progress
+constexpr double direct_step = 1e-7;       // of the last tenth; a pole not much further from the way is near
+constexpr std::size_t batch = 4096;        // paths between two reports of progress: seconds
 
 /// Circles that enclose other branch points are long and say nothing: a path is walked around once it grows
 /// by a steady power of σ, or where the radius is so small that waiting has not helped.
@@ -120,7 +120,7 @@ class Endgame {
     std::vector<ActivePath> paths;
     for (std::size_t i = 0; i < starts.size(); ++i) paths.push_back({i, starts[i]});
     advance(paths, 1, first_radius);
-    approach(paths, first_radius, direct_steps);
+    approach(paths, first_radius, direct_step);
     for (double radius = first_radius; !paths.empty() && !stopped_(); radius *= radius_ratio) {
       if (radius < smallest_radius) {
         approach(paths, radius, 0);
@@ -140,10 +140,10 @@ class Endgame {
 
  private:
   std::vector<LegResult> follow(const std::vector<ActivePath*>& paths, Complex first, Complex last,
-                                int most_steps) {
+                                double shortest_step) {
     const Route route = segment(from_, to_, first, last);
     std::vector<Leg> legs;
-    for (const ActivePath* path : paths) legs.push_back({path->x.data(), &route, most_steps});
+    for (const ActivePath* path : paths) legs.push_back({path->x.data(), &route, shortest_step});
     return tracking_.follow(legs, stopped_, work_);
   }
 
@@ -178,9 +178,9 @@ class Endgame {
     remove_lost(paths, cause);
   }
 
-  /// Takes out the paths that simply arrive at σ = 0, in at most so many steps (0: as the options say).
-  void approach(std::vector<ActivePath>& paths, double radius, int most_steps) {
-    const std::vector<LegResult> results = follow(pointers(paths), radius, 0, most_steps);
+  /// Takes out the paths that simply arrive at σ = 0, with no step shorter than this part of the way.
+  void approach(std::vector<ActivePath>& paths, double radius, double shortest_step) {
+    const std::vector<LegResult> results = follow(pointers(paths), radius, 0, shortest_step);
     for (std::size_t i = 0; i < paths.size(); ++i)
       if (results[i].state.end == LegEnd::arrived)
         ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, true, ""};

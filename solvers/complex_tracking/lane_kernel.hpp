@@ -59,7 +59,7 @@ class KernelTracker final : public LaneTracker {
     equations_.load(lane, *leg.route);
     paths_[lane] = Path{};
     paths_[lane].phase = Phase::starting;
-    paths_[lane].most_steps = leg.most_steps;
+    paths_[lane].shortest_step = leg.shortest_step;
   }
 
   void read(int lane, std::complex<double>* x) const override {
@@ -80,7 +80,7 @@ class KernelTracker final : public LaneTracker {
   static constexpr double allowance = 16;      ///< times the expected error: one bad step in a radius
   static constexpr double rounding = 1e-15;    ///< a correction of that size says nothing about the step
   static constexpr double furthest_start = 1e-6;  ///< a start point's or end point's distance from its zero
-  static constexpr int most_rejected = 24;  ///< in a row: halving on would not help, precision is missing
+  static constexpr int most_rejected = 24;        ///< in a row, or of twice as many: precision is missing
   static constexpr double almost_one = 1 - 1e-14;
 
   enum class Phase { idle, starting, moving, renewing, arriving };
@@ -91,7 +91,7 @@ class KernelTracker final : public LaneTracker {
     double h = 0;      ///< the step to try
     double reach = 0;  ///< ℓ at the point where the series was taken
     int rejected_in_a_row = 0;
-    int most_steps = 0;  ///< 0: as the options say
+    double shortest_step = 0;  ///< of the leg
   };
 
   Real step_lengths() const {
@@ -180,7 +180,6 @@ class KernelTracker final : public LaneTracker {
   bool decide_step(Path& path, double correction, double scale) {
     ++path.state.steps;
     if (path.state.steps > options_.most_steps) return finish(path, LegEnd::too_many);
-    if (path.most_steps > 0 && path.state.steps > path.most_steps) return finish(path, LegEnd::out_of_steps);
     const double error = std::max(rounding * scale, options_.tolerance * std::min(path.reach, scale));
     if (!(correction <= allowance * error)) {
       ++path.state.rejected;
@@ -196,7 +195,8 @@ class KernelTracker final : public LaneTracker {
   /// First the series is taken again, with a Jacobian at the point itself; then the step is halved.
   static void reject(Path& path) {
     ++path.rejected_in_a_row;
-    if (path.rejected_in_a_row > most_rejected)
+    const bool most_fail = path.state.rejected > most_rejected && 2 * path.state.rejected > path.state.steps;
+    if (path.rejected_in_a_row > most_rejected || most_fail)
       finish(path, LegEnd::too_small);
     else if (path.rejected_in_a_row == 1)
       path.phase = Phase::renewing;
@@ -258,7 +258,10 @@ class KernelTracker final : public LaneTracker {
     const double h = first.lane(lane) > 0 ? longest_step(lane, radius, path.reach) : 1;
     path.h = std::min(h, 1 - path.state.s);
     if (path.state.s + path.h > almost_one) path.h = 1 - path.state.s;
-    if (!(path.state.s + path.h > path.state.s)) finish(path, LegEnd::too_small);
+    if (h < path.shortest_step)
+      finish(path, LegEnd::short_steps);
+    else if (!(path.state.s + path.h > path.state.s))
+      finish(path, LegEnd::too_small);
   }
 
   /// h with misfit·h^N/|D(h)| = tolerance·ℓ, D(h) by two iterations, within its bounds. Where numbers

@@ -41,14 +41,8 @@ class LaneRoute {
   Number term(std::size_t j, int k, Real s) const {
     if (k > Route::degree) return {};
     Number sum{};
-    double binomial = 1;  // of (i over k)
-    std::array<double, Route::degree + 1> factor{};
-    for (int i = k; i <= Route::degree; ++i) {
-      factor[i] = binomial;
-      binomial = binomial * (i + 1) / (i + 1 - k);
-    }
     for (int i = Route::degree; i >= k; --i)
-      sum = fused(s, sum, constant(factor[i], Real{}) * coefficients_[i][j]);
+      sum = fused(s, sum, constant(binomials[i][k], Real{}) * coefficients_[i][j]);
     return sum;
   }
 
@@ -66,6 +60,9 @@ class LaneRoute {
   }
 
  private:
+  static constexpr double binomials[Route::degree + 1][Route::degree + 1] = {
+      {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
+
   /// e^(rate·(s − 1)) of every lane.
   Real growth(std::size_t j, Real s) const {
     Real result = constant(1, Real{});

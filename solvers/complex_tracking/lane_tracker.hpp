@@ -27,21 +27,21 @@ struct TrackingOptions {
 
   int order = 12;           ///< of the Taylor predictor, from 4 to highest_order
   double tolerance = 1e-6;  ///< of a prediction, relative to how far the path goes until its series diverges
-  int most_steps = 2000;    ///< of a path, rejected ones included, unless its leg says otherwise
+  int most_steps = 2000;    ///< of a path, rejected ones included
 };
 
 enum class LegEnd {
   arrived,
-  out_of_steps,  ///< the leg's own limit did not suffice
-  too_small,     ///< the step became too small to count
-  too_many       ///< TrackingOptions::most_steps did not suffice
+  short_steps,  ///< a step became shorter than the leg wants
+  too_small,    ///< to count, or most steps are rejected: precision is missing
+  too_many      ///< TrackingOptions::most_steps did not suffice
 };
 
 /// A path to be followed: its start and the parameters on its way. Both are referred to, not copied.
 struct Leg {
   const std::complex<double>* start = nullptr;  ///< `unknowns` numbers
   const Route* route = nullptr;
-  int most_steps = 0;  ///< 0: as the options say
+  double shortest_step = 0;  ///< the leg is given up where it would take a shorter one; 0: never
 };
 
 /// Where a path was left and what it took.

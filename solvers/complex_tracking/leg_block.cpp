@@ -74,7 +74,7 @@ std::uint64_t fingerprint(std::span<const Leg> legs, int unknowns) {
   const Route* last = nullptr;
   for (const Leg& leg : legs) {
     digest.add(std::span(leg.start, static_cast<std::size_t>(unknowns)));
-    digest.add(static_cast<std::uint64_t>(leg.most_steps));
+    digest.add(std::span(&leg.shortest_step, 1));
     // One route serves many legs in a row.
     if (leg.route != last) add(*leg.route, digest);
     last = leg.route;

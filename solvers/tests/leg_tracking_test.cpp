@@ -205,7 +205,7 @@ TEST_CASE("results of legs survive as a block of a journal") {
   const Elimination elimination = order_elimination(system, random);
   const Task task(system, 5, random);
   std::vector<Leg> legs = task.legs();
-  legs[2].most_steps = 2;
+  legs[2].shortest_step = 0.9;
   WorkCounters work;
   LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
   const FollowedLegs followed{tracking.follow(legs, never, work), {7, 8, 9}};
@@ -216,7 +216,7 @@ TEST_CASE("results of legs survive as a block of a journal") {
   REQUIRE(read.results.size() == 5);
   for (std::size_t i = 0; i < 5; ++i) {
     const LegState &ours = followed.results[i].state, &theirs = read.results[i].state;
-    CHECK(theirs.end == (i == 2 ? LegEnd::out_of_steps : LegEnd::arrived));
+    CHECK(theirs.end == (i == 2 ? LegEnd::short_steps : LegEnd::arrived));
     CHECK(theirs.s == ours.s);
     CHECK(theirs.steps == ours.steps);
     CHECK(theirs.rejected == ours.rejected);
@@ -243,7 +243,7 @@ TEST_CASE("legs are known by their starts, routes, limits and number") {
   other.routes[1].coefficients[3][0] += 1e-3;
   CHECK(fingerprint(other.legs(), n) != known);
   std::vector<Leg> legs = task.legs();
-  legs[0].most_steps = 9;
+  legs[0].shortest_step = 1e-3;
   CHECK(fingerprint(legs, n) != known);
   legs = task.legs();
   std::swap(legs[0], legs[1]);
@@ -252,15 +252,15 @@ TEST_CASE("legs are known by their starts, routes, limits and number") {
   CHECK(fingerprint(legs, n) != known);
 }
 
-TEST_CASE("a leg without enough steps says so") {
+TEST_CASE("a leg is given up where its steps become too short for it") {
   std::mt19937_64 random(15);
   const SquareSystem system = system_of(samples::octahedron());
   const Elimination elimination = order_elimination(system, random);
   const Task task(system, 1, random);
   WorkCounters work;
   LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
-  const Leg leg{task.starts[0].data(), &task.routes[0], 2};
+  const Leg leg{task.starts[0].data(), &task.routes[0], 0.9};
   const LegResult result = tracking.follow(std::span(&leg, 1), never, work).front();
-  CHECK(result.state.end == LegEnd::out_of_steps);
+  CHECK(result.state.end == LegEnd::short_steps);
   CHECK(result.state.s < 1);
 }

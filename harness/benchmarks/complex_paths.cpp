@@ -24,12 +24,14 @@ constexpr std::array<const char*, 3> ids{"disulfide", "dodecagon", "icosahedron"
 constexpr std::array<InstructionSet, 3> sets{InstructionSet::portable, InstructionSet::avx2,
                                              InstructionSet::avx512};
 constexpr double of_complex_product = 8, of_real_times_complex = 4, of_complex_inverse = 8;
+constexpr double inner_products_of_fit = 5;
 constexpr double of_compensated_square = 36;  // with the error of its difference
 
 /// Floating-point operations of one step (lane_kernel.hpp): prediction, Jacobian with its factors, a residual
-/// and a solution of the linear system for the correction, right-hand sides and solutions for the series.
+/// and a solution of the linear system for the correction, right-hand sides and solutions for the series, and
+/// two fits of its tail.
 double operations_per_step(const SquareSystem& system, const Elimination& elimination, int order) {
-  double elimination_products = 0;
+  auto elimination_products = static_cast<double>(elimination.upper.size());
   for (int k = 0; k < system.unknowns; ++k) {
     const double lower = elimination.steps[k + 1].first_lower - elimination.steps[k].first_lower;
     const double upper = elimination.steps[k + 1].first_upper - elimination.steps[k].first_upper;
@@ -40,9 +42,11 @@ double operations_per_step(const SquareSystem& system, const Elimination& elimin
   double convolution_products = 0;
   for (int k = 1; k <= order; ++k) convolution_products += k / 2;
   const auto differences = static_cast<double>(system.differences.size());
+  const double tail_products = 2 * inner_products_of_fit * system.unknowns;
   return of_real_times_complex * order * system.unknowns + of_complex_product * elimination_products +
          of_complex_inverse * system.unknowns + of_compensated_square * differences +
-         of_complex_product * ((order + 1) * solution_products + convolution_products * differences);
+         of_complex_product *
+             ((order + 1) * solution_products + convolution_products * differences + tail_products);
 }
 
 Route straight(const ComplexVectorX& from, const ComplexVectorX& to) {

@@ -15,6 +15,7 @@
 /// Jensen, Lee, Leykin, Sommars, Solving polynomial systems via homotopy continuation and monodromy, IMA J.
 /// Numer. Anal. 39 (2019).
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -22,6 +23,7 @@
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/complex_tracking/start_store.hpp"
 #include "solvers/options.hpp"
+#include "solvers/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
@@ -56,9 +58,7 @@ SearchEnd end_of_stored(const GenericSolutions& generic, const std::optional<std
 class Found final : public GenericStart {
  public:
   Found(const SolveRequest& request, const TrackingSetup& setup)
-      : GenericStart(request.scene, request.seed, setup),
-        limit(most_classes(request.scene)),
-        axes(mirror_axes(request.scene, coordinates)) {}
+      : GenericStart(request.scene, request.seed, setup), axes(mirror_axes(request.scene, coordinates)) {}
 
   const ComplexVectorX& squares() const override { return generic.squares; }
   const std::vector<ComplexVectorX>& solutions() const override { return generic.solutions; }
@@ -111,6 +111,7 @@ class Monodromy final : public ComplexStrategy {
       return found;
     }
     if (save_start_) request.starts->reserve(*save_start_);
+    found->limit = most_classes(request.scene);
     search(request, *found);
     if (save_start_ && !request.stop.stop_requested())
       request.starts->write(*save_start_, found->family(), {found->generic, found->trace});
@@ -118,7 +119,13 @@ class Monodromy final : public ComplexStrategy {
   }
 
   void read(const SolveRequest& request, Found& found) const {
-    StartSystem start = request.starts->read(*start_, found.family());
+    StartSystem start;
+    const int threads = std::min(2, request.threads);
+    // What may throw comes first: that is the thread of the caller.
+    run_on_threads(threads, [&](int part) {
+      if (part == 0) start = request.starts->read(*start_, found.family());
+      if (part == threads - 1) found.limit = most_classes(request.scene);
+    });
     start.generic.end = end_of_stored(start.generic, found.limit);
     found.generic = std::move(start.generic);
     found.trace = start.trace;

@@ -23,7 +23,7 @@ struct Route {
 };
 
 struct TrackingOptions {
-  static constexpr int highest_order = 48;
+  static constexpr int highest_order = 40;
 
   int order = 12;           ///< of the Taylor predictor, from 4 to highest_order
   double tolerance = 1e-6;  ///< of a prediction, relative to how far the path goes until its series diverges

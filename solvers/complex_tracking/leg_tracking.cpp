@@ -103,8 +103,8 @@ void add_work(const std::vector<LegResult>& results, LegWork& work) {
 }  // namespace
 
 TrackingOptions LegTracking::wide(TrackingOptions options) {
-  // Of twice the digits a prediction a hundred times as good needs few.
-  options.order += 8;
+  // Of twice the digits a prediction a hundred times as good needs few. A higher order would cost more than
+  // the few steps that it saves.
   options.tolerance *= 1e-2;
   return options;
 }

@@ -154,11 +154,10 @@ class SquareEquations {
     for (int d = system_.first[equation]; d < system_.first[equation + 1]; ++d) {
       const Number* u = series + system_.differences[d].minuend * (order_ + 1);
       const int subtrahend = system_.differences[d].subtrahend;
-      const Number* v = series + subtrahend * (order_ + 1);
       if (subtrahend < 0)
         use([u](int k) { return u[k]; });
       else
-        use([u, v](int k) { return u[k] - v[k]; });
+        use([u, v = series + subtrahend * (order_ + 1)](int k) { return u[k] - v[k]; });
     }
   }
 

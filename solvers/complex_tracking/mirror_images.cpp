@@ -37,7 +37,7 @@ SolutionSet::Key SolutionSet::key_of(const ComplexVectorX& x, double uncertainty
   double size = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     (axes_[i] < 0 ? fixed : sums[axes_[i]]) += weights_[i] * x[i];
-    size += std::abs(weights_[i]) * std::abs(x[i]);
+    size += std::abs(weights_[i]) * (std::abs(x[i].real()) + std::abs(x[i].imag()));
   }
   Key key;
   key.value = fixed.real() + fixed.imag();

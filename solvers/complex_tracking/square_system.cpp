@@ -1,6 +1,7 @@
 #include "solvers/complex_tracking/square_system.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "solvers/model/distance_system.hpp"
@@ -82,16 +83,18 @@ ComplexVectorX jacobian_at(const SquareSystem& system, const ComplexVectorX& x) 
   return jacobian;
 }
 
+// Of squares, since the standard's absolute value takes many times as long to guard against overflow beyond
+// 1e154, which no coordinate of a scene reaches.
 double largest(const ComplexVectorX& x) {
-  double result = 0;
-  for (const std::complex<double>& value : x) result = std::max(result, std::abs(value));
-  return result;
+  double square = 0;
+  for (const std::complex<double>& value : x) square = std::max(square, std::norm(value));
+  return std::sqrt(square);
 }
 
 double distance(const ComplexVectorX& x, const ComplexVectorX& y) {
-  double result = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) result = std::max(result, std::abs(x[i] - y[i]));
-  return result;
+  double square = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) square = std::max(square, std::norm(x[i] - y[i]));
+  return std::sqrt(square);
 }
 
 ComplexVectorX random_complex_vector(int size, std::mt19937_64& random) {

@@ -197,7 +197,7 @@ class KernelTracker final : public LaneTracker {
     ++path.rejected_in_a_row;
     const bool most_fail = path.state.rejected > most_rejected && 2 * path.state.rejected > path.state.steps;
     if (path.rejected_in_a_row > most_rejected || most_fail)
-      finish(path, LegEnd::too_small);
+      finish(path, path.shortest_step > 0 ? LegEnd::short_steps : LegEnd::too_small);
     else if (path.rejected_in_a_row == 1)
       path.phase = Phase::renewing;
     else

@@ -32,8 +32,8 @@ struct TrackingOptions {
 
 enum class LegEnd {
   arrived,
-  short_steps,  ///< a step became shorter than the leg wants
-  too_small,    ///< to count, or most steps are rejected: precision is missing
+  short_steps,  ///< than the leg wants, or most are rejected: it is given up
+  too_small,    ///< to count, or most are rejected for a leg that wants none so short: precision is missing
   too_many      ///< TrackingOptions::most_steps did not suffice
 };
 

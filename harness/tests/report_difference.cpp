@@ -14,7 +14,8 @@ namespace {
 class Fields {
  public:
   explicit Fields(const SolveReport& report) {
-    const auto& [status, reason, claim, candidates, paths, generic, at_infinity, work, particulars] = report;
+    const auto& [status, reason, claim, candidates, paths, generic, generic_member, at_infinity, work,
+                 particulars] = report;
     add("status", status);
     add("reason", reason);
     add("claim", claim);
@@ -23,6 +24,7 @@ class Fields {
     add("paths.size()", paths.size());
     for (std::size_t i = 0; i < paths.size(); ++i) add(fmt::format("paths[{}]", i), paths[i]);
     add("generic", generic);
+    add("generic_member", generic_member);
     add("at_infinity", at_infinity);
     add("work", work);
     add("particulars.size()", particulars.size());
@@ -61,6 +63,16 @@ class Fields {
     add(name + ".lines", lines);
     add(name + ".imaginary_lines", imaginary_lines);
     add(name + ".multiplicity", multiplicity);
+  }
+
+  void add(const std::string& name, const std::vector<std::complex<double>>& numbers) {
+    add_bytes(name, numbers.data(), numbers.size() * sizeof(std::complex<double>));
+  }
+
+  void add(const std::string& name, const GenericMember& member) {
+    const auto& [squares, solutions] = member;
+    add(name + ".squares", squares);
+    for (const auto& solution : solutions) add(name + ".solution", solution);
   }
 
   void add(const std::string& name, const std::vector<LinePosition>& lines) {

@@ -208,5 +208,5 @@ TEST_CASE("failed checks are in the result") {
 TEST_CASE("each solution has a line of its own") {
   const std::string text = text_of(toy_run());
   CHECK(text.back() == '\n');
-  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 16 + 2 + 1 + 1);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 17 + 2 + 1 + 1);
 }

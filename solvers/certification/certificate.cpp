@@ -43,14 +43,15 @@ bool has_real_coefficients(const QuadraticSystem& system) {
 /// The conjugate of a solution is a solution too: the same one where it lies in the box that holds no other.
 Certificate::Realness realness(const Enclosure& enclosure) {
   using Realness = Certificate::Realness;
-  bool is_own_conjugate = true;
+  bool is_own_conjugate = true, is_in_reals = true;
   for (std::size_t i = 0; i < enclosure.mid.size(); ++i) {
     const double height = std::abs(enclosure.mid[i].imag()), radius = enclosure.radius[i].imag();
     if (height > radius) return Realness::not_real;
     const double reach = 2 * height + std::abs(enclosure.radius[i]) * (1 + 4 * epsilon);
     is_own_conjugate = is_own_conjugate && reach < enclosure.unique * (1 - 4 * epsilon);
+    is_in_reals = is_in_reals && height == 0 && radius == 0;
   }
-  return is_own_conjugate ? Realness::real : Realness::undecided;
+  return is_own_conjugate || is_in_reals ? Realness::real : Realness::undecided;
 }
 
 std::string cause_of(const BallKrawczyk::Newton& newton) {

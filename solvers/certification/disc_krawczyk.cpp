@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "solvers/certification/balls.hpp"
-#include "solvers/certification/krawczyk_image.hpp"
 
 namespace gcs {
 namespace {
@@ -64,6 +64,29 @@ double size_of(const ComplexDoubleDouble& number) { return std::abs(number.re.hi
 
 Eigen::VectorXd constant(Eigen::Index size, double value) { return Eigen::VectorXd::Constant(size, value); }
 
+template <typename Scalar>
+using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+template <typename Scalar>
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// `image`: of a box around x that lies in the one of that radius, where there is one solution.
+template <typename Scalar>
+Enclosure enclosure_of(const Vector<Scalar>& x, const KrawczykImage<Scalar>& image, double radius) {
+  Enclosure enclosure;
+  enclosure.unique = radius;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const Scalar mid = x[i] - image.move[i];
+    const double rounding = 2 * epsilon * std::abs(mid);
+    const double spread = (image.spread[i] + rounding) * (1 + 4 * epsilon);
+    enclosure.mid.push_back(mid);
+    enclosure.radius.emplace_back(spread, std::is_same_v<Scalar, double> ? 0 : spread);
+    // The box around x in which there is no other solution holds this one around mid.
+    const double moved = std::abs(image.move[i]) * (1 + 4 * epsilon) + rounding;
+    enclosure.unique = std::min(enclosure.unique, (radius - moved) * (1 - 2 * epsilon));
+  }
+  return enclosure;
+}
+
 }  // namespace
 
 std::optional<DiscKrawczyk> DiscKrawczyk::of(const QuadraticSystem& system) {
@@ -87,11 +110,9 @@ std::optional<DiscKrawczyk> DiscKrawczyk::of(const QuadraticSystem& system) {
 }
 
 template <typename Scalar>
-std::optional<Enclosure> DiscKrawczyk::prove(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& x) const {
-  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+LinearisedSystem<Scalar> DiscKrawczyk::linearised(const Vector<Scalar>& x) const {
   const Eigen::Index m = x.size();
-  LinearisedSystem<Scalar> f{Eigen::Matrix<Scalar, Eigen::Dynamic, 1>(m), Eigen::VectorXd(m),
-                             Matrix::Zero(m, m)};
+  LinearisedSystem<Scalar> f{Vector<Scalar>(m), Eigen::VectorXd(m), Matrix<Scalar>::Zero(m, m)};
   for (Eigen::Index e = 0; e < m; ++e) {
     const Equation& equation = equations_[static_cast<std::size_t>(e)];
     auto sum = widened(Scalar(0)) - given_as(equation.given, Scalar(0));
@@ -107,34 +128,30 @@ std::optional<Enclosure> DiscKrawczyk::prove(const Eigen::Matrix<Scalar, Eigen::
     f.value[e] = sum.value();
     f.value_error[e] = 2 * epsilon * std::abs(f.value[e]) + 128 * epsilon * epsilon * terms;
   }
-  const Matrix inverse = f.jacobian.partialPivLu().inverse();
+  return f;
+}
+
+template <typename Scalar>
+std::optional<Enclosure> DiscKrawczyk::prove(const Vector<Scalar>& x) const {
+  const Eigen::Index m = x.size();
+  const LinearisedSystem<Scalar> f = linearised(x);
+  const Matrix<Scalar> inverse = f.jacobian.partialPivLu().inverse();
   if (!inverse.allFinite()) return std::nullopt;
-
+  const auto image_of = [&](const Eigen::VectorXd& box) {
+    return krawczyk_image<Scalar>(inverse, f, curvature_ * box.maxCoeff(), box);
+  };
   // In a box of this radius the Jacobian moves by half of what the test could bear.
-  const double bend = (inverse.cwiseAbs() * (curvature_ * constant(m, 1))).maxCoeff();
-  const double radius = 1 / (2 * bend);
-  KrawczykImage<Scalar> image =
-      krawczyk_image(inverse, f, Eigen::MatrixXd(curvature_ * radius), constant(m, radius));
+  const double radius = 1 / (2 * (inverse.cwiseAbs() * (curvature_ * constant(m, 1))).maxCoeff());
+  KrawczykImage<Scalar> image = image_of(constant(m, radius));
   if (!(image.reach().array() < radius).all()) return std::nullopt;
-
-  Enclosure enclosure;
-  enclosure.unique = radius;
-  // The box shrinks about as fast as its square; after the fourth time rounding is all that is left.
-  for (int i = 0; i < 4; ++i) {
-    const Eigen::VectorXd reach = image.reach();
-    image = krawczyk_image(inverse, f, Eigen::MatrixXd(curvature_ * reach.maxCoeff()), reach);
+  // The box shrinks about as fast as its square, down to what rounding leaves.
+  while (true) {
+    KrawczykImage<Scalar> smaller = image_of(image.reach());
+    const bool is_done = !(smaller.spread.maxCoeff() < image.spread.maxCoeff() / 2);
+    image = std::move(smaller);
+    if (is_done) break;
   }
-  for (Eigen::Index i = 0; i < m; ++i) {
-    const Scalar mid = x[i] - image.move[i];
-    const double rounding = 2 * epsilon * std::abs(mid);
-    const double spread = (image.spread[i] + rounding) * (1 + 4 * epsilon);
-    enclosure.mid.push_back(mid);
-    enclosure.radius.emplace_back(spread, std::is_same_v<Scalar, double> ? 0 : spread);
-    // The box around x in which there is no other solution holds this one around mid.
-    const double moved = std::abs(image.move[i]) * (1 + 4 * epsilon) + rounding;
-    enclosure.unique = std::min(enclosure.unique, (radius - moved) * (1 - 2 * epsilon));
-  }
-  return enclosure;
+  return enclosure_of(x, image, radius);
 }
 
 std::optional<Enclosure> DiscKrawczyk::prove(const std::vector<std::complex<double>>& x, bool is_real) const {

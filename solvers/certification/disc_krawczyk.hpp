@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solvers/certification/enclosure.hpp"
+#include "solvers/certification/krawczyk_image.hpp"
 #include "solvers/certification/quadratic_system.hpp"
 #include "solvers/numeric/complex_double_double.hpp"
 
@@ -30,6 +31,8 @@ class DiscKrawczyk {
     ComplexDoubleDouble given;  ///< right to 2^-100 of its size
   };
 
+  template <typename Scalar>
+  LinearisedSystem<Scalar> linearised(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& x) const;
   template <typename Scalar>
   std::optional<Enclosure> prove(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& x) const;
 

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "harness/assess.hpp"
-#include "harness/certify.hpp"
 #include "harness/solve_run.hpp"
 #include "harness/tests/count_limits.hpp"
 #include "harness/tests/known_counts.hpp"
@@ -300,23 +299,6 @@ Violations check_counts(std::string_view instance, const Scene& scene, const Sol
   expect(counts.real_up_to_reflection, real, "real classes", partial);
   expect(counts.complex_up_to_reflection, known->complex, "complex classes", partial);
   if (report.claim == Claim::on_path) expect(counts.on_path, known->on_path, "classes on S", partial);
-  return finder.take();
-}
-
-Violations check_certificates(const Scene& scene, const SolveReport& report) {
-  Finder finder;
-  Assessment assessment = assess(scene, report);
-  certify(scene, theoretical_counts(scene.problem()), report.generic_member, 2, assessment);
-  for (const FailedCheck& check : assessment.failed_checks)
-    finder.expect(check.name != "certificate", "certificate", "{}", check.what);
-  const Proofs& proofs = *assessment.proofs;
-  if (proofs.limit) {
-    finder.expect(Natural(proofs.classes) <= *proofs.limit, "certificate", "{} classes proven, at most {}",
-                  proofs.classes, proofs.limit->decimal());
-    finder.expect(Natural(proofs.generic.value_or(0)) <= *proofs.limit, "certificate",
-                  "{} classes proven at generic lengths, at most {}", proofs.generic.value_or(0),
-                  proofs.limit->decimal());
-  }
   return finder.take();
 }
 

@@ -196,6 +196,23 @@ TEST_CASE("a claim that is not met is caught by the count") {
 
 namespace {
 
+/// Far enough for the harness to take it for another class.
+void give_a_neighbour(SolveReport& report, const Circumstances&) {
+  report.candidates.push_back(report.candidates[0]);
+  report.candidates.back().figure.points(0, 3) += 1e-6;
+}
+
+}  // namespace
+
+TEST_CASE("a point next to a solution is caught by the certificate as the same class") {
+  const SolveReport sound = solve_anew({sound_strategy()}, octahedron());
+  CHECK(check_certificates(octahedron(), sound).empty());
+  const SolveReport report = solve_anew({spoiled<give_a_neighbour>()}, octahedron());
+  CHECK(names_of(check_certificates(octahedron(), report)) == Checks{"certificate"});
+}
+
+namespace {
+
 void give_up(SolveReport& report, const Circumstances&) {
   report = {};
   report.reason = "it is too hard";

@@ -18,6 +18,7 @@ std::vector<Certificate> certificates(const Certifier& certifier, const std::vec
   std::vector<Certificate> results(points.size());
   const auto step = static_cast<std::size_t>(threads);
   run_on_threads(threads, [&](int thread) {
+    const ThreadReserves reserves;
     for (std::size_t i = static_cast<std::size_t>(thread); i < points.size(); i += step)
       results[i] = certifier.certify(points[i]);
   });

@@ -56,6 +56,7 @@ std::vector<std::string> solution_texts(const StoredResult& result, const Refere
   std::vector<std::string> texts(solutions.size());
   const auto step = static_cast<std::size_t>(settings.threads);
   run_on_threads(settings.threads, [&](int thread) {
+    const ThreadReserves reserves;
     for (std::size_t i = static_cast<std::size_t>(thread); i < solutions.size(); i += step) {
       const bool is_real = solutions[i].figure.is_real();
       if (settings.only_real && !is_real) continue;

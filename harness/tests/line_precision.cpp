@@ -1,10 +1,10 @@
 #include "harness/tests/line_precision.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solvers/numeric/bilinear_product.hpp"
 #include "solvers/numeric/complex_double_double.hpp"
@@ -15,7 +15,6 @@ namespace {
 using Complex = std::complex<double>;
 using WideVector = std::array<ComplexDoubleDouble, 3>;
 using Vector6 = Eigen::Matrix<Complex, 6, 1>;
-using Matrix6 = Eigen::Matrix<Complex, 6, 6>;
 
 WideVector wide(const Eigen::Vector3cd& v) { return {widened(v[0]), widened(v[1]), widened(v[2])}; }
 
@@ -52,16 +51,51 @@ Vector6 errors(const FourDistances& given, const WideCoordinates& at) {
   return result;
 }
 
-/// Columns: point, direction.
-Matrix6 jacobian(const FourDistances& given, const ComplexLine& at) {
-  Matrix6 result = Matrix6::Zero();
-  for (int i = 0; i < 4; ++i) {
-    const Eigen::Vector3cd w = given.centers.col(i).cast<Complex>() - at.point;
-    const Complex along = bilinear_product(w, at.direction);
-    result.row(i) << (along * at.direction - w).transpose(), -along * w.transpose();
+using WideRow = std::array<ComplexDoubleDouble, 7>;
+
+/// The linear system of a Newton step, its right side last. Columns: point, direction.
+std::array<WideRow, 6> newton_system(const FourDistances& given, const WideCoordinates& at) {
+  const Vector6 right = errors(given, at);
+  std::array<WideRow, 6> rows{};
+  for (std::size_t i = 0; i < 6; ++i) rows[i][6] = widened(right[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    WideVector w = wide(given.centers.col(static_cast<Eigen::Index>(i)).cast<Complex>());
+    for (std::size_t axis = 0; axis < 3; ++axis) w[axis] = w[axis] - at.point[axis];
+    const ComplexDoubleDouble along = product(w, at.direction);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      rows[i][axis] = along * at.direction[axis] - w[axis];
+      rows[i][axis + 3] = ComplexDoubleDouble{} - along * w[axis];
+    }
   }
-  result.row(4) << at.direction.transpose(), at.point.transpose();
-  result.row(5).tail<3>() = at.direction.transpose();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rows[4][axis] = rows[5][axis + 3] = at.direction[axis];
+    rows[4][axis + 3] = at.point[axis];
+  }
+  return rows;
+}
+
+ComplexDoubleDouble quotient(const ComplexDoubleDouble& a, const ComplexDoubleDouble& b) {
+  const DoubleDouble square = b.re * b.re + b.im * b.im;
+  const ComplexDoubleDouble product = a * ComplexDoubleDouble{b.re, -b.im};
+  return {product.re / square, product.im / square};
+}
+
+/// Gauss–Jordan elimination with row pivots.
+Vector6 solution_of(std::array<WideRow, 6> rows) {
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto size = [k](const WideRow& row) { return std::abs(row[k].value()); };
+    std::swap(rows[k],
+              *std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(k), rows.end(),
+                                [&](const WideRow& a, const WideRow& b) { return size(a) < size(b); }));
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (i == k) continue;
+      const ComplexDoubleDouble factor = quotient(rows[i][k], rows[k][k]);
+      for (std::size_t j = k; j < 7; ++j) rows[i][j] = rows[i][j] - factor * rows[k][j];
+    }
+  }
+  Vector6 result;
+  for (std::size_t k = 0; k < 6; ++k)
+    result[static_cast<Eigen::Index>(k)] = quotient(rows[k][6], rows[k][k]).value();
   return result;
 }
 
@@ -96,10 +130,9 @@ double residual_of_rounding(const FourDistances& given, const ComplexLine& line)
 }
 
 WideLine refined_in_double_double(const FourDistances& given, const ComplexLine& line) {
-  constexpr int iterations = 6;  // each multiplies the error by the rounding of a linear solve
+  constexpr int iterations = 6;  // each squares the error, from 1e-4 at worst
   WideCoordinates at{wide(line.point), wide(line.direction)};
-  for (int i = 0; i < iterations; ++i)
-    at.subtract(jacobian(given, at.line()).fullPivLu().solve(errors(given, at)));
+  for (int i = 0; i < iterations; ++i) at.subtract(solution_of(newton_system(given, at)));
   WideLine result;
   const Vector6 left = errors(given, at);
   for (int i = 0; i < 4; ++i)

@@ -30,8 +30,8 @@ struct WideLine {
   double moved = 0;     ///< how far it is from the line that it was, relative to 1 + |p| and |u|
 };
 
-/// The line by Newton's method on u·u = 1, p·u = 0 and the four distances, with its coordinates in
-/// double-double. Precondition: centres and lengths of order 1.
+/// The line by Newton's method on u·u = 1, p·u = 0 and the four distances, all in double-double.
+/// Precondition: centres and lengths of order 1.
 WideLine refined_in_double_double(const FourDistances& given, const ComplexLine& line);
 
 }  // namespace gcs

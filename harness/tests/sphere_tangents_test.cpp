@@ -192,6 +192,32 @@ TEST_CASE("the paths have ends where centres are nearly coplanar and nearly coll
     }
 }
 
+TEST_CASE("centres in a narrow strip or needle have 12 tangents, which the paths find too") {
+  Dice dice(19);
+  for (const double breadth : {1e-2, 1e-3, 1e-4, 1e-6})
+    for (const double thickness : {0.0, 1e-2, 1.0}) {
+      const Eigen::Matrix3d turn =
+          Eigen::AngleAxisd(3 * dice(), Eigen::Vector3d(dice(), dice(), dice()).normalized())
+              .toRotationMatrix();
+      const Eigen::Vector3d size(1, breadth, breadth * thickness);
+      const Problem problem = spheres(turn * size.asDiagonal() * dice.centers(), dice.distances());
+      INFO("breadth " << breadth << ", thickness " << thickness);
+      expect_twelve(problem);
+      expect_agreement(problem);
+    }
+}
+
+TEST_CASE("no simple tangents are taken for a multiple one or for one at infinity in a narrow strip") {
+  // Equal radii have tangents near to those of collinear centres, the others are near to isotropic
+  // directions.
+  Dice dice(20);
+  for (const double breadth : {1e-2, 1e-3, 1e-4})
+    for (int i = 0; i < 5; ++i) {
+      const Eigen::Vector3d size(1, breadth, breadth);
+      expect_twelve(spheres(size.asDiagonal() * dice.centers(), Eigen::Vector4d::Constant(0.5)));
+    }
+}
+
 TEST_CASE("infinitely many tangents are named") {
   Eigen::Matrix<double, 3, 4> centers = Eigen::Matrix<double, 3, 4>::Zero();
   const Eigen::Vector4d position(0, 1, 2.5, 4);

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "solvers/tangents/eigenvalue_clusters.hpp"
+#include "solvers/tangents/squeezed_tangents.hpp"
+#include "solvers/tangents/strip_refinement.hpp"
 #include "solvers/tangents/tangent_refinement.hpp"
 
 namespace gcs {
@@ -20,6 +23,11 @@ using Line = ComplexTangent;
 constexpr double mix_angle = 0.7;
 constexpr std::array<std::array<double, 4>, 3> turns{
     {{0.31, 0.47, 0.83, 0.9}, {-0.72, 0.55, 0.42, 2.0}, {0.64, -0.21, 0.74, 3.3}}};
+
+/// Relative width below which eigenvalues of different lines come as near to each other as those of a
+/// multiple one, or of one at infinity, and are taken for it: directions are as near to isotropic as its
+/// square.
+constexpr double deceptive = 1.0 / 256;
 
 Eigen::Matrix3d rotation(const std::array<double, 4>& turn) {
   return Eigen::AngleAxisd(turn[3], Eigen::Vector3d(turn[0], turn[1], turn[2]).normalized())
@@ -161,9 +169,7 @@ class Attempt {
   std::vector<Complex> left_;  ///< eigenvalues of solutions that are not simple
 };
 
-}  // namespace
-
-CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
+CommonTangents tangents_by_eigenvalues(const FourSpheres& spheres, WorkCounters& work) {
   CommonTangents best;
   for (const auto& turn : turns) {
     const TangentEquations equations(spheres, rotation(turn));
@@ -174,8 +180,45 @@ CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
     if (found.accounted_for() > best.accounted_for()) best = std::move(found);
     if (best.accounted_for() == tangent_count) return best;
   }
-  best.infinitely_many =
-      dimension_of_weight_12(TangentEquations(spheres, rotation(turns[0]))) > tangent_count;
+  return best;
+}
+
+/// The simple lines that are so in isotropic coordinates too, each once.
+CommonTangents confirmed(const FourSpheres& spheres, const Strip& strip, const CommonTangents& tangents,
+                         WorkCounters& work) {
+  CommonTangents result;
+  for (const FoundTangent& found : tangents.lines) {
+    if (found.multiplicity > 1) continue;
+    const auto line = refined_in_strip(spheres, strip, ScaledLine::of(strip, found.line), work);
+    if (line && !result.find(*line)) result.add_simple(*line);
+  }
+  return result;
+}
+
+CommonTangents tangents_by_squeezing(const FourSpheres& spheres, const Strip& strip, WorkCounters& work) {
+  constexpr std::uint64_t seed = 1;  // any will do
+  if (strip.widening() == 1) return {};
+  std::mt19937_64 random(seed);
+  return squeezed_tangents(spheres, strip, tangents_by_eigenvalues(strip.widened_spheres(), work), random,
+                           work)
+      .found;
+}
+
+}  // namespace
+
+CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
+  const double width = relative_width(spheres);
+  CommonTangents best = tangents_by_eigenvalues(spheres, work);
+  if (width >= narrow && best.accounted_for() == tangent_count) return best;
+  const Strip strip(spheres);
+  CommonTangents simple = confirmed(spheres, strip, best, work);
+  if (simple.accounted_for() == tangent_count) return simple;
+  CommonTangents squeezed = tangents_by_squeezing(spheres, strip, work);
+  if (width < deceptive) best = std::move(simple);
+  if (squeezed.accounted_for() >= best.accounted_for()) best = std::move(squeezed);
+  if (width >= narrow && best.accounted_for() < tangent_count)
+    best.infinitely_many =
+        dimension_of_weight_12(TangentEquations(spheres, rotation(turns[0]))) > tangent_count;
   return best;
 }
 

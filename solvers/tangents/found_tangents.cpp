@@ -13,11 +13,6 @@ using Complex = std::complex<double>;
 /// and two simple ones 1e-7 apart, too near to be told apart, leave at their mean.
 constexpr double multiple_residual = 1e-13;
 
-/// The line of the real parts.
-ComplexTangent real_part(const ComplexTangent& line) {
-  return {line.point.real().cast<Complex>(), line.direction.real().cast<Complex>()};
-}
-
 bool satisfies(const FourSpheres& spheres, const ComplexTangent& line) {
   const double size = (1 + line.point.norm()) * line.direction.norm();
   return largest_excess(spheres, line) <= multiple_residual * size * size;
@@ -34,6 +29,10 @@ ComplexTangent conjugate(const ComplexTangent& line) {
   return {line.point.conjugate(), line.direction.conjugate()};
 }
 
+ComplexTangent real_part(const ComplexTangent& line) {
+  return {line.point.real().cast<Complex>(), line.direction.real().cast<Complex>()};
+}
+
 bool is_nearly_real(const ComplexTangent& line) { return difference(line, conjugate(line)) <= 1e-7; }
 
 std::optional<FoundTangent> multiple_tangent(const FourSpheres& spheres, const ComplexTangent& line,
@@ -42,6 +41,12 @@ std::optional<FoundTangent> multiple_tangent(const FourSpheres& spheres, const C
   settle(spheres, found.line);
   if (!satisfies(spheres, found.line)) return std::nullopt;
   return found;
+}
+
+void CommonTangents::add_simple(const ComplexTangent& line) {
+  const bool is_real = is_nearly_real(line);
+  lines.push_back({is_real ? real_part(line) : line, is_real, 1});
+  if (!is_real) lines.push_back({conjugate(line), false, 1});
 }
 
 int CommonTangents::accounted_for() const {

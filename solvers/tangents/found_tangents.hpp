@@ -24,6 +24,8 @@ inline constexpr double isotropic = 1e-10;
 double difference(const ComplexTangent& a, const ComplexTangent& b);
 
 ComplexTangent conjugate(const ComplexTangent& line);
+/// The line of the real parts.
+ComplexTangent real_part(const ComplexTangent& line);
 
 /// No further from its conjugate than 1e-7, the root of the rounding: a multiple line that is real, or a
 /// simple one that Newton's method in R has to confirm.
@@ -45,6 +47,8 @@ struct CommonTangents {
   int at_infinity = 0;           ///< isotropic directions, with multiplicities
   bool infinitely_many = false;  ///< to rounding
 
+  /// With its conjugate where it is not real.
+  void add_simple(const ComplexTangent& line);
   /// Of the twelve, with multiplicities.
   int accounted_for() const;
   /// The number of this line in `lines`, or nothing.

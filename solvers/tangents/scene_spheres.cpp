@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solvers/model/distance_system.hpp"
+#include "solvers/tangents/strip_refinement.hpp"
 #include "solvers/tangents/tangent_refinement.hpp"
 
 namespace gcs {
@@ -19,6 +20,15 @@ void refine_in_scene(const FourSpheres& in_scene, Tangent<Scalar> line, ComplexL
   if (!refinement.is_regular) return;
   result.point = line.point.template cast<std::complex<double>>();
   result.direction = line.direction.template cast<std::complex<double>>();
+}
+
+void refine_in_strip(const FourSpheres& in_scene, bool is_real, ComplexLine& result, WorkCounters& work) {
+  const Strip strip(in_scene);
+  const auto refined =
+      refined_in_strip(in_scene, strip, ScaledLine::of(strip, {result.point, result.direction}), work);
+  if (!refined) return;
+  const ComplexTangent line = is_real ? real_part(*refined) : *refined;
+  result = {line.point, line.direction};
 }
 
 }  // namespace
@@ -70,6 +80,8 @@ ComplexLine polished(const FourSpheres& in_scene, const ComplexLine& line, bool 
     const LocalSpheres local(in_scene);
     const auto found = multiple_tangent(local.spheres, local.local(line), is_real, multiplicity);
     if (found) result = local.in_scene(found->line);
+  } else if (relative_width(in_scene) < narrow) {
+    refine_in_strip(in_scene, is_real, result, work);
   } else if (is_real) {
     refine_in_scene<double>(in_scene, {result.point.real(), result.direction.real()}, result, work);
   } else {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "solvers/numeric/bilinear_product.hpp"
+#include "solvers/tangents/squeezed_tangents.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
 #include "solvers/tangents/tangent_refinement.hpp"
 
@@ -45,6 +46,7 @@ class EndCollector {
       : spheres_(spheres), homotopy_(homotopy), work_(work) {}
 
   PathRecord take(const End& end) {
+    line_of_path_.emplace_back();
     if (end.kind == End::Kind::failed) return {PathRecord::End::failed, end.cause, 0, {}};
     const Eigen::Vector3cd u = end.x.head<3>();
     if (nearness_to_isotropic(u) <= isotropic) {
@@ -57,6 +59,9 @@ class EndCollector {
     return {PathRecord::End::failed, "the line where it ends is no common tangent to rounding", 0, {}};
   }
 
+  /// The simple line where the path ends, if it does so.
+  const std::optional<ComplexTangent>& line_of_path(std::size_t path) const { return line_of_path_[path]; }
+
   /// Of a singular line with a single end it is not known what it is: none of multiplicity 0 is kept.
   CommonTangents lines() const {
     CommonTangents result;
@@ -66,9 +71,6 @@ class EndCollector {
       if (line.multiplicity > 0) result.lines.push_back(line);
     }
     result.at_infinity = to_infinity_ / 2;
-    if (result.accounted_for() < tangent_count)
-      result.infinitely_many =
-          dimension_of_weight_12(TangentEquations(spheres_, Eigen::Matrix3d::Identity())) > tangent_count;
     return result;
   }
 
@@ -87,6 +89,7 @@ class EndCollector {
     const bool is_real = is_nearly_real(line) && refined(real);
     if (is_real) line = {real.point.cast<Complex>(), real.direction.cast<Complex>()};
     if (!found_.find(line)) add({line, is_real, 1}, 0);
+    line_of_path_.back() = line;
     return true;
   }
 
@@ -110,6 +113,7 @@ class EndCollector {
   WorkCounters& work_;
   CommonTangents found_;
   std::vector<int> singular_ends_;  ///< of each line
+  std::vector<std::optional<ComplexTangent>> line_of_path_;
   int to_infinity_ = 0;
 };
 
@@ -179,9 +183,34 @@ std::vector<Vector> TangentHomotopy::starts() {
   return result;
 }
 
-FollowedTangents follow_tangents(const FourSpheres& spheres, std::uint64_t seed, const std::stop_token& stop,
+namespace {
+
+/// What is left of the paths to the lines of the widened spheres when these are squeezed.
+void squeeze(const FourSpheres& spheres, const Strip& strip, const EndCollector& ends,
+             std::mt19937_64& random, FollowedTangents& followed, WorkCounters& work) {
+  const CommonTangents wide = std::move(followed.found);
+  SqueezedTangents squeezed = squeezed_tangents(spheres, strip, wide, random, work);
+  followed.found = std::move(squeezed.found);
+  for (std::size_t i = 0; i < followed.paths.size(); ++i) {
+    PathRecord& path = followed.paths[i];
+    if (path.end == PathRecord::End::singular)
+      path = {
+          PathRecord::End::failed, "a multiple line of the widened spheres is not followed further", 0, {}};
+    if (path.end != PathRecord::End::regular) continue;
+    const auto line = wide.find(*ends.line_of_path(i));
+    if (line && squeezed.has_end[*line]) continue;
+    path = {PathRecord::End::failed, "lost on the way from the widened spheres to the given ones", 0, {}};
+  }
+}
+
+}  // namespace
+
+FollowedTangents follow_tangents(const FourSpheres& given, std::uint64_t seed, const std::stop_token& stop,
                                  Monitor* monitor, WorkCounters& work) {
   std::mt19937_64 random(seed);
+  const Strip strip(given);
+  const bool is_narrow = relative_width(given) < narrow;
+  const FourSpheres spheres = is_narrow ? strip.widened_spheres() : given;
   const TangentHomotopy homotopy(spheres, random);
   PathTracker<TangentHomotopy> tracker(homotopy, work);
   EndCollector collector(spheres, homotopy, work);
@@ -194,8 +223,13 @@ FollowedTangents follow_tangents(const FourSpheres& spheres, std::uint64_t seed,
     if (stop.stop_requested()) break;
     followed.paths.push_back(collector.take(tracker.follow(start)));
   }
-  followed.paths.resize(starts.size(), {PathRecord::End::stopped, "stopped on request", 0, {}});
   followed.found = collector.lines();
+  const bool is_stopped = followed.paths.size() < starts.size();
+  if (is_narrow && !is_stopped) squeeze(given, strip, collector, random, followed, work);
+  if (!is_narrow && followed.found.accounted_for() < tangent_count)
+    followed.found.infinitely_many =
+        dimension_of_weight_12(TangentEquations(given, Eigen::Matrix3d::Identity())) > tangent_count;
+  followed.paths.resize(starts.size(), {PathRecord::End::stopped, "stopped on request", 0, {}});
   return followed;
 }
 

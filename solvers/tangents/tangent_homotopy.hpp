@@ -13,8 +13,9 @@
 /// and distant lines near to it, a random one leaves all solutions at finite places. Start: x² = 1, m = y²,
 /// n = g², y³ = 1, n² = 1, whose 24 solutions are known.
 ///
-/// Where all centres are collinear but for 1/100 of their distances solutions come near to each other and
-/// some paths fail, at 1/1000 nearly all: too near for double precision.
+/// Where the centres are nearly collinear, solutions come near to each other and to isotropic directions in
+/// these coordinates. The paths lead to the lines of spheres whose centres are moved apart then, and these
+/// are followed further in other coordinates (squeezed_tangents.hpp).
 
 #include <cstdint>
 #include <random>

@@ -207,6 +207,20 @@ TEST_CASE("centres in a narrow strip or needle have 12 tangents, which the paths
     }
 }
 
+TEST_CASE("parallel edges send tangents to infinity in a narrow strip too") {
+  Eigen::Matrix<double, 3, 4> centers;
+  centers << 0, 0.1, 2, 2.2, 0, 1, 0, 2, 0, 0.5, 0, 1;
+  for (const double breadth : {1e-2, 1e-3, 1e-5}) {
+    const Problem problem =
+        spheres(Eigen::Vector3d(1, breadth, breadth).asDiagonal() * centers, {1, 0.9, 0.8, 0.95});
+    const SolveRun run = solved(problem);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.assessment.solutions.size() == 10);
+    CHECK(run.assessment.counts.at_infinity == 2);
+    expect_agreement(problem);
+  }
+}
+
 TEST_CASE("no simple tangents are taken for a multiple one or for one at infinity in a narrow strip") {
   // Equal radii have tangents near to those of collinear centres, the others are near to isotropic
   // directions.

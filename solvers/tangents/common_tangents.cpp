@@ -24,11 +24,6 @@ constexpr double mix_angle = 0.7;
 constexpr std::array<std::array<double, 4>, 3> turns{
     {{0.31, 0.47, 0.83, 0.9}, {-0.72, 0.55, 0.42, 2.0}, {0.64, -0.21, 0.74, 3.3}}};
 
-/// Relative width below which eigenvalues of different lines come as near to each other as those of a
-/// multiple one, or of one at infinity, and are taken for it: directions are as near to isotropic as its
-/// square.
-constexpr double deceptive = 1.0 / 256;
-
 Eigen::Matrix3d rotation(const std::array<double, 4>& turn) {
   return Eigen::AngleAxisd(turn[3], Eigen::Vector3d(turn[0], turn[1], turn[2]).normalized())
       .toRotationMatrix();
@@ -209,14 +204,13 @@ CommonTangents tangents_by_squeezing(const FourSpheres& spheres, const Strip& st
 CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
   const double width = relative_width(spheres);
   CommonTangents best = tangents_by_eigenvalues(spheres, work);
-  if (width >= narrow && best.accounted_for() == tangent_count) return best;
+  if (width >= deceptive && best.accounted_for() == tangent_count) return best;
   const Strip strip(spheres);
-  CommonTangents simple = confirmed(spheres, strip, best, work);
-  if (simple.accounted_for() == tangent_count) return simple;
+  if (width < deceptive) best = confirmed(spheres, strip, best, work);
+  if (best.accounted_for() == tangent_count) return best;
   CommonTangents squeezed = tangents_by_squeezing(spheres, strip, work);
-  if (width < deceptive) best = std::move(simple);
-  if (squeezed.accounted_for() >= best.accounted_for()) best = std::move(squeezed);
-  if (width >= narrow && best.accounted_for() < tangent_count)
+  if (squeezed.accounted_for() > best.accounted_for()) best = std::move(squeezed);
+  if (width >= deceptive && best.accounted_for() < tangent_count)
     best.infinitely_many =
         dimension_of_weight_12(TangentEquations(spheres, rotation(turns[0]))) > tangent_count;
   return best;

@@ -78,4 +78,9 @@ class Strip {
 /// and simple lines are polished in isotropic ones. Above it both ways are good, these the slower one.
 inline constexpr double narrow = 1.0 / 32;
 
+/// Relative width below which different lines come as near to each other in Cartesian coordinates as the
+/// rounded parts of a multiple one, or to infinity, and are taken for it: directions are as near to isotropic
+/// as its square.
+inline constexpr double deceptive = 1.0 / 256;
+
 }  // namespace gcs

@@ -203,33 +203,77 @@ void squeeze(const FourSpheres& spheres, const Strip& strip, const EndCollector&
   }
 }
 
+/// Follows the 24 paths, or as many as there is time for before a stop.
+class PathFollower {
+ public:
+  PathFollower(std::uint64_t seed, const std::stop_token& stop, Monitor* monitor, WorkCounters& work)
+      : random_(seed), stop_(stop), monitor_(monitor), work_(work) {}
+
+  FollowedTangents straight(const FourSpheres& spheres) {
+    const TangentHomotopy homotopy(spheres, random_);
+    EndCollector ends(spheres, homotopy, work_);
+    return walk(homotopy, ends);
+  }
+
+  FollowedTangents squeezed(const FourSpheres& spheres, const Strip& strip) {
+    const FourSpheres wide = strip.widened_spheres();
+    const TangentHomotopy homotopy(wide, random_);
+    EndCollector ends(wide, homotopy, work_);
+    FollowedTangents followed = walk(homotopy, ends);
+    if (!is_stopped(followed)) squeeze(spheres, strip, ends, random_, followed, work_);
+    return followed;
+  }
+
+  static bool is_stopped(const FollowedTangents& followed) {
+    return followed.paths.back().end == PathRecord::End::stopped;
+  }
+
+ private:
+  FollowedTangents walk(const TangentHomotopy& homotopy, EndCollector& ends) {
+    PathTracker<TangentHomotopy> tracker(homotopy, work_);
+    const std::vector<Vector> starts = TangentHomotopy::starts();
+    FollowedTangents followed;
+    for (const Vector& start : starts) {
+      if (monitor_)
+        monitor_->progress("following paths",
+                           static_cast<double>(followed.paths.size()) / static_cast<double>(starts.size()));
+      if (stop_.stop_requested()) break;
+      followed.paths.push_back(ends.take(tracker.follow(start)));
+    }
+    followed.paths.resize(starts.size(), {PathRecord::End::stopped, "stopped on request", 0, {}});
+    followed.found = ends.lines();
+    return followed;
+  }
+
+  std::mt19937_64 random_;
+  const std::stop_token& stop_;
+  Monitor* monitor_;
+  WorkCounters& work_;
+};
+
+bool is_complete(const FollowedTangents& followed) {
+  return followed.found.accounted_for() == tangent_count &&
+         std::none_of(followed.paths.begin(), followed.paths.end(),
+                      [](const PathRecord& path) { return path.end == PathRecord::End::failed; });
+}
+
 }  // namespace
 
-FollowedTangents follow_tangents(const FourSpheres& given, std::uint64_t seed, const std::stop_token& stop,
+FollowedTangents follow_tangents(const FourSpheres& spheres, std::uint64_t seed, const std::stop_token& stop,
                                  Monitor* monitor, WorkCounters& work) {
-  std::mt19937_64 random(seed);
-  const Strip strip(given);
-  const bool is_narrow = relative_width(given) < narrow;
-  const FourSpheres spheres = is_narrow ? strip.widened_spheres() : given;
-  const TangentHomotopy homotopy(spheres, random);
-  PathTracker<TangentHomotopy> tracker(homotopy, work);
-  EndCollector collector(spheres, homotopy, work);
-  const std::vector<Vector> starts = TangentHomotopy::starts();
-  FollowedTangents followed;
-  for (const Vector& start : starts) {
-    if (monitor)
-      monitor->progress("following paths",
-                        static_cast<double>(followed.paths.size()) / static_cast<double>(starts.size()));
-    if (stop.stop_requested()) break;
-    followed.paths.push_back(collector.take(tracker.follow(start)));
-  }
-  followed.found = collector.lines();
-  const bool is_stopped = followed.paths.size() < starts.size();
-  if (is_narrow && !is_stopped) squeeze(given, strip, collector, random, followed, work);
-  if (!is_narrow && followed.found.accounted_for() < tangent_count)
+  PathFollower follower(seed, stop, monitor, work);
+  const Strip strip(spheres);
+  const double width = relative_width(spheres);
+  if (width < deceptive) return follower.squeezed(spheres, strip);
+  FollowedTangents followed = follower.straight(spheres);
+  if (PathFollower::is_stopped(followed) || is_complete(followed)) return followed;
+  if (width < narrow)
+    if (FollowedTangents squeezed = follower.squeezed(spheres, strip);
+        is_complete(squeezed) || PathFollower::is_stopped(squeezed))
+      return squeezed;
+  if (followed.found.accounted_for() < tangent_count)
     followed.found.infinitely_many =
-        dimension_of_weight_12(TangentEquations(given, Eigen::Matrix3d::Identity())) > tangent_count;
-  followed.paths.resize(starts.size(), {PathRecord::End::stopped, "stopped on request", 0, {}});
+        dimension_of_weight_12(TangentEquations(spheres, Eigen::Matrix3d::Identity())) > tangent_count;
   return followed;
 }
 

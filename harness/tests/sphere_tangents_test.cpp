@@ -104,7 +104,7 @@ TEST_CASE("touching spheres have 3 real tangents of multiplicity 4, found to 1e-
 
 TEST_CASE("random spheres have 12 tangents to 1e-12 or to the last bit, closed under conjugation") {
   Dice dice(12);
-  for (int i = 0; i < 1000; ++i) expect_twelve(spheres(dice.centers(), dice.distances()));
+  for (int i = 0; i < 1000; ++i) expect_twelve(dice.problem(Eigen::Matrix3d::Identity()));
 }
 
 TEST_CASE("a line that is off by more than rounding is not precise") {
@@ -137,7 +137,7 @@ TEST_CASE("a line through a point is found with its multiplicity") {
   Dice dice(14);
   for (int i = 0; i < 20; ++i) {
     const Eigen::Matrix<double, 3, 4> centers = dice.centers();
-    const Eigen::Vector3d u = Eigen::Vector3d(dice(), dice(), dice()).normalized();
+    const Eigen::Vector3d u = dice.direction();
     Eigen::Vector4d distances;
     for (int p = 0; p < 4; ++p) distances[p] = (centers.col(p) - centers.col(0)).cross(u).norm();
     const SolveRun run = solved(spheres(centers, distances));
@@ -196,15 +196,20 @@ TEST_CASE("centres in a narrow strip or needle have 12 tangents, which the paths
   Dice dice(19);
   for (const double breadth : {1e-2, 1e-3, 1e-4, 1e-6})
     for (const double thickness : {0.0, 1e-2, 1.0}) {
-      const Eigen::Matrix3d turn =
-          Eigen::AngleAxisd(3 * dice(), Eigen::Vector3d(dice(), dice(), dice()).normalized())
-              .toRotationMatrix();
       const Eigen::Vector3d size(1, breadth, breadth * thickness);
-      const Problem problem = spheres(turn * size.asDiagonal() * dice.centers(), dice.distances());
+      const Problem problem = dice.problem(dice.rotation() * size.asDiagonal());
       INFO("breadth " << breadth << ", thickness " << thickness);
       expect_twelve(problem);
       expect_agreement(problem);
     }
+}
+
+TEST_CASE("tangents that are near to each other in Cartesian coordinates are no multiple one") {
+  // Of centres like these, in a plane and near to a line, one case in a hundred or so has eigenvalues that
+  // rounding takes for multiple ones.
+  Dice dice(21);
+  for (const double breadth : {0.1, 0.03, 0.012})
+    for (int i = 0; i < 200; ++i) expect_twelve(dice.problem(Eigen::Vector3d(1, breadth, 0).asDiagonal()));
 }
 
 TEST_CASE("parallel edges send tangents to infinity in a narrow strip too") {

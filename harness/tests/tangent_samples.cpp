@@ -1,5 +1,6 @@
 #include "harness/tests/tangent_samples.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -45,6 +46,20 @@ Eigen::Matrix<double, 3, 4> Dice::centers() {
 
 Eigen::Vector4d Dice::distances() {
   return Eigen::Vector4d::NullaryExpr([this](Eigen::Index) { return 0.05 + std::abs((*this)()); });
+}
+
+Eigen::Vector3d Dice::direction() {
+  return Eigen::Vector3d::NullaryExpr([this](Eigen::Index) { return (*this)(); }).normalized();
+}
+
+Eigen::Matrix3d Dice::rotation() {
+  const Eigen::Vector3d axis = direction();
+  return Eigen::AngleAxisd(3 * (*this)(), axis).toRotationMatrix();
+}
+
+Problem Dice::problem(const Eigen::Matrix3d& shape) {
+  const Eigen::Matrix<double, 3, 4> at = shape * centers();
+  return spheres(at, distances());
 }
 
 int real_ones(const SolveRun& run) {

@@ -22,6 +22,11 @@ class Dice {
 
   Eigen::Matrix<double, 3, 4> centers();
   Eigen::Vector4d distances();
+  /// A unit vector.
+  Eigen::Vector3d direction();
+  Eigen::Matrix3d rotation();
+  /// Random centres, mapped by `shape`, and distances.
+  Problem problem(const Eigen::Matrix3d& shape);
 
  private:
   std::mt19937_64 engine_;

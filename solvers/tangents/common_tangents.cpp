@@ -204,12 +204,12 @@ CommonTangents tangents_by_squeezing(const FourSpheres& spheres, const Strip& st
 CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
   const double width = relative_width(spheres);
   CommonTangents best = tangents_by_eigenvalues(spheres, work);
-  if (width >= deceptive && best.accounted_for() == tangent_count) return best;
+  if (width >= deceptive && best.are_all_simple()) return best;
   const Strip strip(spheres);
   if (width < deceptive) best = confirmed(spheres, strip, best, work);
-  if (best.accounted_for() == tangent_count) return best;
+  if (best.are_all_simple()) return best;
   CommonTangents squeezed = tangents_by_squeezing(spheres, strip, work);
-  if (squeezed.accounted_for() > best.accounted_for()) best = std::move(squeezed);
+  if (squeezed.tell_more_than(best)) best = std::move(squeezed);
   if (width >= deceptive && best.accounted_for() < tangent_count)
     best.infinitely_many =
         dimension_of_weight_12(TangentEquations(spheres, rotation(turns[0]))) > tangent_count;

@@ -1,7 +1,9 @@
 #include "solvers/tangents/found_tangents.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "solvers/tangents/tangent_algebra.hpp"
 #include "solvers/tangents/tangent_refinement.hpp"
 
 namespace gcs {
@@ -53,6 +55,12 @@ int CommonTangents::accounted_for() const {
   int sum = at_infinity;
   for (const FoundTangent& found : lines) sum += found.multiplicity;
   return sum;
+}
+
+bool CommonTangents::are_all_simple() const { return lines.size() == tangent_count; }
+
+bool CommonTangents::tell_more_than(const CommonTangents& other) const {
+  return std::pair(accounted_for(), lines.size()) > std::pair(other.accounted_for(), other.lines.size());
 }
 
 std::optional<std::size_t> CommonTangents::find(const ComplexTangent& line) const {

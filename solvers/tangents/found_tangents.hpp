@@ -51,6 +51,11 @@ struct CommonTangents {
   void add_simple(const ComplexTangent& line);
   /// Of the twelve, with multiplicities.
   int accounted_for() const;
+  /// Twelve, none of them at infinity.
+  bool are_all_simple() const;
+  /// More are accounted for, or as many as more different lines: rounding takes lines that are near to each
+  /// other, or to infinity, for a multiple one, but makes no simple ones of it.
+  bool tell_more_than(const CommonTangents& other) const;
   /// The number of this line in `lines`, or nothing.
   std::optional<std::size_t> find(const ComplexTangent& line) const;
 };

@@ -22,6 +22,10 @@ void refine_in_scene(const FourSpheres& in_scene, Tangent<Scalar> line, ComplexL
   result.direction = line.direction.template cast<std::complex<double>>();
 }
 
+bool needs_isotropic_coordinates(const FourSpheres& in_scene, const ComplexLine& line) {
+  return relative_width(in_scene) < narrow || nearness_to_isotropic(line.direction) < narrow * narrow;
+}
+
 void refine_in_strip(const FourSpheres& in_scene, bool is_real, ComplexLine& result, WorkCounters& work) {
   const Strip strip(in_scene);
   const auto refined =
@@ -80,7 +84,7 @@ ComplexLine polished(const FourSpheres& in_scene, const ComplexLine& line, bool 
     const LocalSpheres local(in_scene);
     const auto found = multiple_tangent(local.spheres, local.local(line), is_real, multiplicity);
     if (found) result = local.in_scene(found->line);
-  } else if (relative_width(in_scene) < narrow) {
+  } else if (needs_isotropic_coordinates(in_scene, result)) {
     refine_in_strip(in_scene, is_real, result, work);
   } else if (is_real) {
     refine_in_scene<double>(in_scene, {result.point.real(), result.direction.real()}, result, work);

@@ -74,8 +74,9 @@ class Strip {
   double widening_ = 1;
 };
 
-/// Relative width (tangent_equations.hpp) below which Cartesian coordinates lose so much that paths get lost
-/// and simple lines are polished in isotropic ones. Above it both ways are good, these the slower one.
+/// Relative width (tangent_equations.hpp) below which Cartesian coordinates lose so much that simple lines
+/// are polished in isotropic ones, and so are lines as near to an isotropic direction as its square. Above it
+/// both ways are good, these the slower one.
 inline constexpr double narrow = 1.0 / 32;
 
 /// Relative width below which different lines come as near to each other in Cartesian coordinates as the

@@ -266,11 +266,14 @@ FollowedTangents follow_tangents(const FourSpheres& spheres, std::uint64_t seed,
   const double width = relative_width(spheres);
   if (width < deceptive) return follower.squeezed(spheres, strip);
   FollowedTangents followed = follower.straight(spheres);
-  if (PathFollower::is_stopped(followed) || is_complete(followed)) return followed;
-  if (width < narrow)
-    if (FollowedTangents squeezed = follower.squeezed(spheres, strip);
-        is_complete(squeezed) || PathFollower::is_stopped(squeezed))
+  if (PathFollower::is_stopped(followed)) return followed;
+  if (is_complete(followed) && followed.found.are_all_simple()) return followed;
+  if (strip.widening() > 1) {
+    FollowedTangents squeezed = follower.squeezed(spheres, strip);
+    if (PathFollower::is_stopped(squeezed)) return squeezed;
+    if (is_complete(squeezed) && (!is_complete(followed) || squeezed.found.tell_more_than(followed.found)))
       return squeezed;
+  }
   if (followed.found.accounted_for() < tangent_count)
     followed.found.infinitely_many =
         dimension_of_weight_12(TangentEquations(spheres, Eigen::Matrix3d::Identity())) > tangent_count;

@@ -65,6 +65,8 @@ class PathTube {
   const ArcSeries& curve() const { return series_.curve(); }
   /// A bound on |y_i − c_i(s)| for the points of the arc.
   Eigen::VectorXd radius() const;
+  /// A bound on |c̃_i(s) − c_i(s)| for |s| ≤ h, with c̃(s) as the polynomial is evaluated in floating point.
+  Eigen::VectorXd polynomial_error() const;
   /// A bound on |c''(s)|.
   double turn() const { return coordinate_turn_.norm() * round_up; }
   /// Bounds on |t − t(c(s))| for the points of the arc, and on the difference of the derivatives by s.
@@ -92,7 +94,6 @@ class PathTube {
   void set_progress();
   void set_start_defect();
   void set_speed();
-  Eigen::VectorXd polynomial_error() const;
   PointBox polynomial_tangent(const ParameterRange& range) const;
   /// The transpose of J G on c(0), G being the transpose of `spread`.
   Eigen::MatrixXd in_section(const Eigen::MatrixXd& spread) const;

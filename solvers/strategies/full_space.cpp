@@ -38,11 +38,8 @@ class FullSpace final : public Strategy {
   }
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
-    if (const auto reason = why_no_path(scene)) return reason;
     const bool proves = options_.mode == PathMode::certified || names_jumps_;
-    if (proves && (scene.is_anchored() || scene.constraint_count() == 0))
-      return "S is proven in scenes of constraints between points in the frame only, where nothing is fixed";
-    return std::nullopt;
+    return proves ? why_not_proven(scene) : why_no_path(scene);
   }
 
   SolveReport solve(const SolveRequest& request) override {

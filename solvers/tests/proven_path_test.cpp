@@ -1,37 +1,40 @@
-/// The proven path of the octahedron against the points of an independent tracker: Euler-Newton as published,
-/// with steps so small that it keeps to the path.
+/// Proven paths against an ellipse in closed form, and against the points of an independent tracker:
+/// Euler-Newton as published, with steps so small that it keeps to the path.
 
 #include "solvers/tracking/proven_path.hpp"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "solvers/tests/along_polyline.hpp"
 #include "solvers/tests/sample_problems.hpp"
+#include "solvers/tests/thin_ellipse.hpp"
 #include "solvers/tracking/certified_tracker.hpp"
-#include "solvers/tracking/euler_newton_tracker.hpp"
-#include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_jumps.hpp"
 
 using namespace gcs;
+using namespace gcs::samples;
 
 namespace {
 
 constexpr double newton_distance = 1e-8;
+
+/// Of the ellipse's points in floating point, and of S with the triangle's sides as doubles.
+constexpr double rounding = 1e-12;
+
+/// Series so long that the tubes' radii are small beside those of the polylines.
+SeriesTrackerOptions sharp() {
+  SeriesTrackerOptions options;
+  options.tolerance = 1e-12;
+  return options;
+}
 
 struct BothPaths {
   BothPaths() : scene(samples::octahedron()), certified(scene, {}, {}) {
     certified.keep_arcs();
     proven = certified.run();
     REQUIRE(proven.proven);
-    PaperDistanceHomotopy homotopy(scene);
-    EulerNewtonOptions options;
-    options.step_max = 0.02;
-    options.keep_points = true;
-    followed = EulerNewtonTracker(homotopy, options, {}).run();
-    REQUIRE(followed.end == TrackedPath::End::closed);
-    for (Eigen::VectorXd& y : followed.points)
-      y.head(y.size() - 1) *= std::ldexp(1.0, -scene.unit_exponent());
+    followed = samples::followed_path(scene, 0.02);
   }
 
   std::vector<PathJump> jumps(const std::vector<Eigen::VectorXd>& points) const {
@@ -42,13 +45,6 @@ struct BothPaths {
   CertifiedTracker certified;
   TrackedPath proven, followed;
 };
-
-/// Of a point from the segment between two others.
-double distance_from_segment(const Eigen::VectorXd& point, const Eigen::VectorXd& a,
-                             const Eigen::VectorXd& b) {
-  const double along = std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (point - a - along * (b - a)).norm();
-}
 
 }  // namespace
 
@@ -72,22 +68,50 @@ TEST_CASE("the points of a careful tracker lie on the proven path in order") {
   CHECK_FALSE(places.find(beside));
 }
 
-TEST_CASE("the polyline is as near to the path as it says") {
+TEST_CASE("a polyline is as near to a path that is known in closed form as it says, and not much nearer") {
+  const Ellipse ellipse;
+  CertifiedTracker tracker(ellipse.scene, sharp(), {});
+  tracker.keep_arcs();
+  REQUIRE(tracker.run().proven);
+  std::vector<Eigen::VectorXd> points;
+  constexpr int samples = 100'000;
+  for (int i = 0; i <= samples; ++i)
+    points.push_back(ellipse.point_at(Ellipse::angle_at_start() - 2 * M_PI * i / samples));
+  std::size_t fewer = points.size();
+  for (const double within : {1e-6, 1e-4, 1e-2}) {
+    CAPTURE(within);
+    const std::vector<PathNode> nodes = polyline(tracker.arcs(), within);
+    for (const PathNode& node : nodes) CHECK(node.radius <= within);
+    CHECK(keeps_along(points, nodes, rounding));
+    CHECK_FALSE(keeps_along(points, nodes, rounding, 0.5));
+    CHECK((nodes.front().point - points.front()).norm() <= rounding);
+    CHECK(nodes.back().point == nodes.front().point);
+    CHECK(nodes.size() < fewer);
+    fewer = nodes.size();
+  }
+}
+
+TEST_CASE("the crossings of t = 1 are corners of the polyline") {
+  const Ellipse ellipse;
+  CertifiedTracker tracker(ellipse.scene, sharp(), {});
+  tracker.keep_arcs();
+  REQUIRE(tracker.run().proven);
+  std::vector<PathNode> crossings = polyline(tracker.arcs(), 0.1);
+  std::erase_if(crossings, [](const PathNode& node) { return node.crossing == 0; });
+  REQUIRE(crossings.size() == 2);
+  for (const PathNode& node : crossings) {
+    // Towards growing t above the base, and back below it.
+    CHECK(node.crossing == (&node == &crossings.front() ? 1 : -1));
+    CHECK((node.point - ellipse.point(side_at_target, node.crossing)).norm() <= 1e-9);
+  }
+}
+
+TEST_CASE("the points of a careful tracker keep to the polyline") {
   const BothPaths paths;
-  const std::vector<PathNode> nodes = polyline(paths.certified.arcs());
-  REQUIRE(nodes.size() == paths.certified.arcs().size() + 1);
-  CHECK((nodes.front().point - nodes.back().point).norm() == 0);
-  CHECK(nodes.back().length == Approx(paths.proven.length).epsilon(1e-12));
-  PathPlaces places(paths.certified.arcs(), newton_distance);
-  for (const Eigen::VectorXd& point : paths.followed.points) {
-    const auto place = places.find(point);
-    REQUIRE(place);
-    const auto after =
-        std::upper_bound(nodes.begin() + 1, nodes.end() - 1, *place,
-                         [](double length, const PathNode& node) { return length < node.length; });
-    const PathNode& before = *(after - 1);
-    CHECK(distance_from_segment(point, before.point, after->point) <= before.radius + newton_distance);
-    CHECK(before.radius <= 0.5);
+  for (const double within : {1e-5, 1e-3, 1e-1}) {
+    const std::vector<PathNode> nodes = polyline(paths.certified.arcs(), within);
+    CHECK(keeps_along(paths.followed.points, nodes, newton_distance));
+    CHECK(nodes.back().length == Approx(paths.proven.length).epsilon(1e-9));
   }
 }
 

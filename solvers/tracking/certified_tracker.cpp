@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "solvers/tracking/path_report.hpp"
+
 namespace gcs {
 namespace {
 
@@ -17,6 +19,13 @@ constexpr double first_reach = 0.88;
 constexpr double shrink = 0.7;
 
 }  // namespace
+
+std::optional<std::string> why_not_proven(const Scene& scene) {
+  if (const auto reason = why_no_path(scene)) return reason;
+  if (scene.is_anchored() || scene.constraint_count() == 0)
+    return "S is proven in scenes of constraints between points in the frame only, where nothing is fixed";
+  return std::nullopt;
+}
 
 CertifiedTracker::CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options,
                                    const TrackerContext& context)
@@ -133,10 +142,9 @@ CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bo
   stretch.closes = close.has_value();
   for (const double part : used_parts) {
     const double at_part = part * tube.half_length();
-    const ParameterRange exit = close.value_or(ParameterRange{at_part, at_part});
-    stretch.exit = exit.low;
-    if (side_of(tube, 1, stretch.exit) == 0) continue;
-    const auto crossings = crossings_of(tube, 1, stretch.entry, exit);
+    stretch.exit = close.value_or(ParameterRange{at_part, at_part});
+    if (side_of(tube, 1, stretch.exit.low) == 0) continue;
+    const auto crossings = crossings_of(tube, 1, stretch.entry, stretch.exit);
     if (!crossings) return Failure::crossing;
     stretch.crossings = *crossings;
     return Failure::none;
@@ -147,16 +155,17 @@ CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bo
 void CertifiedTracker::take() {
   WorkCounters& work = curve_.work();
   std::swap(here_, there_);
-  const double step = stretch_.exit - stretch_.entry.low;
+  const double step = stretch_.exit.low - stretch_.entry.low;
   ++work.iterations;
   work.smallest_step = std::min(work.smallest_step.value_or(step), step);
   if (keeps_arcs_)
-    arcs_.push_back({here_.curve(), stretch_.entry.low, stretch_.exit, path_.length,
-                     here_.radius().norm() * round_up, here_.turn()});
+    arcs_.push_back({here_.curve(), stretch_.entry.low, stretch_.exit.high, path_.length,
+                     (here_.radius() + here_.polynomial_error()).norm() * round_up, here_.turn(),
+                     stretch_.crossings});
   path_.length += step;
   for (const TubeCrossing& crossing : stretch_.crossings)
     path_.crossings.push_back({here_.at(crossing.s).point.mid, crossing.direction});
-  exit_s_ = stretch_.exit;
+  exit_s_ = stretch_.exit.low;
   ahead_ = first_reach * here_.half_length();
   if (!stretch_.closes) exit_ = here_.at(exit_s_);
 }

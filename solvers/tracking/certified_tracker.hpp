@@ -32,10 +32,13 @@
 
 namespace gcs {
 
+/// Why S cannot be proven in this scene, or nothing.
+std::optional<std::string> why_not_proven(const Scene& scene);
+
 class CertifiedTracker {
  public:
   /// `options.tolerance` and `options.step_max` bound the first trial of a step only; nothing that is proven
-  /// depends on them. Precondition: the scene has a sketch and no lines.
+  /// depends on them. Precondition: see why_not_proven.
   CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options, const TrackerContext& context);
 
   /// To be called before run: arcs() then holds all of S that was proven.
@@ -51,8 +54,7 @@ class CertifiedTracker {
 
   /// The part of a tube's arc that the path uses.
   struct Stretch {
-    ParameterRange entry;
-    double exit = 0;
+    ParameterRange entry, exit;
     bool closes = false;
     std::vector<TubeCrossing> crossings;
   };

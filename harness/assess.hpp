@@ -56,6 +56,8 @@ struct Proofs {
   std::optional<std::string> why_none;  ///< why certificates do not reach the scene, in a sentence
   std::uint64_t classes = 0;            ///< solutions that are proven to exist, in different classes
   std::uint64_t real = 0;               ///< those of them that are proven to be real
+  std::uint64_t clusters = 0;           ///< solutions that are proven to stand for several (ball_cluster.hpp)
+  std::uint64_t in_clusters = 0;        ///< so many, with multiplicities
   int most_bits = 0;                    ///< the highest precision that a proof took
   std::optional<std::uint64_t>
       generic;                   ///< solutions proven in the same way at the strategy's generic lengths
@@ -64,6 +66,8 @@ struct Proofs {
 
   /// So many proven solutions are all there are.
   bool meets_limit(std::uint64_t count) const;
+  /// Those that the list stands for are.
+  bool are_complete() const { return meets_limit(classes + in_clusters); }
 };
 
 struct Assessment {

@@ -27,7 +27,12 @@ std::string certificates_text(const Proofs& proofs, std::size_t solutions, bool 
       "certified", fmt::format("{} of {} solutions exist, each in a class of its own, {} of them real; "
                                "proven in {} bits at most",
                                proofs.classes, solutions, proofs.real, proofs.most_bits));
-  if (lists_all_complex) text += summary_line("all complex", completeness(proofs, proofs.classes));
+  if (proofs.clusters > 0)
+    text += summary_line("clusters", fmt::format("{} solutions stand for {}, counted with multiplicities, "
+                                                 "that are not told apart",
+                                                 proofs.clusters, proofs.in_clusters));
+  if (lists_all_complex)
+    text += summary_line("all complex", completeness(proofs, proofs.classes + proofs.in_clusters));
   if (proofs.generic)
     text += summary_line("all generic", fmt::format("{} classes certified; {}", *proofs.generic,
                                                     completeness(proofs, *proofs.generic)));

@@ -31,7 +31,7 @@ std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certifi
   std::vector<Enclosure> enclosures;
   std::vector<int> place;
   for (std::size_t i = 0; i < certificates.size(); ++i) {
-    if (!certificates[i].is_proven) continue;
+    if (!certificates[i].is_isolated()) continue;
     enclosures.push_back(certificates[i].enclosure);
     place.push_back(static_cast<int>(i));
   }
@@ -53,10 +53,19 @@ std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point
   return static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), true));
 }
 
-/// What keeps solution i from counting as proven; empty when nothing does.
-std::string objection(const AssessedSolution& solution, const SolutionProof& proof) {
+/// What keeps a solution from counting as proven; empty when nothing does. `unit`: the scene's, in the
+/// file's.
+std::string objection(const AssessedSolution& solution, const SolutionProof& proof, double unit) {
   using Realness = Certificate::Realness;
   const bool is_real = solution.figure.is_real();
+  const int cluster = proof.certificate.cluster;
+  if (cluster > 0 && cluster != solution.multiplicity)
+    return fmt::format(
+        "is listed with multiplicity {} and is a cluster of {} solutions, multiplicities counted",
+        solution.multiplicity, cluster);
+  if (cluster > 0)
+    return fmt::format("is not proven: {}, no further from it than {:.1e}", proof.certificate.cause,
+                       proof.distance * unit);
   if (!proof.certificate.is_proven) return "is not proven: " + proof.certificate.cause;
   if (proof.is_proven_same) return fmt::format("is the same class as solution {}", proof.same_as);
   if (proof.same_as >= 0)
@@ -84,7 +93,7 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
   std::vector<SolutionProof> proofs;
   for (std::size_t i = 0; i < all.size(); ++i) {
     proofs.push_back({all[i]});
-    if (all[i].is_proven) proofs.back().distance = equations.distance(figures[i], all[i]);
+    if (all[i].is_isolated()) proofs.back().distance = equations.distance(figures[i], all[i]);
   }
   for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror)) {
     SolutionProof& later = proofs[static_cast<std::size_t>(pair.second)];
@@ -92,7 +101,18 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
     later.same_as = pair.first;
     later.is_proven_same = pair.is_proven;
   }
+  for (SolutionProof& proof : proofs)
+    if (proof.same_as < 0 && proof.certificate.cluster > 0 &&
+        misses_mirror_images(proof.certificate.enclosure, certifier.system().mirror))
+      proof.cluster = proof.certificate.cluster;
   return proofs;
+}
+
+void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs) {
+  for (const SolutionProof& solution : solutions) {
+    proofs.clusters += solution.cluster > 0 ? 1 : 0;
+    proofs.in_clusters += static_cast<std::uint64_t>(solution.cluster);
+  }
 }
 
 void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
@@ -109,9 +129,11 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads);
   for (std::size_t i = 0; i < all.size(); ++i) {
     AssessedSolution& solution = assessment.solutions[i];
-    const std::string what = objection(solution, all[i]);
+    const std::string what = objection(solution, all[i], std::ldexp(1.0, scene.unit_exponent()));
     if (!what.empty()) {
-      const bool is_multiple = !all[i].certificate.is_proven && solution.multiplicity > 1;
+      const Certificate& certificate = all[i].certificate;
+      const bool is_multiple = !certificate.is_proven && solution.multiplicity > 1 &&
+                               (certificate.cluster == 0 || certificate.cluster == solution.multiplicity);
       assessment.failed_checks.push_back(
           {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
     }
@@ -121,6 +143,7 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
     proofs.classes += solution.certified ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
   }
+  count_clusters(all, proofs);
   proofs.real = proven_real(assessment);
   assessment.counts.certified = proofs.classes;
   if (generic)

@@ -17,7 +17,11 @@ struct SolutionProof {
   double distance = 0;  ///< at most so far from the figure, in the scene's unit; see SceneEquations::distance
   int same_as = -1;     ///< the first solution of the list that is not proven to be another class; −1: none
   bool is_proven_same = false;  ///< and it is proven to be the same class
+  int cluster = 0;              ///< so many classes, with multiplicities, that no earlier solution stands for
 };
+
+/// Adds the clusters to `proofs`.
+void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs);
 
 /// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). The same for
 /// any number of threads.

@@ -111,7 +111,7 @@ void take_proofs(const Assessment& assessment, CellRecord& record) {
   record.counts.certified.reset();
   if (!assessment.proofs || assessment.proofs->why_none) return;
   const Proofs& proofs = *assessment.proofs;
-  record.proofs = RecordedProofs{proofs.classes, proofs.real, proofs.meets_limit(proofs.classes)};
+  record.proofs = RecordedProofs{proofs.classes, proofs.real, proofs.are_complete()};
 }
 
 CellRecord record_of(const MeasureTask& task, const SolveRun& run) {

@@ -194,11 +194,13 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs) {
     return json_object({{"why_none", json_null()},
                         {"classes", json_count(p.classes)},
                         {"real", json_count(p.real)},
+                        {"clusters", json_count(p.clusters)},
+                        {"in_clusters", json_count(p.in_clusters)},
                         {"most_bits", json_number(p.most_bits)},
                         {"generic", json_or_null(p.generic, count)},
                         {"limit", json_or_null(p.limit, count)},
                         {"limit_is_exact", json_boolean(p.limit_is_exact)},
-                        {"complete", json_boolean(p.meets_limit(p.classes))},
+                        {"complete", json_boolean(p.are_complete())},
                         {"generic_complete", json_boolean(p.generic && p.meets_limit(*p.generic))}});
   });
 }

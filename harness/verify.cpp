@@ -128,6 +128,7 @@ class Verifier {
       proofs.real += certificate.realness == Certificate::Realness::real ? 1 : 0;
       proofs.most_bits = std::max(proofs.most_bits, certificate.bits);
     }
+    count_clusters(proofs_, proofs);
     set_limit(theoretical_counts(scene_.problem()), proofs);
   }
 

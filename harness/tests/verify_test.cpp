@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "harness/certify.hpp"
 #include "harness/result_io.hpp"
 #include "harness/strategy_choice.hpp"
 
@@ -72,6 +73,31 @@ TEST_CASE("what a strategy finds is certified, and its result verified from the 
       CHECK(solution["error_bound"].get<double>() > 0);
     }
     CHECK(mismatches(result).empty());
+  }
+}
+
+TEST_CASE("touching spheres have clusters of four tangents, which are all there are") {
+  const Scene scene(load_instance("tangents-fourfold").problem);
+  RunLimits limits;
+  limits.certify = true;
+  for (const std::string strategy : {"sphere-tangents", "monodromy"}) {
+    SolveRun run = run_strategy(find_strategy(strategy), {}, scene, limits);
+    REQUIRE(run.assessment.proofs);
+    INFO(strategy);
+    CHECK(run.assessment.proofs->classes == 0);
+    CHECK(run.assessment.proofs->clusters == 3);
+    CHECK(run.assessment.proofs->in_clusters == 12);
+    CHECK(run.assessment.proofs->are_complete());
+    REQUIRE(run.assessment.failed_checks.size() == 3);
+    for (const FailedCheck& check : run.assessment.failed_checks) CHECK(check.name == "singular");
+
+    // Another multiplicity is refuted, and a line that is listed twice counts once.
+    run.assessment.failed_checks.clear();
+    run.assessment.solutions[0].multiplicity = 3;
+    run.assessment.solutions.push_back(run.assessment.solutions[1]);
+    certify(scene, theoretical_counts(scene.problem()), {}, 1, run.assessment);
+    CHECK(run.assessment.failed_checks[0].name == "certificate");
+    CHECK(run.assessment.proofs->in_clusters == 12);
   }
 }
 

@@ -23,4 +23,13 @@ double magnitude(acb_srcptr ball) {
   return value * (1 + std::numeric_limits<double>::epsilon());
 }
 
+double least_magnitude(acb_srcptr ball) {
+  mag_t bound;
+  mag_init(bound);
+  acb_get_mag_lower(bound, ball);
+  const double value = mag_get_d(bound);
+  mag_clear(bound);
+  return value * (1 - std::numeric_limits<double>::epsilon());
+}
+
 }  // namespace gcs

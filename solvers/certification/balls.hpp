@@ -62,5 +62,7 @@ void enclose(acb_ptr ball, const ExactNumber& number, slong bits);
 
 /// At least |x| for all x of the ball: a double, rounded up.
 double magnitude(acb_srcptr ball);
+/// At most |x| for all x of the ball.
+double least_magnitude(acb_srcptr ball);
 
 }  // namespace gcs

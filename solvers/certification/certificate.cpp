@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "solvers/certification/ball_cluster.hpp"
+
 namespace gcs {
 namespace {
 
@@ -103,7 +105,20 @@ Certificate Certifier::certify(const Point& x, int least_bits) const {
       certificate.cause = cause_of(newton);
     if (newton.converged) start = newton.x;
   }
+  if (!certificate.is_proven) find_cluster(x, certificate);
   return certificate;
+}
+
+/// Its radius is no smaller than the error of x, which is a double: the lowest precision will do.
+void Certifier::find_cluster(const Point& x, Certificate& certificate) const {
+  const auto cluster = prove_cluster(levels_.front(), x);
+  if (!cluster) return;
+  certificate.cluster = cluster->solutions;
+  certificate.bits = static_cast<int>(levels_.front().bits());
+  certificate.enclosure.mid = x;
+  for (const double radius : cluster->radius) certificate.enclosure.radius.emplace_back(radius, radius);
+  certificate.cause = "it is singular or nearly so, a cluster of " + std::to_string(cluster->solutions) +
+                      " solutions, counted with multiplicities";
 }
 
 std::optional<BallKrawczyk::Proof> Certifier::prove(const Point& x, slong bits) const {

@@ -1,6 +1,6 @@
 #pragma once
 /// Proofs that numbers lie next to a solution: Krawczyk's test in doubles where these suffice, else in balls
-/// of more and more bits.
+/// of more and more bits. Where it does not succeed at all, how many solutions lie together there.
 
 #include <complex>
 #include <optional>
@@ -17,12 +17,17 @@ struct Certificate {
   enum class Realness { undecided, real, not_real };
 
   bool is_proven = false;  ///< the solution in `enclosure` exists and is alone there
-  int bits = 0;            ///< the precision that it took; 53: doubles
+  /// Solutions in `enclosure`, with multiplicities, that are not proven to be different or to be one; 0: the
+  /// point was not found to be in a cluster.
+  int cluster = 0;
+  int bits = 0;  ///< the precision that it took; 53: doubles
   Enclosure enclosure;
   Realness realness = Realness::undecided;  ///< of the solution: of all its unknowns together
   std::string cause;                        ///< why nothing is proven, in words; empty when it is
 
-  /// At least |x_i − solution_i|.
+  /// Whether `enclosure` is one.
+  bool is_isolated() const { return is_proven || cluster > 0; }
+  /// At least |x_i − solution_i|, for every solution of a cluster.
   double offset(std::size_t i, std::complex<double> x_i) const;
 };
 
@@ -39,6 +44,8 @@ class Certifier {
   std::optional<BallKrawczyk::Proof> prove(const std::vector<std::complex<double>>& x, slong bits) const;
 
  private:
+  void find_cluster(const std::vector<std::complex<double>>& x, Certificate& certificate) const;
+
   QuadraticSystem system_;
   bool is_real_;
   std::optional<DiscKrawczyk> discs_;

@@ -20,4 +20,7 @@ struct Coincidence {
 std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions,
                                       const std::vector<int>& mirror);
 
+/// Whether no mirror image of the box meets it: what it holds are as many classes as solutions.
+bool misses_mirror_images(const Enclosure& box, const std::vector<int>& mirror);
+
 }  // namespace gcs

@@ -113,9 +113,13 @@ TEST_CASE("well-conditioned solutions are proven in doubles") {
   for (const auto& radius : certificate.enclosure.radius) CHECK(radius.real() <= 1e-14);
 }
 
-TEST_CASE("a double solution is rejected as singular") {
+TEST_CASE("a double solution is rejected as singular, and its cluster is proven") {
   const Certificate certificate = certify_triangle("2", 2, 1, 0);
   CHECK_FALSE(certificate.is_proven);
+  CHECK(certificate.cluster == 2);
+  const double unit = std::ldexp(1.0, -Scene(triangle("2")).unit_exponent());
+  CHECK(holds(certificate.enclosure, {2 * unit, unit, 0}));
+  CHECK_FALSE(misses_mirror_images(certificate.enclosure, {-1, -1, 1}));
   CHECK(certificate.cause.find("singular") != std::string::npos);
 }
 
@@ -166,6 +170,7 @@ TEST_CASE("equal solutions and mirror images coincide, and no others") {
     CHECK(pair.second < 3);
     CHECK(pair.is_proven);
   }
+  for (const Enclosure& box : boxes) CHECK(misses_mirror_images(box, system.mirror));
 }
 
 TEST_CASE("solutions that differ by the side of one point are different classes") {

@@ -107,7 +107,7 @@ void add_options(CLI::App& command, TableRequest& request) {
   command.add_option("--strategies", request.strategies, "Only these strategies, separated by commas")
       ->delimiter(',');
   command.add_option("--out", request.out, "Folder for run.json and the tables as Markdown, CSV and LaTeX");
-  command.add_flag("--full", request.full, "No limits of time (otherwise 20 s a solve, 25 minutes in all)");
+  command.add_flag("--full", request.full, "No limits of time (otherwise 60 s a solve, 25 minutes in all)");
   command.add_flag("--resume", request.resume, "Keep the finished cells of the run in --out");
   command.footer(names_help);
 }

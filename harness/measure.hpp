@@ -28,7 +28,7 @@ struct MeasureSettings {
   int threads = 1;
   std::optional<int> repetitions;              ///< empty: as many as `budget_s` allows, between 3 and 101
   double budget_s = 90;                        ///< for all repetitions of all cells together
-  std::optional<double> cell_limit_s = 20;     ///< for one solve
+  std::optional<double> cell_limit_s = 60;     ///< for one solve
   std::optional<double> total_limit_s = 1500;  ///< for everything; cells that are left are not run
   ExpectedCounts expected;
 };

@@ -1,5 +1,6 @@
 #include "solvers/model/quality.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <array>
@@ -65,13 +66,23 @@ double error_of(const Scene& scene, const Figure& figure, int constraint) {
   return std::abs(excess) / std::max(std::abs(sum), shortest_length(scene));
 }
 
-/// Of the matrix with rows of length 1.
+/// Of the largest singular value to the smallest.
 template <class Matrix>
-double condition(Matrix matrix) {
-  matrix.rowwise().normalize();
+double singular_ratio(const Matrix& matrix) {
   const Eigen::VectorXd singular = Eigen::BDCSVD<Matrix>(matrix).singularValues();
   const double smallest = singular.minCoeff();
   return smallest > 0 ? singular.maxCoeff() / smallest : std::numeric_limits<double>::infinity();
+}
+
+/// The same to seven digits, several times faster where it is not large: the eigenvalues of the Gram matrix
+/// are its squares, of which the smallest one is off by some roundings of the largest.
+double rounded_singular_ratio(const Eigen::MatrixXcd& matrix) {
+  constexpr double small = 1e4;
+  const Eigen::MatrixXcd gram = matrix.adjoint() * matrix;
+  const Eigen::VectorXd squares =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(gram, Eigen::EigenvaluesOnly).eigenvalues();
+  const double ratio = std::sqrt(squares.maxCoeff() / squares.minCoeff());
+  return ratio <= small ? ratio : singular_ratio(matrix);
 }
 
 }  // namespace
@@ -96,15 +107,19 @@ double extent(const Figure& figure) {
 }
 
 double jacobian_condition(const Scene& scene, const Figure& figure) {
-  if (scene.has_lines()) return condition(line_jacobian(scene, figure));
+  if (scene.has_lines()) {
+    const Eigen::MatrixXcd jacobian = line_jacobian(scene, figure).rowwise().normalized();
+    return singular_ratio(jacobian);
+  }
   const DistanceSystem system(scene);
   Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
   system.jacobian(figure.points, jacobian);
-  if (figure.is_real()) return condition(std::move(jacobian));
+  if (figure.is_real()) return singular_ratio<Eigen::MatrixXd>(jacobian.rowwise().normalized());
   Eigen::MatrixXcd complex = jacobian.cast<std::complex<double>>();
   system.jacobian(figure.imaginary, jacobian);
   complex.imag() = jacobian;
-  return condition(std::move(complex));
+  complex.rowwise().normalize();
+  return rounded_singular_ratio(complex);
 }
 
 }  // namespace gcs

@@ -14,7 +14,8 @@ double relative_residual(const Scene& scene, const Figure& figure);
 /// away: its distances, which vary with the square, are right to rounding.
 inline constexpr double double_root_residual = 1e-13;
 
-/// 2-norm condition number of the Jacobian of the distances at the figure, in the frame's free coordinates.
+/// 2-norm condition number of the Jacobian of the distances at the figure, its rows normalised, in the
+/// frame's free coordinates; to as many digits as rounding leaves, of a complex figure to seven at most.
 /// Infinity at a singular figure. Dimensionless.
 double jacobian_condition(const Scene& scene, const Figure& figure);
 

@@ -172,14 +172,26 @@ std::string particulars(const std::vector<Particular>& counts) {
   return text.empty() ? "" : summary_line("counted", text);
 }
 
-std::string time(const Timing& timing) {
+/// ", certified in 18.9 s, 0.72 ms of a thread for each", of the generic solutions too.
+std::string certifying_time(const SolveRun& run) {
+  const std::optional<Proofs>& proofs = run.assessment.proofs;
+  if (!run.timing.certify_s || !proofs || proofs->why_none) return "";
+  const double total_s = *run.timing.certify_s;
+  const auto all = static_cast<double>(run.assessment.solutions.size() + proofs->generic.value_or(0));
+  const std::string each =
+      all > 0 ? fmt::format(", {:.3g} ms of a thread for each", 1e3 * total_s * run.threads / all) : "";
+  return fmt::format(", certified in {:.3g} s{}", total_s, each);
+}
+
+std::string time(const SolveRun& run) {
+  const Timing& timing = run.timing;
   const std::string recalled =
       timing.recalled_steps == 0
           ? ""
           : fmt::format(", after recalling {} from the journal",
                         amount(static_cast<std::uint64_t>(timing.recalled_steps), "step", "steps"));
-  return summary_line("time", fmt::format("{:.3g} s (cpu {:.3g} s), prepared in {:.3g} s{}", timing.wall_s,
-                                          timing.cpu_s, timing.prepare_s, recalled));
+  return summary_line("time", fmt::format("{:.3g} s (cpu {:.3g} s), prepared in {:.3g} s{}{}", timing.wall_s,
+                                          timing.cpu_s, timing.prepare_s, recalled, certifying_time(run)));
 }
 
 std::string failed_checks(const std::vector<FailedCheck>& checks) {
@@ -205,8 +217,7 @@ std::string solve_summary(const Instance& instance, const SolveRun& run) {
   return headline(instance, run) + solution_counts(instance.problem, assessment.counts) +
          path_counts(assessment.counts) + proofs_text(assessment) + growths(assessment.ends) +
          path_proofs(assessment.ends) + crossings_table(assessment) + quality(assessment.solutions) +
-         particulars(run.particulars) + work(run.work) + time(run.timing) +
-         failed_checks(assessment.failed_checks);
+         particulars(run.particulars) + work(run.work) + time(run) + failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

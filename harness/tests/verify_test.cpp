@@ -29,10 +29,11 @@ const std::vector<Case> cases{{"k33", "rcp"},
                               {"hoffmann-yuan", "theta-scan"},
                               {"tangents-durand", "sphere-tangents"}};
 
-Json result_of(const Case& one) {
+Json result_of(const Case& one, int threads = 1) {
   const Instance instance = load_instance(one.instance);
   RunLimits limits;
   limits.certify = true;
+  limits.threads = threads;
   const SolveRun run = run_strategy(find_strategy(one.strategy), {}, Scene(instance.problem), limits);
   REQUIRE(run.status == RunStatus::complete);
   CHECK(run.assessment.failed_checks.empty());
@@ -73,6 +74,18 @@ TEST_CASE("what a strategy finds is certified, and its result verified from the 
       CHECK(solution["error_bound"].get<double>() > 0);
     }
     CHECK(mismatches(result).empty());
+  }
+}
+
+TEST_CASE("certified facts are the same for any number of threads") {
+  for (const Case& one : cases) {
+    const Json alone = result_of(one), shared = result_of(one, 3);
+    INFO(one.instance);
+    for (const char* member : {"proofs", "counts", "solutions"}) CHECK(alone[member] == shared[member]);
+    const StoredResult stored = parse_result(alone.dump(), "result.json");
+    const Proofs first = verify(stored, 1).proofs, second = verify(stored, 3).proofs;
+    CHECK(first.classes == second.classes);
+    CHECK(first.most_bits == second.most_bits);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "solvers/complex_tracking/lane_tracker.hpp"
 #include "source_commit.hpp"
 
 namespace gcs {
@@ -21,7 +22,12 @@ std::string cpu_model() {
 }  // namespace
 
 Environment capture_environment(int threads) {
-  return {cpu_model(), GCSBENCH_COMPILER, GCSBENCH_CXX_FLAGS, GCSBENCH_SOURCE_COMMIT, threads};
+  return {cpu_model(),
+          GCSBENCH_COMPILER,
+          GCSBENCH_CXX_FLAGS,
+          GCSBENCH_SOURCE_COMMIT,
+          threads,
+          std::string(name(widest_instruction_set()))};
 }
 
 std::string program_version() { return GCSBENCH_VERSION; }

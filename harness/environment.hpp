@@ -11,6 +11,7 @@ struct Environment {
   std::string flags;     ///< those that change the generated code
   std::string commit;    ///< hash of the source, "+dirty" appended when it was edited, "unknown" outside git
   int threads = 1;       ///< threads that the strategy was allowed
+  std::string instructions = {};  ///< the widest vector instructions there are: "AVX2"
 };
 
 /// The environment of this process; `threads` is passed on.

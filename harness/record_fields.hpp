@@ -45,6 +45,7 @@ void visit_environment(Record& environment, Visit visit) {
   visit("flags", environment.flags);
   visit("commit", environment.commit);
   visit("threads", environment.threads);
+  visit("instructions", environment.instructions);
 }
 
 }  // namespace gcs

@@ -28,7 +28,7 @@ SolveRun toy_run() {
 }
 
 std::string text_of(const SolveRun& run) {
-  return result_text(toy::instance(), run, {"a cpu", "a compiler", "-O2", "abc+dirty", 2});
+  return result_text(toy::instance(), run, {"a cpu", "a compiler", "-O2", "abc+dirty", 2, "AVX2"});
 }
 
 Json parsed(const SolveRun& run) { return Json::parse(text_of(run)); }
@@ -64,7 +64,8 @@ TEST_CASE("a result has every field of its format") {
                                       {"compiler", "a compiler"},
                                       {"flags", "-O2"},
                                       {"commit", "abc+dirty"},
-                                      {"threads", 2}});
+                                      {"threads", 2},
+                                      {"instructions", "AVX2"}});
 }
 
 TEST_CASE("counts that are not determined are null") {

@@ -12,8 +12,6 @@ namespace gcs {
 struct Box {
   Eigen::VectorXd mid;
   Eigen::VectorXd radius;
-
-  bool contains(const Eigen::VectorXd& x) const { return ((x - mid).cwiseAbs() - radius).maxCoeff() <= 0; }
 };
 
 enum class BoxContent { unknown, no_solution, one_solution };

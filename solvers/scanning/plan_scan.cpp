@@ -268,8 +268,33 @@ class Scan {
     split(visit, plan_.steps.size(), narrowing);
   }
 
-  bool is_known(const Eigen::VectorXd& x) const {
-    return std::any_of(boxes_.begin(), boxes_.end(), [&](const Box& box) { return box.contains(x); });
+  bool has_one_solution(const Box& box) const {
+    return krawczyk(system_, squares_, box) == BoxContent::one_solution;
+  }
+
+  /// A smaller box around the one solution in `around`, as small as the test proves.
+  Box tightened(Box around) const {
+    while (true) {
+      const Box smaller{around.mid, 0x1p-8 * around.radius};
+      if (!has_one_solution(smaller)) return around;
+      around = smaller;
+    }
+  }
+
+  enum class Novelty { unknown, known, other };
+
+  /// Whether the one solution in a tight box is one of those found: it is where a box around both tight boxes
+  /// still has one solution, and none where they do not meet.
+  Novelty novelty(const Box& tight) const {
+    bool meets_any = false;
+    for (const Box& known : boxes_) {
+      const Eigen::VectorXd apart = (known.mid - tight.mid).cwiseAbs() * (1 + 4 * Form::epsilon);
+      if ((apart.array() > (known.radius + tight.radius).array()).any()) continue;
+      const Box both{tight.mid, (apart + known.radius + tight.radius) * (1 + 4 * Form::epsilon)};
+      if (has_one_solution(both)) return Novelty::known;
+      meets_any = true;
+    }
+    return meets_any ? Novelty::unknown : Novelty::other;
   }
 
   /// True when the box holds no solution, or one that is known from now on.
@@ -286,9 +311,13 @@ class Scan {
     Box around{x, box.radius + (x - box.mid).cwiseAbs()};
     around.radius *= 1 + 8 * Form::epsilon;
     if (krawczyk(system_, squares_, around) != BoxContent::one_solution) return false;
-    if (!is_known(x)) outcome_.solutions.push_back(system_.figure(x));
-    boxes_.push_back(around);
-    return true;
+    const Box tight = tightened(around);
+    const Novelty found = novelty(tight);
+    if (found == Novelty::other) {
+      outcome_.solutions.push_back(system_.figure(x));
+      boxes_.push_back(tight);
+    }
+    return found != Novelty::unknown;
   }
 
   void give_up(const Visit& visit, const Cell<N>& cell) {
@@ -315,7 +344,7 @@ class Scan {
   std::vector<DoubleDouble> squares_;
   StepPieces<N> pieces_;
   std::vector<Part> pending_;  ///< the last is the next
-  std::vector<Box> boxes_;     ///< each with one solution, known
+  std::vector<Box> boxes_;     ///< tight ones around the solutions found
   ScanOutcome outcome_;
 };
 

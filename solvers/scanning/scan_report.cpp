@@ -1,5 +1,6 @@
 #include "solvers/scanning/scan_report.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "solvers/model/quality.hpp"
@@ -12,11 +13,49 @@ namespace {
 /// each of which takes about 1e-8 / finest in the direction in which it is multiple.
 constexpr std::int64_t max_undecided = 200'000;
 
-std::string in_words(const UndecidedPiece& piece) {
+/// More ranges than this nobody reads; the others are counted.
+constexpr std::size_t most_named = 20;
+
+/// One range for each angle, in radians.
+using Ranges = std::vector<std::array<double, 2>>;
+
+/// Whether the two meet, or nearly so: neighbours are rounded outwards or inwards.
+bool touch(const Ranges& a, const Ranges& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double slack = std::max(a[i][1] - a[i][0], b[i][1] - b[i][0]);
+    if (a[i][0] > b[i][1] + slack || b[i][0] > a[i][1] + slack) return false;
+  }
+  return true;
+}
+
+void widen(Ranges& hull, const Ranges& other) {
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    hull[i] = {std::min(hull[i][0], other[i][0]), std::max(hull[i][1], other[i][1])};
+}
+
+/// Pieces that touch as one. They come in the order of the scan, so that neighbours are close in it.
+std::vector<Ranges> joined(const std::vector<UndecidedPiece>& pieces) {
+  std::vector<Ranges> hulls;
+  for (const UndecidedPiece& piece : pieces) {
+    const auto hull = std::find_if(hulls.rbegin(), hulls.rend(),
+                                   [&](const Ranges& known) { return touch(known, piece.ranges); });
+    if (hull == hulls.rend())
+      hulls.push_back(piece.ranges);
+    else
+      widen(*hull, piece.ranges);
+  }
+  return hulls;
+}
+
+std::string in_words(const std::vector<Ranges>& all) {
   std::ostringstream words;
   words.precision(15);
-  for (std::size_t i = 0; i < piece.ranges.size(); ++i)
-    words << (i == 0 ? "" : " x ") << "[" << piece.ranges[i][0] << ", " << piece.ranges[i][1] << "]";
+  for (std::size_t k = 0; k < std::min(all.size(), most_named); ++k) {
+    words << (k == 0 ? "" : ", ");
+    for (std::size_t i = 0; i < all[k].size(); ++i)
+      words << (i == 0 ? "" : " x ") << "[" << all[k][i][0] << ", " << all[k][i][1] << "]";
+  }
+  if (all.size() > most_named) words << " and " << all.size() - most_named << " more";
   return words.str();
 }
 
@@ -29,8 +68,7 @@ std::string what_is_missing(const ScanOutcome& outcome) {
   if (outcome.undecided.empty()) return reason;
   if (!reason.empty()) reason += "; ";
   return reason + std::to_string(outcome.undecided.size()) +
-         " of the finest pieces undecided, the first at angles (radians) " +
-         in_words(outcome.undecided.front());
+         " of the finest pieces undecided, at angles (radians) " + in_words(joined(outcome.undecided));
 }
 
 SolveStatus status_of(const ScanOutcome& outcome) {

@@ -31,12 +31,15 @@ bool is_zero_length(const DistanceConstraint& constraint) { return constraint.gi
 
 /// Scenes of points: the frame leaves the reflection through the reference, unless all points are in it.
 SolutionCount count_of_points(const Problem& problem, Natural fixed_frame) {
-  const bool is_flat = static_cast<int>(problem.points.size()) == problem.dimension;
-  return {std::move(fixed_frame), is_flat ? 1 : 2, 1 << (problem.dimension - 1)};
+  const int points = static_cast<int>(problem.points.size());
+  const bool is_flat = points <= problem.dimension;
+  return {std::move(fixed_frame), is_flat ? 1 : 2, 1 << (std::min(points, problem.dimension) - 1)};
 }
 
-/// Line on the x-axis, a point on the positive z-axis: x → −x and y → −y are left.
-SolutionCount count_with_line(Natural fixed_frame) { return {std::move(fixed_frame), 4, 2}; }
+/// Line on the x-axis, a point on the positive z-axis: x → −x and y → −y are left, unless that is all.
+SolutionCount count_with_line(const Problem& problem, Natural fixed_frame) {
+  return {std::move(fixed_frame), problem.points.size() == 1 ? 1 : 4, 2};
+}
 
 /// Points of a part of the problem by consecutive numbers.
 struct PointGraph {
@@ -178,7 +181,7 @@ void bound_points_and_line(const Problem& problem, TheoreticalCounts& counts) {
   }
   const int point = whole.references[smallest->reference].front();
   const int line = static_cast<int>(problem.points.size());
-  counts.bound = CountBound{count_with_line(smallest->fixed_frame), {line, point}, {}};
+  counts.bound = CountBound{count_with_line(problem, smallest->fixed_frame), {line, point}, {}};
 }
 
 /// All points are given, and nothing but a line is sought by its distances from four of them.

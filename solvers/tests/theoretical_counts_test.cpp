@@ -129,6 +129,12 @@ TEST_CASE("one number in three conventions") {
   // Two points, and a triangle in space, are their own mirror images.
   check_conventions(*theoretical_counts(graph(2, 2, {{0, 1}})).exact, "1", "1", "2");
   check_conventions(*theoretical_counts(graph(3, 3, {{0, 1}, {0, 2}, {1, 2}})).exact, "1", "1", "4");
+  check_conventions(*theoretical_counts(graph(3, 2, {{0, 1}})).exact, "1", "1", "2");
+  // So are a point and a line.
+  Problem pair = graph(3, 1, {});
+  pair.lines = {"L"};
+  pair.constraints = {{"l", {0, 1}, {1, "1"}, false}};
+  check_conventions(theoretical_counts(pair).bound->count, "1", "1", "2");
 }
 
 TEST_CASE("the count of the core never exceeds its bound") {

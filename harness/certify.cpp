@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "solvers/certification/coincidences.hpp"
 #include "solvers/certification/scene_equations.hpp"
@@ -67,6 +68,8 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
     return fmt::format("is not proven: {}, no further from it than {:.1e}", proof.certificate.cause,
                        proof.distance * unit);
   if (!proof.certificate.is_proven) return "is not proven: " + proof.certificate.cause;
+  if (solution.multiplicity > 1)
+    return fmt::format("is listed with multiplicity {} and is a simple one", solution.multiplicity);
   if (proof.is_proven_same) return fmt::format("is the same class as solution {}", proof.same_as);
   if (proof.same_as >= 0)
     return fmt::format("is not proven to be another class than solution {}", proof.same_as);
@@ -74,6 +77,13 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
   if (!is_real && proof.certificate.realness == Realness::real) return "is listed as complex and is real";
   if (proof.certificate.realness == Realness::undecided) return "is neither proven real nor proven not to be";
   return "";
+}
+
+/// value·2^exponent, rounded up where it is so near underflow that it is rounded at all.
+double scaled_up(double value, int exponent) {
+  const double scaled = std::ldexp(value, exponent);
+  return std::ldexp(scaled, -exponent) < value ? std::nextafter(scaled, std::numeric_limits<double>::max())
+                                               : scaled;
 }
 
 std::uint64_t proven_real(const Assessment& assessment) {
@@ -138,7 +148,7 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
           {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
     }
     if (all[i].certificate.is_proven)
-      solution.error_bound = std::ldexp(all[i].distance, scene.unit_exponent());
+      solution.error_bound = scaled_up(all[i].distance, scene.unit_exponent());
     solution.certified = what.empty();
     proofs.classes += solution.certified ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);

@@ -199,11 +199,14 @@ std::optional<BallKrawczyk::Proof> BallKrawczyk::prove(const BallMatrix& x) cons
   return proof;
 }
 
-/// The box shrinks about as fast as its square, down to what rounding leaves.
+/// The box shrinks about as fast as its square, down to what rounding leaves. The image of a box is about x:
+/// the mean value theorem needs the Jacobian on the way from x to all of it.
 void BallKrawczyk::contract(BallMatrix& box, const BallMatrix& x, const BallMatrix& value,
                             const BallMatrix& inverse) const {
   while (true) {
-    const BallMatrix smaller = image(x, value, inverse, box);
+    BallMatrix hull(unknowns_, 1);
+    for (slong i = 0; i < unknowns_; ++i) acb_union(hull(i, 0), box(i, 0), x(i, 0), bits_);
+    const BallMatrix smaller = image(x, value, inverse, hull);
     if (!(radius_of(smaller) < radius_of(box) / 2)) return;
     box = smaller;
   }

@@ -51,8 +51,8 @@ BoxContent krawczyk(const DistanceSystem& system, const std::vector<DoubleDouble
   const Eigen::MatrixXd inverse = f.jacobian.partialPivLu().inverse();
   if (!inverse.allFinite()) return BoxContent::unknown;
   const KrawczykImage<double> image = krawczyk_image(inverse, f, jacobian_radius(system, box), box.radius);
-  if ((image.reach() - box.radius).maxCoeff() < 0) return BoxContent::one_solution;
-  if ((image.move.cwiseAbs() - (image.spread + box.radius) * (1 + 4 * epsilon)).maxCoeff() > 0)
+  if ((image.reach().array() < box.radius.array()).all()) return BoxContent::one_solution;
+  if ((image.move.cwiseAbs().array() > (image.spread + box.radius).array() * (1 + 4 * epsilon)).any())
     return BoxContent::no_solution;
   return BoxContent::unknown;
 }

@@ -10,12 +10,17 @@ namespace {
 using Form = AffineForm<0>;
 using Vector = FormVector<0>;
 
-/// A decimal is within half a unit in the last place of its nearest double.
 constexpr double half_ulp = std::numeric_limits<double>::epsilon() / 2;
+
+/// How far a decimal is from its nearest double: half a unit in the last place, which of numbers near
+/// underflow is no longer relative to them.
+double rounding_of(double nearest) {
+  return half_ulp * std::abs(nearest) + std::numeric_limits<double>::denorm_min();
+}
 
 Form from_decimal(double nearest) {
   Form form(nearest);
-  form.rest = half_ulp * std::abs(nearest);
+  form.rest = rounding_of(nearest);
   return form;
 }
 
@@ -64,8 +69,11 @@ EnclosedLength enclose_length(const Scene& scene, int constraint) {
   const LengthPath& path = scene.length_paths()[constraint];
   const Form of_sketch = sqrt(square(sketched(scene, a) - sketched(scene, b)));
   // A target length is the nearest double of a decimal, or the rounded root of one.
+  const double given = scene.problem().constraints[constraint].given.value;
+  const double target_error = (half_ulp + rounding_of(given) / given) * path.at_target;
+  const double bend = scene.problem().interpolation.bend;
   return {path, (of_sketch + -path.at_sketch).radius() + std::abs((of_sketch + -path.at_sketch).mid),
-          2 * half_ulp * path.at_target, half_ulp * std::abs(path.bend)};
+          target_error, path.bend == 0 ? 0 : std::ldexp(rounding_of(bend), -scene.unit_exponent())};
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ bool PathTube::contracts(const Eigen::ArrayXd& room) {
     set_moves(radius_);
     contraction_ = ratio(moved(radius_));
     if (contraction_ > largest_contraction) continue;
-    if ((radius_ - (moved(radius_) + bounds_.residual) * round_up).minCoeff() > 0) return true;
+    if ((radius_ > (moved(radius_) + bounds_.residual) * round_up).all()) return true;
   }
   return false;
 }
@@ -204,7 +204,7 @@ bool PathTube::contracts(const Eigen::ArrayXd& room) {
 Eigen::ArrayXd PathTube::resolved(const Eigen::ArrayXd& push) const {
   constexpr double above = 1 + 0x1p-20;
   const Eigen::ArrayXd w = above * move_lu_.solve(push.matrix()).array();
-  if (w.minCoeff() >= 0 && (w - (push + moved(w)) * round_up).minCoeff() >= 0) return w;
+  if ((w >= 0).all() && (w >= (push + moved(w)) * round_up).all()) return w;
   return radius_ * (ratio(push) / (1 - contraction_) * round_up);
 }
 
@@ -284,9 +284,9 @@ PlaceInTube PathTube::locate(const PointBox& box, const Eigen::MatrixXd& spread)
            .array() +
        in_section(spread).cwiseAbs().colwise().sum().transpose().array()) *
       round_up;
-  if (((v + v_error) * round_up - radius_ * (1 - start_defect_)).maxCoeff() < 0)
+  if (((v + v_error) * round_up < radius_ * (1 - start_defect_)).all())
     place.kind = PlaceInTube::Kind::inside;
-  else if ((v - v_error - radius_ * (1 + start_defect_) * round_up).maxCoeff() > 0)
+  else if ((v - v_error > radius_ * (1 + start_defect_) * round_up).any())
     place.kind = PlaceInTube::Kind::outside;
   return place;
 }

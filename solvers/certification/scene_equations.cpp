@@ -21,6 +21,18 @@ constexpr int first_line_mirror = 3;
 
 bool is_free_beside_given_points(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
+/// How far the line that the frame puts on the x-axis is from there, its direction times `size`.
+double offset_from_axis(const Figure& figure, double size) {
+  const LinePosition& line = figure.lines.front();
+  const Eigen::Vector3d turn = line.direction.cwiseAbs() - Eigen::Vector3d::UnitX();
+  Eigen::Vector3d point = line.point, height = Eigen::Vector3d::Zero(), turned = height;
+  if (!figure.is_real()) {
+    height = figure.imaginary_lines.front().point;
+    turned = figure.imaginary_lines.front().direction;
+  }
+  return std::max(std::hypot(point.norm(), height.norm()), size * std::hypot(turn.norm(), turned.norm()));
+}
+
 ScaledUnknown times(const ExactNumber& coefficient, int unknown) { return {unknown, coefficient}; }
 ScaledUnknown minus(int unknown) { return {unknown, exactly(-1)}; }
 
@@ -33,6 +45,10 @@ std::optional<std::string> why_not_certified(const Scene& scene) {
     return "a line has a given position, whose equations certificates do not know";
   if (scene.has_lines() && !scene.is_anchored() && (problem.lines.size() > 1 || scene.reference().line < 0))
     return "certificates know one line at most, which the frame puts on the x-axis";
+  const auto points = static_cast<int>(problem.points.size());
+  for (int point = 0; scene.has_lines() && scene.is_anchored() && point < points; ++point)
+    if (!problem.is_fixed(point))
+      return "beside a line certificates know given points, or free ones, not both";
   return std::nullopt;
 }
 
@@ -162,6 +178,13 @@ std::vector<std::complex<double>> SceneEquations::coordinates(const Figure& figu
   return x;
 }
 
+double SceneEquations::offset_from_given(const Figure& figure, int point, int axis) const {
+  const double given = points_.given_coordinate(point, axis);
+  const double height = figure.is_real() ? 0 : figure.imaginary(axis, point);
+  // The given coordinate is the nearest double of a decimal.
+  return std::hypot(figure.points(axis, point) - given, height) + epsilon * std::abs(given);
+}
+
 double SceneEquations::distance(const Figure& figure, const Certificate& certificate) const {
   const std::vector<std::complex<double>> x = coordinates(figure);
   const auto offset = [&](int unknown) {
@@ -173,12 +196,13 @@ double SceneEquations::distance(const Figure& figure, const Certificate& certifi
     double square = 0;
     for (int axis = 0; axis < points_.dimension(); ++axis) {
       const int unknown = points_.unknown(point, axis);
-      const double part =
-          unknown >= 0 ? offset(unknown) : epsilon * std::abs(points_.given_coordinate(point, axis));
+      const double part = unknown >= 0 ? offset(unknown) : offset_from_given(figure, point, axis);
       square += part * part;
     }
     largest = std::max(largest, std::sqrt(square));
   }
+  if (scene_.has_lines() && !scene_.is_anchored())
+    largest = std::max(largest, offset_from_axis(figure, scene_.size()));
   for (std::size_t line = 0; is_free_beside_given_points(scene_) && line < figure.lines.size(); ++line)
     for (const int part : {point, direction}) {
       double square = 0;

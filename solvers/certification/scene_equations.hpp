@@ -34,8 +34,8 @@ class SceneEquations {
   /// The unknowns of a figure that is in the scene's frame.
   std::vector<std::complex<double>> coordinates(const Figure& figure) const;
   /// At most the largest distance of a point of the figure from its place in the solution that is proven
-  /// next to it, in the scene's unit. Of a line its point nearest to the origin counts, and its direction
-  /// times the scene's size.
+  /// next to it, or that the frame or the file gives, in the scene's unit. Of a line its point nearest to the
+  /// origin counts, and its direction times the scene's size.
   double distance(const Figure& figure, const Certificate& certificate) const;
   /// The number of the unknown that is coordinate `axis` of a point, or −1 where it is given.
   int point_unknown(int point, int axis) const { return points_.unknown(point, axis); }
@@ -47,6 +47,7 @@ class SceneEquations {
 
  private:
   ExactNumber given_square(int constraint) const;
+  double offset_from_given(const Figure& figure, int point, int axis) const;
   LinearForm difference(int a, int b, int axis) const;
   void add_distance(int constraint);
   void add_distance_to_free_line(int constraint);

@@ -113,6 +113,7 @@ std::optional<std::vector<TubeCrossing>> crossings_of(const PathTube& tube, doub
   const End start{first.high, curve.side(first.high)}, end{last.low, curve.side(last.low)};
   if (!curve.piece(first.low, first.high).misses_zero || !curve.piece(last.low, last.high).misses_zero)
     return std::nullopt;
+  if (start.side == 0 || end.side == 0) return std::nullopt;
   Isolation isolation(curve, smallest_piece * tube.half_length());
   if (!isolation.decide(start, end)) return std::nullopt;
   return isolation.found;

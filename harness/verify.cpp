@@ -43,19 +43,37 @@ class Verifier {
   }
 
   void check_solution(std::size_t i) {
-    using Realness = Certificate::Realness;
     const SolutionProof& proof = proofs_[i];
-    if (!proof.certificate.is_proven) {
-      mismatch("solution", fmt::format("solution {} is not proven: {}", i, proof.certificate.cause));
+    const Certificate& certificate = proof.certificate;
+    if (!certificate.is_isolated()) {
+      mismatch("solution", fmt::format("solution {} is not proven: {}", i, certificate.cause));
       return;
     }
     check_distance(i);
+    check_multiplicity(i);
     if (proof.same_as >= 0)
       mismatch("class",
                fmt::format("solution {} is {} class as solution {}", i,
                            proof.is_proven_same ? "the same" : "not proven to be another", proof.same_as));
+    if (certificate.is_proven) check_realness(i);
+  }
+
+  void check_multiplicity(std::size_t i) {
+    const Certificate& certificate = proofs_[i].certificate;
+    const int proven = certificate.is_proven ? 1 : certificate.cluster;
+    const int listed = result_.listed.solutions[i].multiplicity;
+    if (listed != proven)
+      mismatch("multiplicity",
+               fmt::format("solution {} is listed with multiplicity {}, and {} solutions are proven to lie "
+                           "there, counted with multiplicities",
+                           i, listed, proven));
+  }
+
+  /// Of a cluster nothing is known.
+  void check_realness(std::size_t i) {
+    using Realness = Certificate::Realness;
     const bool is_real = result_.listed.solutions[i].figure.is_real();
-    if (proof.certificate.realness != (is_real ? Realness::real : Realness::not_real))
+    if (proofs_[i].certificate.realness != (is_real ? Realness::real : Realness::not_real))
       mismatch("real",
                fmt::format("solution {} is listed as {}, which is not so", i, is_real ? "real" : "complex"));
   }
@@ -63,8 +81,8 @@ class Verifier {
   /// In the scene's unit.
   double precise_distance(std::size_t i) const {
     const Certifier certifier(equations_.system());
-    return equations_.distance(figures_[i],
-                               certifier.certify(equations_.coordinates(figures_[i]), precise_bits));
+    const Certificate precise = certifier.certify(equations_.coordinates(figures_[i]), precise_bits);
+    return precise.is_isolated() ? equations_.distance(figures_[i], precise) : proofs_[i].distance;
   }
 
   void check_distance(std::size_t i) {
@@ -86,7 +104,7 @@ class Verifier {
     std::vector<Enclosure> boxes;
     std::vector<std::size_t> place;
     for (std::size_t i = 0; i < proofs_.size(); ++i) {
-      if (!proofs_[i].certificate.is_proven) continue;
+      if (!proofs_[i].certificate.is_isolated()) continue;
       boxes.push_back(proofs_[i].certificate.enclosure);
       place.push_back(i);
     }

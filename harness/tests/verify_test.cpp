@@ -127,6 +127,22 @@ TEST_CASE("a shifted solution is caught") {
   }
 }
 
+TEST_CASE("a shift of what the frame or the file gives is caught") {
+  Json result = result_of({"octahedron", "cayley-menger"});
+  result["solutions"][0]["points"]["p1"] = {1e-9, 0, 0};
+  CHECK(mismatches(result) == Names{"solution"});
+  result = result_of({"tangents-durand", "sphere-tangents"});
+  Json& centre = result["solutions"][0]["points"].begin().value();
+  centre[0] = centre[0].get<double>() + 1e-9;
+  CHECK(mismatches(result) == Names{"solution"});
+  result = result_of({"hoffmann-yuan", "theta-scan"});
+  result["solutions"][0]["lines"].begin().value()["direction"] = {1, 1e-9, 0};
+  CHECK(mismatches(result) == Names{"solution"});
+  result = result_of({"hoffmann-yuan", "theta-scan"});
+  result["solutions"][0]["lines"].begin().value()["point"] = {0, 1e-9, 0};
+  CHECK(mismatches(result) == Names{"solution"});
+}
+
 TEST_CASE("a duplicate is caught, and a mirror image too") {
   for (const Case& one : cases) {
     INFO(one.instance);
@@ -139,6 +155,25 @@ TEST_CASE("a duplicate is caught, and a mirror image too") {
   for (Json& point : image["points"]) point[2] = -point[2].get<double>();
   result["solutions"].push_back(image);
   CHECK(mismatches(result).count("class") == 1);
+}
+
+TEST_CASE("a wrong multiplicity is caught") {
+  for (const Case& one : cases) {
+    INFO(one.instance);
+    Json result = result_of(one);
+    result["solutions"][0]["multiplicity"] = 7;
+    if (!result["counts"]["singular"].is_null()) result["counts"]["singular"] = 1;
+    CHECK(mismatches(result) == Names{"multiplicity"});
+  }
+}
+
+TEST_CASE("multiple solutions are verified as clusters of as many") {
+  const Instance instance = load_instance("tangents-fourfold");
+  const SolveRun run = run_strategy(find_strategy("sphere-tangents"), {}, Scene(instance.problem), {});
+  Json result = Json::parse(result_text(instance, run, {}));
+  CHECK(mismatches(result).empty());
+  result["solutions"][0]["multiplicity"] = 2;
+  CHECK(mismatches(result) == Names{"multiplicity"});
 }
 
 TEST_CASE("a dropped solution is caught") {

@@ -46,7 +46,7 @@ struct Counts {
 
 /// Something that must hold in a correct report and does not.
 struct FailedCheck {
-  std::string name;  ///< a fixed word: residual, off path, alternation, repetition, malformed,
+  std::string name;  ///< a fixed word: residual, off path, alternation, repetition, malformed, count,
                      ///< certificate, singular
   std::string what;  ///< one sentence for a person
 };
@@ -68,6 +68,8 @@ struct Proofs {
   bool meets_limit(std::uint64_t count) const;
   /// Those that the list stands for are.
   bool are_complete() const { return meets_limit(classes + in_clusters); }
+  /// So many of them are real, and no more: of those in clusters it is not known.
+  bool decide_real() const { return meets_limit(classes); }
 };
 
 struct Assessment {

@@ -111,7 +111,7 @@ void take_proofs(const Assessment& assessment, CellRecord& record) {
   record.counts.certified.reset();
   if (!assessment.proofs || assessment.proofs->why_none) return;
   const Proofs& proofs = *assessment.proofs;
-  record.proofs = RecordedProofs{proofs.classes, proofs.real, proofs.are_complete()};
+  record.proofs = RecordedProofs{proofs.classes, proofs.real, proofs.are_complete(), proofs.decide_real()};
 }
 
 CellRecord record_of(const MeasureTask& task, const SolveRun& run) {
@@ -174,7 +174,9 @@ std::string changed_answer(const CellRecord& first, const SolveRun& run) {
 }
 
 void repeat(Work& work, const MeasureSettings& settings, const TimeBudget& left) {
-  const SolveRun run = solve_once(*work.task, settings, left);
+  RunLimits limits;
+  limits.checks_counts = false;  // they are those of the warm-up
+  const SolveRun run = solve_once(*work.task, settings, left, limits);
   if (run.status == RunStatus::interrupted || run.status == RunStatus::timed_out) return;
   work.record.difference = changed_answer(work.record, run);
   if (work.record.is_right()) {

@@ -79,6 +79,7 @@ void visit_proofs(Record& proofs, Visit visit) {
   visit("classes", proofs.classes);
   visit("real", proofs.real);
   visit("complete", proofs.is_complete);
+  visit("real_complete", proofs.decides_real);
 }
 
 template <typename Record, typename Visit>

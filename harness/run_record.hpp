@@ -49,6 +49,7 @@ struct RecordedProofs {
   std::uint64_t classes = 0;  ///< solutions proven to exist, each in a class of its own
   std::uint64_t real = 0;     ///< those of them that are proven to be real
   bool is_complete = false;   ///< no lengths have more: these are all complex solutions
+  bool decides_real = false;  ///< nor are there more real ones
 };
 
 /// One cell: its assessed warm-up, and the times of the repetitions.

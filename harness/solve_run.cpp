@@ -109,6 +109,32 @@ void certify_solutions(const Scene& scene, const SolveReport& report, SolveRun& 
   run.timing.certify_s = seconds_since(start);
 }
 
+/// What is left of all complex solutions are all real ones.
+void leave_out_complex(SolveRun& run) {
+  keep_real(run.assessment);
+  if (run.claim == Claim::all_complex) run.claim = Claim::all_real;
+}
+
+/// No isolated solutions are more than the theoretical count, and at generic lengths they are as many as the
+/// exact one. Only of complete answers: others say themselves what is wrong with them.
+void check_counts(const TheoreticalCounts& limits, SolveRun& run) {
+  const SolutionCount* limit = limits.upper_limit();
+  if (limit == nullptr || run.status != RunStatus::complete) return;
+  const Natural most = limit->up_to_reflection();
+  const auto fail = [&](std::string_view what, std::uint64_t count) {
+    run.assessment.failed_checks.push_back(
+        {"count", fmt::format("{} {} up to reflection, and the {} is {}", count, what,
+                              limits.exact ? "exact number" : "upper bound", most.decimal())});
+  };
+  const std::optional<std::uint64_t> generic = run.assessment.counts.generic;
+  const bool is_right = !generic || (limits.exact ? Natural(*generic) == most : Natural(*generic) <= most);
+  if (!is_right) fail("solutions at generic lengths", *generic);
+  std::uint64_t solutions = 0;
+  for (const AssessedSolution& solution : run.assessment.solutions)
+    solutions += static_cast<std::uint64_t>(solution.multiplicity);
+  if (most < Natural(solutions)) fail("solutions, counted with multiplicities,", solutions);
+}
+
 }  // namespace
 
 std::string_view word(RunStatus status) {
@@ -150,8 +176,9 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   set_status(run, report, watch.cause(), limits);
   run.claim = report.claim;
   run.assessment = assess(scene, report);
+  if (limits.checks_counts) check_counts(theoretical_counts(scene.problem()), run);
   if (limits.certify) certify_solutions(scene, report, run);
-  if (limits.only_real) keep_real(run.assessment);
+  if (limits.only_real) leave_out_complex(run);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
   run.work = report.work;
   run.particulars = std::move(report.particulars);

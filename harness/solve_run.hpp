@@ -18,6 +18,7 @@ struct RunLimits {
   std::optional<double> time_limit_s = std::nullopt;        ///< over prepare and solve together
   std::optional<std::size_t> max_solutions = std::nullopt;  ///< how many classes are kept
   bool only_real = false;                                   ///< leave complex solutions out of the list
+  bool checks_counts = true;                                ///< against the theoretical ones
   bool certify = false;  ///< prove what is listed (see certify); not part of the time limit
 };
 

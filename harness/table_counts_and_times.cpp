@@ -134,8 +134,9 @@ class Builder {
     if (!proofs) return "found, not certified";
     const std::uint64_t certified = of_real ? proofs->real : proofs->classes;
     if (certified != count) return fmt::format("found, {} of them certified", certified);
-    return proofs->is_complete ? "proven: all certified, and no lengths have more complex ones"
-                               : "all certified; that there are no more is found, not proven";
+    return (of_real ? proofs->decides_real : proofs->is_complete)
+               ? "proven: all certified, and no lengths have more complex ones"
+               : "all certified; that there are no more is found, not proven";
   }
 
   static std::string origin(const RecordedLimit& limit) {

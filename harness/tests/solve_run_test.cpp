@@ -37,6 +37,10 @@ class ToyStrategy final : public Strategy {
       report.status = SolveStatus::gave_up;
       report.reason = "it is too hard";
     }
+    if (behaviour_ == "generic 1") report.generic = 1;
+    if (behaviour_ == "generic 2") report.generic = 2;
+    if (behaviour_ == "multiplicity 2") report.candidates.front().multiplicity = 2;
+    if (behaviour_ == "all") report.claim = Claim::all_complex;
     return report;
   }
 
@@ -138,4 +142,24 @@ TEST_CASE("a list cut short is partial and says so") {
   CHECK(result.status == RunStatus::partial);
   CHECK(result.reason == "1 of the 2 solutions found are kept, as asked");
   CHECK(result.assessment.solutions.size() == 1);
+}
+
+TEST_CASE("counts that exceed the theoretical ones or differ from the exact one are failed checks") {
+  const auto failed = [](const std::string& behaviour) {
+    std::vector<std::string> names;
+    for (const FailedCheck& check : run(behaviour).assessment.failed_checks) names.push_back(check.name);
+    return names;
+  };
+  // Two points hang on a segment: two classes, whatever the lengths.
+  using Names = std::vector<std::string>;
+  CHECK(failed("good").empty());
+  CHECK(failed("generic 2").empty());
+  CHECK(failed("generic 1") == Names{"count"});
+  CHECK(failed("multiplicity 2") == Names{"count"});
+}
+
+TEST_CASE("what is left of all complex solutions when only real ones are kept are all real ones") {
+  CHECK(run("all").claim == Claim::all_complex);
+  CHECK(run("all", {.only_real = true}).claim == Claim::all_real);
+  CHECK(run("good", {.only_real = true}).claim == Claim::on_path);
 }

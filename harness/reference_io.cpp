@@ -9,7 +9,6 @@
 #include "harness/result_io.hpp"
 #include "harness/verify.hpp"
 #include "solvers/certification/decimal_figure.hpp"
-#include "solvers/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
@@ -52,20 +51,15 @@ void require_proven(const StoredResult& result, const Verification& verification
 std::vector<std::string> solution_texts(const StoredResult& result, const ReferenceSettings& settings) {
   const Scene scene(result.instance.problem);
   const SceneEquations equations(scene);
-  const std::vector<AssessedSolution>& solutions = result.listed.solutions;
-  std::vector<std::string> texts(solutions.size());
-  const auto step = static_cast<std::size_t>(settings.threads);
-  run_on_threads(settings.threads, [&](int thread) {
-    const ThreadReserves reserves;
-    for (std::size_t i = static_cast<std::size_t>(thread); i < solutions.size(); i += step) {
-      const bool is_real = solutions[i].figure.is_real();
-      if (settings.only_real && !is_real) continue;
-      const auto figure =
-          decimal_figure(equations, scene, scene.in_scene_unit(solutions[i].figure), settings.digits);
-      if (figure) texts[i] = to_text(solution_value(scene.problem(), *figure, is_real), -1);
-    }
-  });
-  std::erase_if(texts, [](const std::string& text) { return text.empty(); });
+  std::vector<Figure> kept;
+  for (const AssessedSolution& solution : result.listed.solutions)
+    if (solution.figure.is_real() || !settings.only_real)
+      kept.push_back(scene.in_scene_unit(solution.figure));
+  const auto figures = decimal_figures(equations, scene, kept, settings.digits, settings.threads);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (figures[i])
+      texts.push_back(to_text(solution_value(scene.problem(), *figures[i], kept[i].is_real()), -1));
   return texts;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solvers/model/quality.hpp"
+#include "solvers/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
@@ -107,6 +108,19 @@ std::optional<DecimalFigure> decimal_figure(const SceneEquations& equations, con
     if (figure.error <= wanted * reach) return figure;
   }
   return std::nullopt;
+}
+
+std::vector<std::optional<DecimalFigure>> decimal_figures(const SceneEquations& equations, const Scene& scene,
+                                                          const std::vector<Figure>& near, int digits,
+                                                          int threads, const std::stop_token& stop) {
+  std::vector<std::optional<DecimalFigure>> figures(near.size());
+  const auto step = static_cast<std::size_t>(threads);
+  run_on_threads(threads, [&](int thread) {
+    const ThreadReserves reserves;
+    for (auto i = static_cast<std::size_t>(thread); i < near.size() && !stop.stop_requested(); i += step)
+      figures[i] = decimal_figure(equations, scene, near[i], digits);
+  });
+  return figures;
 }
 
 }  // namespace gcs

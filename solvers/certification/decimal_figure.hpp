@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,11 @@ struct DecimalFigure {
 /// ones; nothing where no precision up to 32 bits for each digit proves it so well.
 std::optional<DecimalFigure> decimal_figure(const SceneEquations& equations, const Scene& scene,
                                             const Figure& near, int digits);
+
+/// One for each figure, on so many threads; the same for any number of them. After a request to stop nothing
+/// for those that are left.
+std::vector<std::optional<DecimalFigure>> decimal_figures(const SceneEquations& equations, const Scene& scene,
+                                                          const std::vector<Figure>& near, int digits,
+                                                          int threads, const std::stop_token& stop = {});
 
 }  // namespace gcs

@@ -131,6 +131,9 @@ struct StrategyEntry {
   bool needs_sketch = false;
   bool keeps_journal = false;  ///< a solve with the journal of an interrupted one goes on where that stopped
   std::vector<OptionSpec> options;
+  /// Beside the defaults: settings that trade accuracy or certainty for time, rough ones first. They are
+  /// measured by `gcsbench precision`.
+  std::vector<OptionMap> accuracy_settings;
   std::unique_ptr<Strategy> (*make)(const OptionMap& options) = nullptr;
 };
 

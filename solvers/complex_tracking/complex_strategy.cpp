@@ -59,6 +59,14 @@ std::vector<OptionSpec> tracking_option_specs() {
            false, false}};
 }
 
+std::vector<OptionMap> tracking_accuracy_settings() {
+  return {{{"tolerance", "1e-4"}},
+          {{"tolerance", "1e-8"}},
+          {{"tolerance", "1e-10"}},
+          {{"order", "8"}},
+          {{"order", "20"}}};
+}
+
 TrackingSetup tracking_setup(const OptionMap& options) {
   TrackingSetup setup;
   setup.options.order = static_cast<int>(integer_option(options, "order", 4, 40));

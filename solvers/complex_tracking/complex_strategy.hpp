@@ -16,6 +16,8 @@ namespace gcs {
 
 /// The options order, tolerance and instructions.
 std::vector<OptionSpec> tracking_option_specs();
+/// Predictions that are rough or fine, of low and of high order.
+std::vector<OptionMap> tracking_accuracy_settings();
 /// Their values. Throws OptionError.
 TrackingSetup tracking_setup(const OptionMap& options);
 

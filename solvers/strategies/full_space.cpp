@@ -117,6 +117,7 @@ StrategyEntry full_space_entry() {
   entry.options = path_option_specs(all_modes, "0.1");
   entry.options.push_back({"jumps", "ignored", "ignored|named",
                            "named (paper): says where the tracker left the path, which is then proven too"});
+  entry.accuracy_settings = path_accuracy_settings();
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<FullSpace>(options);
   };

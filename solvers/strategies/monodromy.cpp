@@ -179,6 +179,7 @@ StrategyEntry monodromy_entry() {
       {"save_start", "none", "FILE, or none",
        "write the solutions at random lengths, for this graph with any lengths", false, false}};
   for (const OptionSpec& spec : tracking_option_specs()) entry.options.push_back(spec);
+  entry.accuracy_settings = tracking_accuracy_settings();
   entry.keeps_journal = true;
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<Monodromy>(options);

@@ -88,6 +88,7 @@ StrategyEntry polyhedral_entry() {
   entry.options.insert(entry.options.begin(),
                        {"formulation", "spheres", Polyhedral::formulations,
                         "with the points' squared norms as unknowns, or the coordinates alone"});
+  entry.accuracy_settings = tracking_accuracy_settings();
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<Polyhedral>(options);
   };

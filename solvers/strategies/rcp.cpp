@@ -96,6 +96,7 @@ StrategyEntry rcp_entry() {
                            "published: γ alone; guarded: also the angle of intersection"});
   entry.options.push_back(
       {"swap", "on", "on|off", "off: keep the first plan and change the branch at a boundary"});
+  entry.accuracy_settings = path_accuracy_settings();
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<Rcp>(options);
   };

@@ -175,6 +175,7 @@ StrategyEntry sphere_tangents_entry() {
   entry.summary = "solves for the 12 common tangents of four spheres, complex ones included";
   entry.citation = "Hoffmann, Yuan 2000, section 3.2";
   entry.options = {{"method", "direct", methods, "direct: eigenvalues; homotopy: 24 paths, as published"}};
+  entry.accuracy_settings = {{{"method", "homotopy"}}};
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<SphereTangents>(options);
   };

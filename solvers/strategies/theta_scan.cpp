@@ -178,6 +178,15 @@ std::vector<OptionSpec> option_specs() {
   return specs;
 }
 
+/// The published scan with coarse and fine steps, in narrow and wide bands.
+std::vector<OptionMap> published_settings() {
+  std::vector<OptionMap> settings;
+  for (const char* step : {"1", "0.1", "0.01"})
+    for (const char* band : {"0.1", "0.2", "1"})
+      settings.push_back({{"method", "published"}, {"dtheta", step}, {"delta", band}});
+  return settings;
+}
+
 }  // namespace
 
 StrategyEntry theta_scan_entry() {
@@ -186,6 +195,7 @@ StrategyEntry theta_scan_entry() {
   entry.summary = "scans five points and a line (5p1L) over the angle of one point around the line";
   entry.citation = "Hoffmann, Yuan 2000, section 4.3";
   entry.options = option_specs();
+  entry.accuracy_settings = published_settings();
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<ThetaScan>(options);
   };

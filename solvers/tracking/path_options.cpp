@@ -41,6 +41,15 @@ std::vector<OptionSpec> path_option_specs(std::string_view modes, std::string_vi
   };
 }
 
+std::vector<OptionMap> path_accuracy_settings() {
+  return {{{"tolerance", "1e-5"}},  {{"tolerance", "1e-9"}},
+          {{"tolerance", "1e-11"}}, {{"tolerance", "1e-13"}},
+          {{"order", "8"}},         {{"order", "16"}},
+          {{"order", "24"}},        {{"step_max", "0.25"}},
+          {{"step_max", "0.0625"}}, {{"mode", "paper"}, {"step_max", "0.2"}},
+          {{"mode", "paper"}},      {{"mode", "paper"}, {"step_max", "0.025"}}};
+}
+
 PathOptions read_path_options(const OptionMap& options, std::string_view modes, double paper_step_max) {
   PathOptions path;
   path.mode = read_mode(options, modes);

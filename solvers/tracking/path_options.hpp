@@ -25,6 +25,9 @@ inline constexpr std::string_view all_modes = "fast|paper|certified";
 /// `modes`: one of the two above; `paper_step_max`: what [I] states for δmax, in words of the option's text.
 std::vector<OptionSpec> path_option_specs(std::string_view modes, std::string_view paper_step_max);
 
+/// Steps and orders of the fast mode, and steps of the paper's.
+std::vector<OptionMap> path_accuracy_settings();
+
 /// Throws OptionError.
 PathOptions read_path_options(const OptionMap& options, std::string_view modes, double paper_step_max);
 

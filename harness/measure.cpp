@@ -23,7 +23,9 @@ using Clock = std::chrono::steady_clock;
 class TimeBudget {
  public:
   explicit TimeBudget(const MeasureSettings& settings)
-      : start_(Clock::now()), total_s_(settings.total_limit_s), cell_s_(settings.cell_limit_s) {}
+      : start_(Clock::now()),
+        total_s_(settings.limits.total_limit_s),
+        cell_s_(settings.limits.cell_limit_s) {}
 
   bool none() const { return total_s_ && remaining_s() <= 0; }
 
@@ -86,6 +88,7 @@ SolveRun solve_once(const MeasureTask& task, const MeasureSettings& settings, co
   limits.seed = settings.seed;
   limits.threads = settings.threads;
   limits.time_limit_s = left.for_one_solve();
+  limits.digits = task.spec.digits;
   return run_strategy(*task.entry, task.spec.given, *task.scene, limits, {monitor});
 }
 
@@ -132,15 +135,27 @@ CellRecord record_of(const MeasureTask& task, const SolveRun& run) {
     record.difference += (record.difference.empty() ? "" : " ") + check.what;
   }
   take_proofs(run.assessment, record);
+  record.claim = run.claim;
+  const bool is_answer = run.status == RunStatus::complete || run.status == RunStatus::partial;
+  if (task.judge != nullptr && is_answer) record.accuracy = task.judge->judge(run, task.spec.digits);
   return record;
 }
 
-CellRecord not_run(const CellSpec& spec) {
+CellRecord not_run(const CellSpec& spec, std::string_view why) {
   CellRecord record;
   record.spec = spec;
   record.status = RunStatus::timed_out;
-  record.reason = "not run: the time for the whole measurement is used up";
+  record.reason = fmt::format("not run: {}", why);
   return record;
+}
+
+/// Whether the same strategy with its defaults has already been too slow for the instance.
+bool has_slow_default(const CellSpec& spec, const std::vector<Work>& earlier) {
+  return std::any_of(earlier.begin(), earlier.end(), [&](const Work& work) {
+    const CellSpec& other = work.record.spec;
+    return other.instance == spec.instance && other.strategy == spec.strategy && other.given.empty() &&
+           other.digits == 0 && work.record.status == RunStatus::timed_out;
+  });
 }
 
 /// For a solve that was stopped on its way.
@@ -152,12 +167,12 @@ void set_estimate(const SolveEstimate& estimate, double elapsed_s, CellRecord& r
 }
 
 Work warm_up(const MeasureTask& task, const MeasureSettings& settings, const TimeBudget& left) {
-  if (left.none()) return {&task, not_run(task.spec)};
+  if (left.none()) return {&task, not_run(task.spec, "the time for the whole measurement is used up")};
   SolveEstimate estimate;
   RunLimits limits;
-  limits.certify = true;
+  limits.certify = task.judge == nullptr;
   const SolveRun run = solve_once(task, settings, left, limits, &estimate);
-  Work work{&task, record_of(task, run), run.timing.prepare_s + run.timing.wall_s};
+  Work work{&task, record_of(task, run), run.timing.prepare_s + run.timing.wall_s + run.timing.refine_s};
   if (run.status == RunStatus::timed_out) set_estimate(estimate, work.cost_s, work.record);
   return work;
 }
@@ -180,7 +195,8 @@ void repeat(Work& work, const MeasureSettings& settings, const TimeBudget& left)
   if (run.status == RunStatus::interrupted || run.status == RunStatus::timed_out) return;
   work.record.difference = changed_answer(work.record, run);
   if (work.record.is_right()) {
-    work.record.repetitions.push_back({run.timing.prepare_s, run.timing.wall_s, run.timing.cpu_s});
+    work.record.repetitions.push_back(
+        {run.timing.prepare_s, run.timing.wall_s, run.timing.cpu_s, run.timing.refine_s});
   } else {
     work.record.repetitions.clear();
   }
@@ -193,7 +209,7 @@ void plan_repetitions(std::vector<Work>& cells, const MeasureSettings& settings)
     if (work.record.is_right() && work.record.repetitions.empty()) open.push_back(&work);
   }
   std::sort(open.begin(), open.end(), [](const Work* a, const Work* b) { return a->cost_s < b->cost_s; });
-  double budget_s = settings.budget_s;
+  double budget_s = settings.limits.budget_s;
   for (std::size_t i = 0; i < open.size(); ++i) {
     const double affordable =
         budget_s / static_cast<double>(open.size() - i) / std::max(open[i]->cost_s, 1e-9);
@@ -233,6 +249,11 @@ std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureS
     });
     if (earlier != known.end()) {
       cells.push_back({&task, *earlier});
+      continue;
+    }
+    if (settings.limits.skips_variants && has_slow_default(task.spec, cells)) {
+      cells.push_back(
+          {&task, not_run(task.spec, "the strategy's defaults already take too long; --full has no limit")});
       continue;
     }
     progress.progress(task.spec.instance + ", " + task.spec.strategy, share(cells.size(), tasks.size()));

@@ -20,16 +20,23 @@ struct MeasureTask {
   CellSpec spec;
   const StrategyEntry* entry = nullptr;
   const Scene* scene = nullptr;
-  bool keeps_solutions = false;  ///< in the record, for tables that show them
+  bool keeps_solutions = false;          ///< in the record, for tables that show them
+  const AccuracyJudge* judge = nullptr;  ///< holds the answer against the reference; null: certificates do
+};
+
+/// How long a measurement may take.
+struct MeasureLimits {
+  double budget_s = 90;                        ///< for all repetitions of all cells together
+  std::optional<double> cell_limit_s = 60;     ///< for one solve
+  std::optional<double> total_limit_s = 1500;  ///< for everything; cells that are left are not run
+  bool skips_variants = false;  ///< of a strategy whose default settings were too slow for the instance
 };
 
 struct MeasureSettings {
   std::uint64_t seed = 1;
   int threads = 1;
-  std::optional<int> repetitions;              ///< empty: as many as `budget_s` allows, between 3 and 101
-  double budget_s = 90;                        ///< for all repetitions of all cells together
-  std::optional<double> cell_limit_s = 60;     ///< for one solve
-  std::optional<double> total_limit_s = 1500;  ///< for everything; cells that are left are not run
+  std::optional<int> repetitions;  ///< empty: as many as the budget allows, between 3 and 101
+  MeasureLimits limits;
   ExpectedCounts expected;
 };
 

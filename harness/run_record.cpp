@@ -23,10 +23,15 @@ constexpr std::array all_statuses{RunStatus::complete,    RunStatus::partial, Ru
                                   RunStatus::unsupported, RunStatus::gave_up, RunStatus::interrupted,
                                   RunStatus::timed_out};
 
-RunStatus status_of(const std::string& text) {
+constexpr std::array all_claims{Claim::some_real, Claim::on_path, Claim::on_path_of_core, Claim::all_real,
+                                Claim::all_complex};
+
+/// The one of `all` whose word is `text`.
+template <typename Named, std::size_t count>
+Named named(const std::array<Named, count>& all, const std::string& text) {
   const auto* const found =
-      std::find_if(all_statuses.begin(), all_statuses.end(), [&](RunStatus s) { return word(s) == text; });
-  if (found == all_statuses.end()) throw std::invalid_argument("unknown status '" + text + "'");
+      std::find_if(all.begin(), all.end(), [&](Named one) { return word(one) == text; });
+  if (found == all.end()) throw std::invalid_argument("unknown word '" + text + "'");
   return *found;
 }
 
@@ -35,6 +40,16 @@ void visit_repetition(Record& repetition, Visit visit) {
   visit("prepare_s", repetition.prepare_s);
   visit("solve_s", repetition.solve_s);
   visit("cpu_s", repetition.cpu_s);
+  visit("refine_s", repetition.refine_s);
+}
+
+template <typename Record, typename Visit>
+void visit_accuracy(Record& accuracy, Visit visit) {
+  visit("met", accuracy.met);
+  visit("missed", accuracy.missed);
+  visit("spurious", accuracy.spurious);
+  visit("largest_error", accuracy.largest_error);
+  visit("median_error", accuracy.median_error);
 }
 
 template <typename Record, typename Visit>
@@ -133,6 +148,7 @@ Json cell_json(const CellRecord& cell) {
   Json json{{"instance", cell.spec.instance},
             {"strategy", cell.spec.strategy},
             {"given", object_of(cell.spec.given)},
+            {"digits", cell.spec.digits},
             {"options", object_of(cell.options)},
             {"status", word(cell.status)},
             {"reason", cell.reason},
@@ -141,12 +157,15 @@ Json cell_json(const CellRecord& cell) {
             {"estimate_s", cell.estimate_s ? Json(*cell.estimate_s) : Json(nullptr)},
             {"counts", Json::object()},
             {"proofs", nullptr},
+            {"claim", cell.claim ? Json(word(*cell.claim)) : Json(nullptr)},
+            {"accuracy", nullptr},
             {"work", Json::object()},
             {"particulars", Json::object()},
             {"solutions", Json::array()},
             {"repetitions", Json::array()}};
   visit_counts(cell.counts, Writer{json["counts"]});
   if (cell.proofs) visit_proofs(*cell.proofs, Writer{json["proofs"]});
+  if (cell.accuracy) visit_accuracy(*cell.accuracy, Writer{json["accuracy"]});
   visit_work(cell.work, Writer{json["work"]});
   visit_particulars(cell.particulars, Writer{json["particulars"]});
   for (const RecordedSolution& solution : cell.solutions)
@@ -169,10 +188,15 @@ CellRecord cell_of(const Json& json) {
     cell.estimate_s = estimate.get<double>();
   cell.spec.given = options_of(json.at("given"));
   cell.options = options_of(json.at("options"));
-  cell.status = status_of(json.at("status").get<std::string>());
+  cell.status = named(all_statuses, json.at("status").get<std::string>());
   visit_counts(cell.counts, Reader{json.at("counts")});
   if (const Json proofs = json.value("proofs", Json()); !proofs.is_null())
     visit_proofs(cell.proofs.emplace(), Reader{proofs});
+  cell.spec.digits = json.value("digits", 0);
+  if (const Json claim = json.value("claim", Json()); !claim.is_null())
+    cell.claim = named(all_claims, claim.get<std::string>());
+  if (const Json accuracy = json.value("accuracy", Json()); !accuracy.is_null())
+    visit_accuracy(cell.accuracy.emplace(), Reader{accuracy});
   visit_work(cell.work, Reader{json.at("work")});
   for (const auto& [name, value] : json.at("particulars").items())
     cell.particulars.push_back({name, value.get<std::int64_t>()});
@@ -189,6 +213,7 @@ Json instance_json(const MeasuredInstance& instance) {
   for (const GivenLength& length : instance.lengths)
     visit_length(length, Writer{json["lengths"].emplace_back(Json::object())});
   json["given_positions"] = instance.has_given_positions;
+  json["reference"] = instance.reference;
   json["complex_limit"] = nullptr;
   if (instance.limit) {
     visit_limit(*instance.limit, Writer{json["complex_limit"]});
@@ -202,6 +227,7 @@ MeasuredInstance instance_of(const Json& json) {
   visit_instance(instance, Reader{json});
   for (const Json& entry : json.at("lengths")) visit_length(instance.lengths.emplace_back(), Reader{entry});
   instance.has_given_positions = json.value("given_positions", false);
+  instance.reference = json.value("reference", "");
   if (const Json limit = json.value("complex_limit", Json()); !limit.is_null()) {
     visit_limit(instance.limit.emplace(), Reader{limit});
     instance.limit->bound.ring = limit.value("ring", std::vector<std::vector<std::string>>());

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/accuracy.hpp"
 #include "harness/counts_view.hpp"
 #include "harness/environment.hpp"
 #include "harness/solve_run.hpp"
@@ -22,6 +23,7 @@ struct CellSpec {
   std::string instance;
   std::string strategy;
   OptionMap given;
+  int digits = 0;  ///< to which every solution is refined; 0: doubles
 
   bool operator==(const CellSpec&) const = default;
 };
@@ -30,10 +32,11 @@ struct CellSpec {
 struct Repetition {
   double prepare_s = 0;
   double solve_s = 0;
-  double cpu_s = 0;  ///< of solve, all threads together
+  double cpu_s = 0;     ///< of solve, all threads together
+  double refine_s = 0;  ///< to more digits
 
   /// What somebody who solves once waits for.
-  double total_s() const { return prepare_s + solve_s; }
+  double total_s() const { return prepare_s + solve_s + refine_s; }
 };
 
 /// A solution as far as tables show it. The points of a real one, in the instance's frame and the file's
@@ -61,6 +64,8 @@ struct CellRecord {
   std::string difference;  ///< why the answer is wrong; empty: nothing speaks against it
   Counts counts;
   std::optional<RecordedProofs> proofs;  ///< empty: certificates do not reach the scene, or were not asked
+  std::optional<Claim> claim;            ///< empty when nothing was run
+  std::optional<Accuracy> accuracy;      ///< empty: not measured
   WorkCounters work;
   std::vector<Particular> particulars;
   double residual = 0;                      ///< largest relative residual of the solutions
@@ -97,6 +102,7 @@ struct MeasuredInstance {
   std::vector<GivenLength> lengths = {};
   std::optional<RecordedLimit> limit = {};  ///< empty: not known
   bool has_given_positions = false;         ///< so that no mirror images are divided out
+  std::string reference = {};               ///< what errors are measured against; empty: they are not
 };
 
 /// A table that was asked for, with the ids of its instances.

@@ -13,6 +13,7 @@
 #include "harness/json_document.hpp"
 #include "harness/start_file.hpp"
 #include "harness/stop_conditions.hpp"
+#include "solvers/certification/scene_equations.hpp"
 
 namespace gcs {
 
@@ -135,6 +136,19 @@ void check_counts(const TheoreticalCounts& limits, SolveRun& run) {
   if (most < Natural(solutions)) fail("solutions, counted with multiplicities,", solutions);
 }
 
+/// Where certificates do not reach the scene nothing is refined.
+void refine_solutions(const Scene& scene, int digits, const StopWatch& watch, const RunLimits& limits,
+                      SolveRun& run) {
+  if (why_not_certified(scene)) return;
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Figure> figures;
+  for (const AssessedSolution& solution : run.assessment.solutions)
+    figures.push_back(scene.in_scene_unit(solution.figure));
+  run.refined = decimal_figures(SceneEquations(scene), scene, figures, digits, run.threads, watch.token());
+  run.timing.refine_s = seconds_since(start);
+  if (watch.cause() != StopWatch::Cause::none) set_stopped(run, watch.cause(), limits);
+}
+
 }  // namespace
 
 std::string_view word(RunStatus status) {
@@ -180,6 +194,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   if (limits.certify) certify_solutions(scene, report, run);
   if (limits.only_real) leave_out_complex(run);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
+  if (limits.digits > 0) refine_solutions(scene, limits.digits, watch, limits, run);
   run.work = report.work;
   run.particulars = std::move(report.particulars);
   return run;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/assess.hpp"
+#include "solvers/certification/decimal_figure.hpp"
 #include "solvers/strategy.hpp"
 
 namespace gcs {
@@ -20,6 +21,7 @@ struct RunLimits {
   bool only_real = false;                                   ///< leave complex solutions out of the list
   bool checks_counts = true;                                ///< against the theoretical ones
   bool certify = false;  ///< prove what is listed (see certify); not part of the time limit
+  int digits = 0;        ///< to which every solution is refined; 0: as the strategy gives it, in doubles
 };
 
 enum class RunStatus { complete, partial, infinite, unsupported, gave_up, interrupted, timed_out };
@@ -36,6 +38,7 @@ struct Timing {
   double prepare_s = 0;             ///< wall time of prepare
   std::int64_t recalled_steps = 0;  ///< taken from the journal of an earlier run, and so not in these times
   std::optional<double> certify_s = std::nullopt;  ///< wall time of proving the assessment, if asked for
+  double refine_s = 0;                             ///< wall time of refining to more digits, if asked for
 };
 
 struct SolveRun {
@@ -47,6 +50,9 @@ struct SolveRun {
   std::string reason;          ///< empty when complete
   std::optional<Claim> claim;  ///< empty when nothing was run
   Assessment assessment;
+  /// Of each solution of the assessment, to the digits asked for; nothing where it is not proven to so many.
+  /// Empty unless asked for.
+  std::vector<std::optional<DecimalFigure>> refined;
   WorkCounters work;
   std::vector<Particular> particulars;  ///< counts that only this strategy knows
   Timing timing;

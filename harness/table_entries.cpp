@@ -86,6 +86,7 @@ TableCell ratio_entry(std::optional<double> ours, const PrintedFigure* figure) {
 std::string label_of(const CellSpec& spec) {
   std::string label = spec.strategy;
   for (const auto& [name, value] : spec.given) label += fmt::format(" {}={}", name, value);
+  if (spec.digits > 0) label += fmt::format(", {} digits", spec.digits);
   return label;
 }
 

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <ctime>
 #include <deque>
+#include <thread>
 #include <tuple>
 
+#include "harness/accuracy.hpp"
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
 #include "harness/counts_view.hpp"
@@ -22,16 +24,23 @@
 namespace gcs {
 namespace {
 
-/// Instances made ready. A deque, because tasks point to the scenes.
+/// Instances made ready. Deques, because tasks point to the scenes and judges.
 struct LoadedInstances {
   std::vector<Instance> instances;
   std::deque<Scene> scenes;
+  std::deque<std::optional<AccuracyJudge>> judges{};  ///< empty: not asked for; nothing: no reference
+  std::vector<std::string> references{};              ///< of each instance, in words
 
   /// Precondition: an instance of that id is loaded.
-  const Scene& scene(const std::string& id) const {
+  std::size_t number(const std::string& id) const {
     const auto found = std::find_if(instances.begin(), instances.end(),
                                     [&](const Instance& instance) { return instance.id == id; });
-    return scenes[static_cast<std::size_t>(found - instances.begin())];
+    return static_cast<std::size_t>(found - instances.begin());
+  }
+  const Scene& scene(const std::string& id) const { return scenes[number(id)]; }
+  const AccuracyJudge* judge(const std::string& id) const {
+    if (judges.empty() || !judges[number(id)]) return nullptr;
+    return &*judges[number(id)];
   }
 };
 
@@ -46,6 +55,40 @@ LoadedInstances load_all(const std::vector<std::string>& arguments) {
     loaded.instances.push_back(std::move(instance));
   }
   return loaded;
+}
+
+/// In seconds: for every strategy where a reference must be made, and for S.
+constexpr double reference_limit_s = 20;
+
+void add_judge(const Instance& instance, const Scene& scene, Monitor& progress, LoadedInstances& loaded) {
+  loaded.judges.emplace_back();
+  loaded.references.emplace_back();
+  std::string& words = loaded.references.back();
+  if (const auto reason = why_not_certified(scene)) {
+    words = "none: " + *reason;
+    return;
+  }
+  progress.progress("reference of " + instance.id, -1);
+  ReferenceList list = reference_for(instance, scene, reference_limit_s, progress);
+  words = list.figures.empty() ? "none: no solution is proven"
+                               : fmt::format("{}, {} solutions", list.source, list.figures.size());
+  const auto threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (list.figures.empty()) return;
+  try {
+    loaded.judges.back().emplace(scene, std::move(list), threads);
+  } catch (const std::runtime_error& error) {
+    words = std::string("none: ") + error.what();
+  }
+}
+
+void add_judges(const TableRequest& request, Monitor& progress, LoadedInstances& loaded) {
+  const bool is_wanted =
+      std::any_of(request.tables.begin(), request.tables.end(), [](const std::string& name) {
+        const TableKind* kind = find_table(name);
+        return kind != nullptr && kind->measures_accuracy;
+      });
+  for (std::size_t i = 0; is_wanted && i < loaded.instances.size(); ++i)
+    add_judge(loaded.instances[i], loaded.scenes[i], progress, loaded);
 }
 
 const TableKind& table_named(const std::string& name) {
@@ -104,7 +147,8 @@ std::vector<MeasureTask> tasks_of(const TableRequest& request, const LoadedInsta
       const StrategyEntry& entry = find_strategy(variant.strategy);
       for (const std::string& id : ids)
         if (variant.is_for(id))
-          add_task(tasks, {variant.on(id), &entry, &loaded.scene(id), kind.shows_solutions});
+          add_task(tasks, {variant.on(id), &entry, &loaded.scene(id), kind.shows_solutions,
+                           kind.measures_accuracy ? loaded.judge(id) : nullptr});
     }
   }
   return tasks;
@@ -193,10 +237,12 @@ RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
   for (const std::string& name : request.tables)
     record.tables.push_back({name, ids_for(table_named(name), request, loaded)});
   for (const Instance& instance : loaded.instances) {
-    record.instances.push_back({instance.id, instance.origin, fingerprint(instance),
-                                static_cast<int>(instance.problem.constraints.size()),
-                                instance.problem.dimension, given_lengths(instance.problem),
-                                complex_limit(instance.problem), loaded.scene(instance.id).is_anchored()});
+    record.instances.push_back(
+        {instance.id, instance.origin, fingerprint(instance),
+         static_cast<int>(instance.problem.constraints.size()), instance.problem.dimension,
+         given_lengths(instance.problem), complex_limit(instance.problem),
+         loaded.scene(instance.id).is_anchored(),
+         loaded.references.empty() ? "" : loaded.references[loaded.number(instance.id)]});
   }
   record.curves = curves_of(request, loaded);
   return record;
@@ -235,9 +281,11 @@ std::vector<CellRecord> earlier_cells(const TableRequest& request, const RunReco
 MeasureSettings settings_of(const TableRequest& request) {
   MeasureSettings settings;
   settings.repetitions = request.repetitions;
+  settings.limits = request.limits;
   if (request.full) {
-    settings.cell_limit_s.reset();
-    settings.total_limit_s.reset();
+    settings.limits.cell_limit_s.reset();
+    settings.limits.total_limit_s.reset();
+    settings.limits.skips_variants = false;
   }
   return settings;
 }
@@ -250,7 +298,8 @@ void require_known_strategies(const TableRequest& request) {
 
 RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress) {
   require_known_strategies(request);
-  const LoadedInstances loaded = load_all(instances_to_load(request));
+  LoadedInstances loaded = load_all(instances_to_load(request));
+  add_judges(request, progress, loaded);
   const std::vector<MeasureTask> tasks = tasks_of(request, loaded);
   MeasureSettings settings = settings_of(request);
   settings.expected = expected_counts(loaded, publications);

@@ -18,6 +18,7 @@ struct TableRequest {
   std::vector<std::string> instances;   ///< as load_instance takes them; default: the tables' own
   std::vector<std::string> strategies;  ///< default: all that the tables show
   std::optional<int> repetitions;
+  MeasureLimits limits;
   bool full = false;                         ///< without limits of time
   std::optional<std::filesystem::path> out;  ///< folder in which run.json is kept up to date
   bool resume = false;                       ///< take finished cells from the run.json that is there

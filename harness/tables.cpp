@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/instance_io.hpp"
+
 namespace gcs {
 namespace {
 
@@ -22,6 +24,19 @@ RunRecord part_of(const RunRecord& run, const RequestedTable& table) {
   });
   return part;
 }
+
+/// An empty one for a table of our own.
+const Publication& publication_of(const TableKind& kind, const Publications& publications) {
+  static const Publication none;
+  return kind.source.empty() ? none : publications.find(kind.source)->second;
+}
+
+const std::vector<std::string>& precision_instances() {
+  static const std::vector<std::string> ids = shipped_instances();
+  return ids;
+}
+
+std::vector<Variant> all_precision_variants() { return precision_variants(all_strategies()); }
 
 void append(TableSet& set, const TableKind& kind, const RunRecord& part, const Publication& paper) {
   for (Table& table : kind.build(part, paper)) set.tables.push_back(std::move(table));
@@ -52,7 +67,25 @@ std::span<const TableKind> table_kinds() {
   return kinds;
 }
 
+const TableKind& precision_kind() {
+  static const TableKind kind = [] {
+    TableKind precision{"precision",
+                        "error against run time",
+                        "",
+                        precision_instances,
+                        free_columns,
+                        !shows_solutions,
+                        all_precision_variants,
+                        build_precision,
+                        draw_precision};
+    precision.measures_accuracy = true;
+    return precision;
+  }();
+  return kind;
+}
+
 const TableKind* find_table(std::string_view name) {
+  if (name == precision_kind().name) return &precision_kind();
   const auto kinds = table_kinds();
   const auto found =
       std::find_if(kinds.begin(), kinds.end(), [&](const TableKind& kind) { return kind.name == name; });
@@ -95,7 +128,7 @@ TableSet build_tables(const RunRecord& run, const Publications& publications) {
     } else if (table.instances.empty()) {
       set.lines.push_back(fmt::format("{}: not measured, none of its instances was asked for", table.name));
     } else {
-      append(set, *kind, part_of(run, table), publications.find(kind->source)->second);
+      append(set, *kind, part_of(run, table), publication_of(*kind, publications));
     }
   }
   set.measurements = build_measurements(run);

@@ -20,8 +20,9 @@ struct Variant {
   std::string strategy;
   OptionMap given;
   std::vector<std::string> only_on = {};  ///< ids of instances; empty: all of the table's
+  int digits = 0;                         ///< to which every solution is refined; 0: doubles
 
-  CellSpec on(const std::string& instance) const { return {instance, strategy, given}; }
+  CellSpec on(const std::string& instance) const { return {instance, strategy, given, digits}; }
   bool is_for(const std::string& instance) const;
 };
 
@@ -35,19 +36,23 @@ struct Drawing {
 struct TableKind {
   std::string_view name;
   std::string_view summary;
-  std::string_view source;  ///< its publication in results/published
+  std::string_view source;  ///< its publication in results/published; empty: none
   const std::vector<std::string>& (*instances)() = nullptr;
   bool has_free_columns = true;  ///< may show other instances than `instances`
   bool shows_solutions = false;  ///< not only how many there are: its cells keep them
   std::vector<Variant> (*variants)() = nullptr;
   std::vector<Table> (*build)(const RunRecord& run, const Publication& paper) = nullptr;
   std::vector<Drawing> (*draw)(const RunRecord& run) = nullptr;  ///< null: no figure
+  bool measures_accuracy = false;  ///< answers are held against references, and not certified
 };
 
-/// All tables, in the order of `all`.
+/// All tables of `gcsbench tables`, in the order of `all`.
 std::span<const TableKind> table_kinds();
 
-/// The table of that name, or nullptr.
+/// What `gcsbench precision` measures.
+const TableKind& precision_kind();
+
+/// The table of that name, of all kinds, or nullptr.
 const TableKind* find_table(std::string_view name);
 
 /// Why this version cannot measure the table: it has none of the strategies that it needs.
@@ -93,6 +98,13 @@ std::vector<Table> build_pyramid(const RunRecord& run, const Publication& paper)
 Table build_pyramid_solutions(const RunRecord& run, const Publication& paper);
 /// Their Fig. 7: d34(θ) over all branches, the given d34 and the solutions.
 std::vector<Drawing> draw_pyramid(const RunRecord& run);
+
+/// Every strategy with its defaults, with each of its accuracy settings, and refined to more digits.
+std::vector<Variant> precision_variants(std::span<const StrategyEntry> strategies);
+/// One table for each instance: errors, solutions missed and spurious, times and work.
+std::vector<Table> build_precision(const RunRecord& run, const Publication& paper);
+/// Error against time, one plot for each instance, and performance profiles over all.
+std::vector<Drawing> draw_precision(const RunRecord& run);
 
 const std::vector<std::string>& tangents_instances();
 std::vector<Variant> tangents_variants();

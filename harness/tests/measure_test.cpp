@@ -148,15 +148,15 @@ TEST_CASE("repetitions are interleaved") {
 
 TEST_CASE("the number of repetitions follows the budget within its bounds") {
   MeasureSettings settings;
-  settings.budget_s = 0;
+  settings.limits.budget_s = 0;
   CHECK(measure_answers({""}, settings).front().repetitions.size() == 3);
-  settings.budget_s = 1e6;
+  settings.limits.budget_s = 1e6;
   CHECK(measure_answers({""}, settings).front().repetitions.size() == 101);
 }
 
 TEST_CASE("cells are not run when the time for everything is used up") {
   MeasureSettings settings;
-  settings.total_limit_s = 0;
+  settings.limits.total_limit_s = 0;
   const auto cells = measure_answers({""}, settings);
   CHECK(cells.front().status == RunStatus::timed_out);
   CHECK_THAT(cells.front().reason, Catch::StartsWith("not run"));

@@ -1,0 +1,56 @@
+#pragma once
+/// How far an answer is from the solutions that are known by proof.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "harness/reference_list.hpp"
+#include "harness/solve_run.hpp"
+#include "solvers/certification/figure_distance.hpp"
+
+namespace gcs {
+
+/// Errors are relative to the scene's size; see figure_distance.hpp for what they measure.
+struct Accuracy {
+  std::uint64_t met = 0;                ///< reference solutions that the answer has
+  std::optional<std::uint64_t> missed;  ///< those that its claim covers and that it has not; empty: not known
+  std::uint64_t spurious = 0;           ///< listed solutions that are none, or that stand there twice
+  double largest_error = 0;             ///< over the solutions met
+  double median_error = 0;
+
+  bool operator==(const Accuracy&) const = default;
+};
+
+/// Holds answers about one scene against its reference.
+class AccuracyJudge {
+ public:
+  /// Keeps a reference to the scene. Precondition: certificates reach it (see why_not_certified). Throws
+  /// std::runtime_error when a solution of the list cannot be proven.
+  AccuracyJudge(const Scene& scene, ReferenceList reference, int threads);
+
+  /// Of the solutions in doubles or, where the run holds them, of those refined to `digits`.
+  Accuracy judge(const SolveRun& run, int digits) const;
+
+  const ReferenceList& reference() const { return reference_; }
+
+ private:
+  struct Match {
+    int known = -1;  ///< −1: none
+    AxisSigns signs{1, 1, 1};
+  };
+
+  Match match(const Figure& figure) const;
+  bool is_scored(const Figure& figure) const;
+  bool is_expected(std::size_t known, Claim claim) const;
+  std::optional<std::uint64_t> missed(const std::vector<bool>& met, Claim claim) const;
+  double error(const SolveRun& run, std::size_t solution, const Match& match, int digits) const;
+
+  const Scene& scene_;
+  ReferenceList reference_;
+  double size_;                       ///< of the scene, in the file's unit
+  std::vector<DecimalFigure> exact_;  ///< the reference's figures, as far as answers in doubles need it
+  std::vector<double> reach_;         ///< a figure further from the solution than this is another one or none
+};
+
+}  // namespace gcs

@@ -1,0 +1,85 @@
+/// gcsbench precision: error against run time.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "harness/commands.hpp"
+#include "harness/progress_line.hpp"
+#include "harness/stop_conditions.hpp"
+#include "harness/table_output.hpp"
+#include "harness/table_run.hpp"
+
+namespace gcs {
+
+namespace {
+
+/// All shipped instances in less than 15 minutes.
+constexpr MeasureLimits limits{
+    .budget_s = 240, .cell_limit_s = 10, .total_limit_s = 800, .skips_variants = true};
+
+/// Settings beside the defaults are experiments, whose failures are findings.
+bool has_flawed_default(const RunRecord& run) {
+  return std::any_of(run.cells.begin(), run.cells.end(), [](const CellRecord& cell) {
+    if (!cell.spec.given.empty() || cell.status != RunStatus::complete) return false;
+    const bool is_flawed =
+        cell.accuracy && (cell.accuracy->spurious > 0 || cell.accuracy->missed.value_or(0) > 0);
+    return is_flawed || !cell.difference.empty();
+  });
+}
+
+bool has_answer(const RunRecord& run) {
+  return std::any_of(run.cells.begin(), run.cells.end(),
+                     [](const CellRecord& cell) { return cell.status == RunStatus::complete; });
+}
+
+ExitCode precision(TableRequest request, bool quiet) {
+  request.tables = {std::string(precision_kind().name)};
+  request.limits = limits;
+  catch_interrupts();
+  const RunRecord run = [&] {
+    ProgressLine progress(!quiet);
+    return run_tables(request, {}, progress);
+  }();
+  const TableSet set = build_tables(run, {});
+  if (request.out) write_tables(set, *request.out, table_formats());
+  std::cout << shown_on_terminal(set);
+  if (interrupted()) return ExitCode::interrupted;
+  if (has_flawed_default(run)) return ExitCode::check_failed;
+  return has_answer(run) ? ExitCode::done : ExitCode::not_solved;
+}
+
+}  // namespace
+
+void add_precision_command(CLI::App& app, Invocation& invocation) {
+  const auto request = std::make_shared<TableRequest>();
+  CLI::App* command = app.add_subcommand("precision", "Measure error against run time");
+  command->add_option("INSTANCE", request->instances, "Ids or files; default: all shipped instances");
+  command->add_option("--strategies", request->strategies, "Only these strategies, separated by commas")
+      ->delimiter(',');
+  command
+      ->add_option("--repetitions", request->repetitions,
+                   "Runs of every setting; default: as time allows, at least 3")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("N");
+  command->add_option("--out", request->out, "Folder for run.json, the tables and the plots as SVG")
+      ->type_name("DIR");
+  command->add_flag("--full", request->full, "No limits of time (otherwise 10 s a solve, 14 minutes in all)");
+  command->add_flag("--resume", request->resume, "Keep the finished cells of the run in --out");
+  command->footer(
+      "Every strategy that can do an instance is measured with its defaults, with each of its accuracy\n"
+      "settings, and refined to 30, 60 and 100 digits. Answers are held against proven solutions: those in\n"
+      "results/reference, or for other instances those that are proven in this run.\n"
+      "\nThe exit code is 1 when a strategy with its defaults misses a solution that it claims to find or\n"
+      "lists one that is none, and 3 when none has an answer.\n"
+      "\nExamples:\n"
+      "  gcsbench precision octahedron\n"
+      "  gcsbench precision --out results/runs/precision\n");
+  command->callback([&invocation, request] {
+    invocation.action = [&invocation, request] { return precision(*request, invocation.quiet); };
+  });
+}
+
+}  // namespace gcs

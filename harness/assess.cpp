@@ -52,12 +52,13 @@ bool is_usable(const Scene& scene, const Candidate& candidate) {
          (figure.is_real() || is_usable_as_complex(scene, figure)) && candidate.multiplicity >= 1;
 }
 
-/// A candidate converged in double precision lies within about u·condition of the exact solution (relative to
-/// the scene's size), so two of the same class differ by about that; the factor leaves room for the
-/// strategy's last corrector step. No test is finer than 1e-10, which well-conditioned solutions of different
-/// classes never come near, nor coarser than 1e-5, where different solutions would be merged.
+/// A candidate converged in double precision lies within u·condition of the exact solution, relative to the
+/// scene's size (within a quarter of that on the stiff families), so two of the same class differ by twice
+/// that at most; two solutions on both sides of a fold differ by a hundred times as much before they cannot
+/// be told apart. No test is finer than 1e-10, which well-conditioned solutions of different classes never
+/// come near, nor coarser than 1e-5, where different solutions would be merged.
 double merging_tolerance(double condition) {
-  return std::min(1e-5, std::max(1e-10, 100 * unit_roundoff * condition));
+  return std::min(1e-5, std::max(1e-10, 2 * unit_roundoff * condition));
 }
 
 std::vector<Figure> representatives(const std::vector<Judged>& judged) {

@@ -11,62 +11,55 @@
 namespace gcs {
 namespace {
 
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+
 /// What is further than this of the scene's size from every solution is none.
 constexpr double farthest = 1e-3;
 
-/// The digits that the reference has more than an answer, so that its own error does not show.
+/// How far from a solution of condition 1 an answer may be to be that one and not another, in unit roundoffs.
+constexpr double uncertainty = 10;
+
+/// The digits that the reference has more than a refined answer, so that its own error does not show.
 constexpr int spare_digits = 10;
 
-/// Of an answer in doubles.
-constexpr int digits_of_doubles = 17;
-
-/// The mirror images of a class: none where positions are given.
-std::vector<AxisSigns> mirror_images(const Scene& scene) {
-  std::vector<AxisSigns> images;
-  const int count = scene.is_anchored() ? 1 : 1 << scene.dimension();
-  for (int mask = 0; mask < count; ++mask)
-    images.push_back({(mask & 1) != 0 ? -1 : 1, (mask & 2) != 0 ? -1 : 1, (mask & 4) != 0 ? -1 : 1});
-  return images;
-}
-
-std::vector<DecimalFigure> exact_figures(const Scene& scene, const std::vector<Figure>& figures, int digits,
-                                         int threads) {
-  std::vector<Figure> scaled;
-  for (const Figure& figure : figures) scaled.push_back(scene.in_scene_unit(figure));
-  std::vector<DecimalFigure> result;
-  for (auto& exact : decimal_figures(SceneEquations(scene), scene, scaled, digits + spare_digits, threads)) {
-    if (!exact) throw std::runtime_error("a solution of the reference is not proven to enough digits");
-    result.push_back(std::move(*exact));
-  }
-  return result;
+DecimalFigure with_digits(const Scene& scene, const Figure& figure, int digits) {
+  auto exact =
+      decimal_figure(SceneEquations(scene), scene, scene.in_scene_unit(figure), digits + spare_digits);
+  if (!exact) throw std::runtime_error("a solution of the reference is not proven to so many digits");
+  return std::move(*exact);
 }
 
 }  // namespace
 
-AccuracyJudge::AccuracyJudge(const Scene& scene, ReferenceList reference, int threads)
+AccuracyJudge::AccuracyJudge(const Scene& scene, ReferenceList reference)
     : scene_(scene),
       reference_(std::move(reference)),
+      images_(mirror_images(scene)),
       size_(std::ldexp(scene.size(), scene.unit_exponent())),
-      exact_(exact_figures(scene, reference_.figures, digits_of_doubles, threads)),
-      reach_(reference_.figures.size(), farthest * size_) {
-  const std::vector<AxisSigns> images = mirror_images(scene_);
+      reach_(reference_.solutions.size(), farthest * size_) {
   for (std::size_t i = 0; i < reach_.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      for (const AxisSigns& signs : images) {
-        const double half = largest_distance(reference_.figures[i], reference_.figures[j], signs, size_) / 2;
+      for (const AxisSigns& signs : images_) {
+        const double half =
+            largest_distance(reference_.solutions[i].figure, reference_.solutions[j].figure, signs, size_) /
+            2;
         reach_[i] = std::min(reach_[i], half);
         reach_[j] = std::min(reach_[j], half);
       }
 }
 
-AccuracyJudge::Match AccuracyJudge::match(const Figure& figure) const {
-  const std::vector<AxisSigns> images = mirror_images(scene_);
+/// What rounding can do to an answer is no reason to call it another solution.
+AccuracyJudge::Match AccuracyJudge::match(const AssessedSolution& solution,
+                                          const std::vector<bool>& met) const {
+  const double blur =
+      std::min(farthest, uncertainty * std::max(1.0, solution.condition) * unit_roundoff) * size_;
   Match best;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < reach_.size(); ++i)
-    for (const AxisSigns& signs : images) {
-      const double distance = largest_distance(figure, reference_.figures[i], signs, size_);
-      if (distance > reach_[i] || distance >= nearest) continue;
+    for (const AxisSigns& signs : images_) {
+      if (met[i]) continue;
+      const double distance = largest_distance(solution.figure, reference_.solutions[i].figure, signs, size_);
+      if (distance > std::max(reach_[i], blur) || distance >= nearest) continue;
       nearest = distance;
       best = {static_cast<int>(i), signs};
     }
@@ -85,7 +78,7 @@ bool AccuracyJudge::is_expected(std::size_t known, Claim claim) const {
       return (*reference_.on_path)[known];
     case Claim::some_real:
     case Claim::all_real:
-      return reference_.figures[known].is_real();
+      return reference_.solutions[known].figure.is_real();
     case Claim::all_complex:
       return true;
   }
@@ -102,14 +95,14 @@ std::optional<std::uint64_t> AccuracyJudge::missed(const std::vector<bool>& met,
 }
 
 double AccuracyJudge::error(const SolveRun& run, std::size_t solution, const Match& match, int digits) const {
-  const auto known = static_cast<std::size_t>(match.known);
+  const KnownSolution& known = reference_.solutions[static_cast<std::size_t>(match.known)];
   const bool is_refined = !run.refined.empty() && run.refined[solution];
-  if (!is_refined)
-    return largest_distance(decimals_of(run.assessment.solutions[solution].figure), exact_[known],
-                            match.signs, size_) /
-           size_;
-  const DecimalFigure exact = exact_figures(scene_, {reference_.figures[known]}, digits, 1).front();
-  return largest_distance(*run.refined[solution], exact, match.signs, size_) / size_;
+  const double distance =
+      is_refined ? largest_distance(*run.refined[solution], with_digits(scene_, known.figure, digits),
+                                    match.signs, size_)
+                 : largest_distance(decimals_of(run.assessment.solutions[solution].figure), known.exact,
+                                    match.signs, size_);
+  return distance / size_;
 }
 
 Accuracy AccuracyJudge::judge(const SolveRun& run, int digits) const {
@@ -117,16 +110,24 @@ Accuracy AccuracyJudge::judge(const SolveRun& run, int digits) const {
   std::vector<bool> met(reach_.size(), false);
   std::vector<double> errors;
   for (std::size_t i = 0; i < run.assessment.solutions.size(); ++i) {
-    const Figure& figure = run.assessment.solutions[i].figure;
-    const Match found = match(figure);
-    if (found.known < 0 || met[static_cast<std::size_t>(found.known)]) {
-      if (found.known >= 0 || is_scored(figure)) ++accuracy.spurious;
+    const AssessedSolution& solution = run.assessment.solutions[i];
+    const Match first = match(solution, met);
+    if (first.known < 0) {
+      const bool is_duplicate = match(solution, std::vector<bool>(met.size(), false)).known >= 0;
+      if (is_duplicate || is_scored(solution.figure)) ++accuracy.spurious;
       continue;
     }
-    met[static_cast<std::size_t>(found.known)] = true;
-    errors.push_back(error(run, i, found, digits));
+    met[static_cast<std::size_t>(first.known)] = true;
+    for (int more = 1; more < solution.multiplicity; ++more)
+      if (const Match next = match(solution, met); next.known >= 0)
+        met[static_cast<std::size_t>(next.known)] = true;
+    errors.push_back(error(run, i, first, digits));
+    const double condition = std::max(1.0, solution.condition);
+    accuracy.largest_condition = std::max(accuracy.largest_condition, condition);
+    accuracy.largest_quotient =
+        std::max(accuracy.largest_quotient, errors.back() / (condition * unit_roundoff));
   }
-  accuracy.met = errors.size();
+  accuracy.met = static_cast<std::uint64_t>(std::count(met.begin(), met.end(), true));
   if (run.claim) accuracy.missed = missed(met, *run.claim);
   if (errors.empty()) return accuracy;
   accuracy.largest_error = *std::max_element(errors.begin(), errors.end());

@@ -18,6 +18,9 @@ struct Accuracy {
   std::uint64_t spurious = 0;           ///< listed solutions that are none, or that stand there twice
   double largest_error = 0;             ///< over the solutions met
   double median_error = 0;
+  double largest_condition = 0;  ///< as assessed, of the solutions met
+  double largest_quotient =
+      0;  ///< of an error over the condition number (1 at least) times the unit roundoff
 
   bool operator==(const Accuracy&) const = default;
 };
@@ -25,14 +28,13 @@ struct Accuracy {
 /// Holds answers about one scene against its reference.
 class AccuracyJudge {
  public:
-  /// Keeps a reference to the scene. Precondition: certificates reach it (see why_not_certified). Throws
-  /// std::runtime_error when a solution of the list cannot be proven.
-  AccuracyJudge(const Scene& scene, ReferenceList reference, int threads);
+  /// Keeps a reference to the scene.
+  AccuracyJudge(const Scene& scene, ReferenceList reference);
 
-  /// Of the solutions in doubles or, where the run holds them, of those refined to `digits`.
+  /// Of the solutions in doubles or, where the run holds them, of those refined to `digits`. A solution of
+  /// multiplicity m stands for up to m that doubles do not tell apart. Throws std::runtime_error when a
+  /// solution of the reference cannot be proven to so many digits.
   Accuracy judge(const SolveRun& run, int digits) const;
-
-  const ReferenceList& reference() const { return reference_; }
 
  private:
   struct Match {
@@ -40,7 +42,7 @@ class AccuracyJudge {
     AxisSigns signs{1, 1, 1};
   };
 
-  Match match(const Figure& figure) const;
+  Match match(const AssessedSolution& solution, const std::vector<bool>& met) const;
   bool is_scored(const Figure& figure) const;
   bool is_expected(std::size_t known, Claim claim) const;
   std::optional<std::uint64_t> missed(const std::vector<bool>& met, Claim claim) const;
@@ -48,9 +50,9 @@ class AccuracyJudge {
 
   const Scene& scene_;
   ReferenceList reference_;
-  double size_;                       ///< of the scene, in the file's unit
-  std::vector<DecimalFigure> exact_;  ///< the reference's figures, as far as answers in doubles need it
-  std::vector<double> reach_;         ///< a figure further from the solution than this is another one or none
+  std::vector<AxisSigns> images_;
+  double size_;                ///< of the scene, in the file's unit
+  std::vector<double> reach_;  ///< a figure further from the solution than this is another one or none
 };
 
 }  // namespace gcs

@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 
 #include "harness/json_cursor.hpp"
 #include "harness/solve_run.hpp"
 #include "harness/stop_conditions.hpp"
 #include "harness/text_input.hpp"
-#include "solvers/model/reflection_classes.hpp"
+#include "solvers/certification/figure_distance.hpp"
+#include "solvers/certification/scene_equations.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/tracking/certified_tracker.hpp"
 #include "solvers/tracking/path_report.hpp"
 
@@ -19,55 +23,47 @@ namespace {
 
 constexpr std::string_view format_name = "gcsbench-reference/1";
 
-/// Proven solutions closer together than this of the scene's size are the same, found twice; so close ones of
-/// different classes would have condition numbers beyond what a list of solutions in doubles can tell.
-constexpr double same_place = 1e-9;
+/// Of a list that is made now.
+constexpr int digits = 40;
 
 // ---- the shipped lists
 
-double decimal_value(const JsonCursor& cursor) {
-  const std::string text = cursor.text();
+std::string decimal_text(const JsonCursor& cursor) {
+  std::string text = cursor.text();
   char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
+  std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0')
     cursor.fail("'" + text + "' is no number", "give a decimal number as a text");
-  return value;
+  return text;
 }
 
-/// Sets the numbers of one vector; `im` is null for a real one.
-void read_vector(const JsonCursor& cursor, int dimension, Eigen::Ref<Eigen::Vector3d> re, double* im) {
+DecimalVector read_vector(const JsonCursor& cursor, int dimension, bool is_real) {
+  DecimalVector vector;
   const auto entries = cursor.elements(static_cast<std::size_t>(dimension), "coordinates");
-  for (int axis = 0; axis < dimension; ++axis) {
-    const JsonCursor& entry = entries[static_cast<std::size_t>(axis)];
-    if (im == nullptr) {
-      re[axis] = decimal_value(entry);
+  for (std::size_t axis = 0; axis < entries.size(); ++axis) {
+    if (is_real) {
+      vector[axis].re = decimal_text(entries[axis]);
       continue;
     }
-    const auto parts = entry.elements(2, "numbers, re and im");
-    re[axis] = decimal_value(parts[0]);
-    im[axis] = decimal_value(parts[1]);
+    const auto parts = entries[axis].elements(2, "numbers, re and im");
+    vector[axis] = {decimal_text(parts[0]), decimal_text(parts[1])};
   }
+  return vector;
 }
 
-LinePosition zero_line() { return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}; }
-
-Figure read_figure(const JsonCursor& cursor, const Problem& problem) {
+KnownSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
   const bool is_real = cursor.required("real").value().boolean;
-  const auto count = static_cast<Eigen::Index>(problem.points.size());
-  Figure figure{Eigen::Matrix3Xd::Zero(3, count), {}};
-  if (!is_real) figure.imaginary = Eigen::Matrix3Xd::Zero(3, count);
-  const JsonCursor points = cursor.required("points");
-  for (Eigen::Index i = 0; i < count; ++i)
-    read_vector(points.required(problem.points[static_cast<std::size_t>(i)]), problem.dimension,
-                figure.points.col(i), is_real ? nullptr : figure.imaginary.col(i).data());
+  DecimalFigure exact;
+  for (const std::string& name : problem.points)
+    exact.points.push_back(read_vector(cursor.required("points").required(name), problem.dimension, is_real));
   for (const std::string& name : problem.lines) {
     const JsonCursor line = cursor.required("lines").required(name);
-    LinePosition& re = figure.lines.emplace_back(zero_line());
-    LinePosition* im = is_real ? nullptr : &figure.imaginary_lines.emplace_back(zero_line());
-    read_vector(line.required("point"), 3, re.point, im == nullptr ? nullptr : im->point.data());
-    read_vector(line.required("direction"), 3, re.direction, im == nullptr ? nullptr : im->direction.data());
+    exact.lines.push_back({read_vector(line.required("point"), 3, is_real),
+                           read_vector(line.required("direction"), 3, is_real)});
   }
-  return figure;
+  exact.error = cursor.required("error_bound").number().value;
+  Figure figure = figure_of(exact);
+  return {std::move(exact), std::move(figure)};
 }
 
 std::optional<std::string> shipped_file(const std::string& id) {
@@ -85,40 +81,108 @@ ReferenceList read_list(const JsonCursor& root, const Problem& problem, const st
   list.has_all_complex = claim == word(Claim::all_complex) && !origin.required("only_real").value().boolean;
   list.has_all_real = claim == word(Claim::all_complex) || claim == word(Claim::all_real);
   for (const JsonCursor& solution : root.required("solutions").elements())
-    list.figures.push_back(read_figure(solution, problem));
+    list.solutions.push_back(read_solution(solution, problem));
   return list;
 }
 
 // ---- lists made now
 
-void pool(const Scene& scene, const SolveRun& run, ReferenceList& list) {
-  for (const AssessedSolution& solution : run.assessment.solutions)
-    if (solution.certified) list.figures.push_back(solution.figure);
-  const bool is_proven = run.status == RunStatus::complete && run.assessment.failed_checks.empty();
-  list.has_all_complex = list.has_all_complex || (is_proven && run.claim == Claim::all_complex);
-  list.has_all_real =
-      list.has_all_real || list.has_all_complex || (is_proven && run.claim == Claim::all_real);
-  std::vector<Figure> scaled;
-  for (const Figure& figure : list.figures) scaled.push_back(scene.in_scene_unit(figure));
-  std::vector<Figure> distinct;
-  for (const int first : reflection_classes(scene, scaled, same_place).first)
-    distinct.push_back(list.figures[static_cast<std::size_t>(first)]);
-  list.figures = std::move(distinct);
-}
+class ListMaker {
+ public:
+  explicit ListMaker(const Scene& scene)
+      : scene_(scene),
+        equations_(scene),
+        images_(mirror_images(scene)),
+        size_(std::ldexp(scene.size(), scene.unit_exponent())) {}
+
+  /// Every solution that is proven next to one that the run lists.
+  void take(const SolveRun& run) {
+    for (const AssessedSolution& solution : run.assessment.solutions) {
+      const Figure figure = scene_.in_scene_unit(solution.figure);
+      take_next_to(figure);
+      if (solution.multiplicity > 1 || solution.condition > ill_conditioned) take_around(figure);
+    }
+    const bool is_complete = run.status == RunStatus::complete && run.assessment.failed_checks.empty();
+    list_.has_all_real = list_.has_all_real || (is_complete && run.claim == Claim::all_real);
+  }
+
+  ReferenceList finish(const TheoreticalCounts& limits) {
+    const SolutionCount* limit = limits.upper_limit();
+    list_.has_all_complex = limit != nullptr && limit->up_to_reflection() == Natural(list_.solutions.size());
+    list_.has_all_real = list_.has_all_real || list_.has_all_complex;
+    list_.source = "proven in this run";
+    return std::move(list_);
+  }
+
+ private:
+  /// Solutions of smaller condition numbers have none next to them that doubles do not tell apart.
+  static constexpr double ill_conditioned = 1e4;
+
+  void take_next_to(const Figure& figure) {
+    const auto exact = decimal_figure(equations_, scene_, figure, digits);
+    if (exact && is_new(*exact)) list_.solutions.push_back({*exact, figure_of(*exact)});
+  }
+
+  /// Newton's method from all sides, at all distances that doubles know.
+  void take_around(const Figure& middle) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (double distance = 1e-2; distance > 1e-16; distance *= 0.1)
+      for (const bool is_complex : {false, true}) {
+        Figure start = is_complex && middle.is_real() ? with_imaginary_parts(middle) : middle;
+        const auto shift = [&](auto& numbers) {
+          for (double& number : numbers.reshaped()) number += distance * scene_.size() * uniform(random);
+        };
+        shift(start.points);
+        if (start.imaginary.cols() > 0) shift(start.imaginary);
+        for (auto* lines : {&start.lines, &start.imaginary_lines})
+          for (LinePosition& line : *lines) {
+            shift(line.point);
+            shift(line.direction);
+          }
+        take_next_to(start);
+      }
+  }
+
+  static Figure with_imaginary_parts(Figure figure) {
+    figure.imaginary = Eigen::Matrix3Xd::Zero(3, figure.points.cols());
+    figure.imaginary_lines.assign(figure.lines.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+    return figure;
+  }
+
+  /// Further from every other one, mirror images included, than their errors together.
+  bool is_new(const DecimalFigure& exact) const {
+    const Figure figure = figure_of(exact);
+    return std::all_of(list_.solutions.begin(), list_.solutions.end(), [&](const KnownSolution& known) {
+      return std::all_of(images_.begin(), images_.end(), [&](const AxisSigns& signs) {
+        if (largest_distance(figure, known.figure, signs, size_) > 1e-6 * size_) return true;
+        const double errors = 4 * (exact.error + known.exact.error) * std::max(1.0, size_);
+        return largest_distance(exact, known.exact, signs, size_) > errors;
+      });
+    });
+  }
+
+  const Scene& scene_;
+  SceneEquations equations_;
+  std::vector<AxisSigns> images_;
+  double size_;
+  ReferenceList list_;
+};
 
 ReferenceList list_found_now(const Scene& scene, double limit_s, Monitor& progress) {
-  ReferenceList list;
-  list.source = "proven in this run";
+  ListMaker maker(scene);
   RunLimits limits;
   limits.time_limit_s = limit_s;
-  limits.certify = true;
   for (const StrategyEntry& entry : all_strategies()) {
     if (interrupted()) break;
     progress.progress("reference, " + std::string(entry.name), -1);
-    pool(scene, run_strategy(entry, {}, scene, limits), list);
+    maker.take(run_strategy(entry, {}, scene, limits));
   }
-  return list;
+  return maker.finish(theoretical_counts(scene.problem()));
 }
+
+/// A crossing is the nearest solution, and no further from it than this of the scene's size.
+constexpr double same_place = 1e-6;
 
 /// Empty where S is not proven in time or a crossing is not in the list.
 std::optional<std::vector<bool>> known_on_path(const Scene& scene, const ReferenceList& list,
@@ -129,15 +193,21 @@ std::optional<std::vector<bool>> known_on_path(const Scene& scene, const Referen
   const SolveReport report =
       path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return tracker.figure(y); });
   if (report.status != SolveStatus::complete) return std::nullopt;
-  std::vector<Figure> figures;
-  for (const Figure& figure : list.figures) figures.push_back(scene.in_scene_unit(figure));
-  for (const Candidate& candidate : report.candidates) figures.push_back(candidate.figure);
-  const ReflectionClasses classes = reflection_classes(scene, figures, same_place);
-  std::vector<bool> on_path(list.figures.size(), false);
-  for (std::size_t i = on_path.size(); i < figures.size(); ++i) {
-    const auto same = static_cast<std::size_t>(classes.first[static_cast<std::size_t>(classes.class_of[i])]);
-    if (same >= on_path.size()) return std::nullopt;
-    on_path[same] = true;
+  std::vector<bool> on_path(list.solutions.size(), false);
+  const std::vector<AxisSigns> images = mirror_images(scene);
+  for (const Candidate& candidate : report.candidates) {
+    const Figure met = scene.in_file_unit(scene.representative(candidate.figure));
+    double nearest = same_place * std::ldexp(scene.size(), scene.unit_exponent());
+    std::optional<std::size_t> same;
+    for (std::size_t i = 0; i < on_path.size(); ++i)
+      for (const AxisSigns& signs : images) {
+        const double distance = largest_distance(met, list.solutions[i].figure, signs, 1);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        same = i;
+      }
+    if (!same) return std::nullopt;
+    on_path[*same] = true;
   }
   return on_path;
 }

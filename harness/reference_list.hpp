@@ -6,15 +6,22 @@
 #include <vector>
 
 #include "harness/instance_io.hpp"
+#include "solvers/certification/decimal_figure.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/work.hpp"
 
 namespace gcs {
 
+/// In the instance's frame and the file's unit.
+struct KnownSolution {
+  DecimalFigure exact;  ///< to 30 digits at least
+  Figure figure;        ///< the nearest doubles
+};
+
 struct ReferenceList {
-  std::string source;           ///< where they come from, for a person
-  std::vector<Figure> figures;  ///< each in a class of its own, in the instance's frame and the file's unit
-  bool has_all_real = false;    ///< of the real solutions none is missing: proven, or claimed by the source
+  std::string source;                    ///< where they come from, for a person
+  std::vector<KnownSolution> solutions;  ///< each in a class of its own
+  bool has_all_real = false;             ///< of the real solutions none is missing
   bool has_all_complex = false;
   /// Which of them lie on the path S through the sketch, by proof; empty: not known.
   std::optional<std::vector<bool>> on_path;
@@ -23,9 +30,11 @@ struct ReferenceList {
 /// The list in results/reference, if it is of this very instance. Throws InputError for a file that is none.
 std::optional<ReferenceList> shipped_reference(const Instance& instance);
 
-/// The shipped list or, where there is none, what the strategies that can do the scene find with their
-/// defaults in `limit_s` seconds each, as far as it is proven. S is followed with proof in the same time.
-/// Throws InputError as shipped_reference does.
+/// The shipped list or, where there is none, what is proven of what the strategies that can do the scene find
+/// with their defaults in `limit_s` seconds each, and of what lies next to multiple and ill-conditioned
+/// solutions. It holds all where the theoretical count is met, and all real ones where a scan with proof says
+/// so. S is followed with proof in the same time. Precondition: certificates reach the scene (see
+/// why_not_certified). Throws InputError as shipped_reference does.
 ReferenceList reference_for(const Instance& instance, const Scene& scene, double limit_s, Monitor& progress);
 
 }  // namespace gcs

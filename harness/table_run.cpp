@@ -7,7 +7,6 @@
 #include <cmath>
 #include <ctime>
 #include <deque>
-#include <thread>
 #include <tuple>
 
 #include "harness/accuracy.hpp"
@@ -44,10 +43,10 @@ struct LoadedInstances {
   }
 };
 
-LoadedInstances load_all(const std::vector<std::string>& arguments) {
+LoadedInstances load_all(const std::vector<std::string>& arguments, Instance (*load)(const std::string&)) {
   LoadedInstances loaded;
   for (const std::string& argument : arguments) {
-    Instance instance = load_instance(argument);
+    Instance instance = load(argument);
     const bool again = std::any_of(loaded.instances.begin(), loaded.instances.end(),
                                    [&](const Instance& other) { return other.id == instance.id; });
     if (again) throw UsageError(fmt::format("instance '{}' is given twice", instance.id));
@@ -70,15 +69,12 @@ void add_judge(const Instance& instance, const Scene& scene, Monitor& progress, 
   }
   progress.progress("reference of " + instance.id, -1);
   ReferenceList list = reference_for(instance, scene, reference_limit_s, progress);
-  words = list.figures.empty() ? "none: no solution is proven"
-                               : fmt::format("{}, {} solutions", list.source, list.figures.size());
-  const auto threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  if (list.figures.empty()) return;
-  try {
-    loaded.judges.back().emplace(scene, std::move(list), threads);
-  } catch (const std::runtime_error& error) {
-    words = std::string("none: ") + error.what();
+  if (list.solutions.empty()) {
+    words = "none: no solution is proven";
+    return;
   }
+  words = fmt::format("{}, {} solutions", list.source, list.solutions.size());
+  loaded.judges.back().emplace(scene, std::move(list));
 }
 
 void add_judges(const TableRequest& request, Monitor& progress, LoadedInstances& loaded) {
@@ -298,7 +294,7 @@ void require_known_strategies(const TableRequest& request) {
 
 RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress) {
   require_known_strategies(request);
-  LoadedInstances loaded = load_all(instances_to_load(request));
+  LoadedInstances loaded = load_all(instances_to_load(request), table_named(request.tables.front()).load);
   add_judges(request, progress, loaded);
   const std::vector<MeasureTask> tasks = tasks_of(request, loaded);
   MeasureSettings settings = settings_of(request);

@@ -31,9 +31,7 @@ ReferenceList reference_of(const Instance& instance, const Scene& scene) {
 /// A scene, and a judge of answers about it.
 struct Court {
   explicit Court(const std::string& id)
-      : instance(load_instance(id)),
-        scene(instance.problem),
-        judge(scene, reference_of(instance, scene), 1) {}
+      : instance(load_instance(id)), scene(instance.problem), judge(scene, reference_of(instance, scene)) {}
 
   Instance instance;
   Scene scene;
@@ -114,7 +112,7 @@ TEST_CASE("an instance that is not shipped gets a reference of its own, proven")
   REQUIRE_FALSE(shipped_reference(instance));
   const ReferenceList list = reference_of(instance, scene);
   CHECK(list.source == "proven in this run");
-  CHECK(list.figures.size() == 8);
+  CHECK(list.solutions.size() == 8);
   CHECK(list.has_all_complex);
   REQUIRE(list.on_path);
   CHECK(std::count(list.on_path->begin(), list.on_path->end(), true) == 4);

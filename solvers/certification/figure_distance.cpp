@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdlib>
+#include <utility>
 
 #include "solvers/certification/balls.hpp"
 
@@ -92,6 +94,14 @@ DecimalVector decimals_of(const Vector& vector) {
 
 }  // namespace
 
+std::vector<AxisSigns> mirror_images(const Scene& scene) {
+  std::vector<AxisSigns> images;
+  const int count = scene.is_anchored() ? 1 : 1 << scene.dimension();
+  for (int mask = 0; mask < count; ++mask)
+    images.push_back({(mask & 1) != 0 ? -1 : 1, (mask & 2) != 0 ? -1 : 1, (mask & 4) != 0 ? -1 : 1});
+  return images;
+}
+
 double largest_distance(const Figure& a, const Figure& b, const AxisSigns& signs, double size) {
   double largest = 0;
   for (Eigen::Index i = 0; i < a.points.cols(); ++i)
@@ -116,6 +126,33 @@ double largest_distance(const DecimalFigure& a, const DecimalFigure& b, const Ax
     largest = std::max({largest, distance(a.lines[i].point, b.lines[i].point, signs), size * turn});
   }
   return largest;
+}
+
+Figure figure_of(const DecimalFigure& decimals) {
+  const auto count = static_cast<Eigen::Index>(decimals.points.size());
+  Figure figure{Eigen::Matrix3Xd::Zero(3, count), {}};
+  Eigen::Matrix3Xd imaginary = figure.points;
+  bool is_real = true;
+  const auto read = [&](const DecimalVector& vector, double* re, double* im) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      re[axis] = std::strtod(vector[axis].re.c_str(), nullptr);
+      im[axis] = std::strtod(vector[axis].im.c_str(), nullptr);
+      is_real = is_real && vector[axis].im == "0";
+    }
+  };
+  for (Eigen::Index i = 0; i < count; ++i)
+    read(decimals.points[static_cast<std::size_t>(i)], figure.points.col(i).data(), imaginary.col(i).data());
+  std::vector<LinePosition> imaginary_lines;
+  for (const DecimalFigure::Line& line : decimals.lines) {
+    LinePosition& re = figure.lines.emplace_back();
+    LinePosition& im = imaginary_lines.emplace_back();
+    read(line.point, re.point.data(), im.point.data());
+    read(line.direction, re.direction.data(), im.direction.data());
+  }
+  if (is_real) return figure;
+  figure.imaginary = std::move(imaginary);
+  figure.imaginary_lines = std::move(imaginary_lines);
+  return figure;
 }
 
 DecimalFigure decimals_of(const Figure& figure) {

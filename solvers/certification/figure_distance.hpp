@@ -14,11 +14,18 @@ namespace gcs {
 /// What the coordinates of one figure are multiplied by, each 1 or −1: one of its mirror images.
 using AxisSigns = std::array<int, 3>;
 
+/// Those that leave the class of a figure in the scene's frame as it is: none but itself where positions are
+/// given.
+std::vector<AxisSigns> mirror_images(const Scene& scene);
+
 /// Of `a` from the mirror image of `b`. Precondition: they have the same entities.
 double largest_distance(const Figure& a, const Figure& b, const AxisSigns& signs, double size);
 
 /// The same in as many digits as both are given with; rounded to a double at the end.
 double largest_distance(const DecimalFigure& a, const DecimalFigure& b, const AxisSigns& signs, double size);
+
+/// The nearest doubles; real where no imaginary part is anything but "0".
+Figure figure_of(const DecimalFigure& decimals);
 
 /// A figure's doubles to 40 significant digits, exact as far as any error of theirs goes. `error`, `unique`
 /// and `bits` say nothing.

@@ -41,6 +41,7 @@ void add_count_command(CLI::App& app, Invocation& invocation);
 void add_solve_command(CLI::App& app, Invocation& invocation);
 void add_tables_command(CLI::App& app, Invocation& invocation);
 void add_precision_command(CLI::App& app, Invocation& invocation);
+void add_stability_command(CLI::App& app, Invocation& invocation);
 void add_verify_command(CLI::App& app, Invocation& invocation);
 void add_path_command(CLI::App& app, Invocation& invocation);
 void add_reference_command(CLI::App& app, Invocation& invocation);

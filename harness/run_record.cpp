@@ -50,6 +50,8 @@ void visit_accuracy(Record& accuracy, Visit visit) {
   visit("spurious", accuracy.spurious);
   visit("largest_error", accuracy.largest_error);
   visit("median_error", accuracy.median_error);
+  visit("largest_condition", accuracy.largest_condition);
+  visit("largest_quotient", accuracy.largest_quotient);
 }
 
 template <typename Record, typename Visit>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/families.hpp"
 #include "harness/instance_io.hpp"
 
 namespace gcs {
@@ -34,6 +35,22 @@ const Publication& publication_of(const TableKind& kind, const Publications& pub
 const std::vector<std::string>& precision_instances() {
   static const std::vector<std::string> ids = shipped_instances();
   return ids;
+}
+
+const std::vector<std::string>& all_family_members() {
+  static const std::vector<std::string> ids = [] {
+    std::vector<std::string> members;
+    for (const Family& family : families())
+      for (std::string& id : family.members()) members.push_back(std::move(id));
+    return members;
+  }();
+  return ids;
+}
+
+std::vector<Variant> all_defaults() {
+  std::vector<Variant> variants;
+  for (const StrategyEntry& entry : all_strategies()) variants.push_back({std::string(entry.name), {}});
+  return variants;
 }
 
 std::vector<Variant> all_precision_variants() { return precision_variants(all_strategies()); }
@@ -84,8 +101,27 @@ const TableKind& precision_kind() {
   return kind;
 }
 
+const TableKind& stability_kind() {
+  static const TableKind kind = [] {
+    TableKind stability{"stability",
+                        "stiff and extreme families",
+                        "",
+                        all_family_members,
+                        free_columns,
+                        !shows_solutions,
+                        all_defaults,
+                        build_stability,
+                        draw_stability};
+    stability.measures_accuracy = true;
+    stability.load = load_member;
+    return stability;
+  }();
+  return kind;
+}
+
 const TableKind* find_table(std::string_view name) {
-  if (name == precision_kind().name) return &precision_kind();
+  for (const TableKind* kind : {&precision_kind(), &stability_kind()})
+    if (name == kind->name) return kind;
   const auto kinds = table_kinds();
   const auto found =
       std::find_if(kinds.begin(), kinds.end(), [&](const TableKind& kind) { return kind.name == name; });

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/instance_io.hpp"
 #include "harness/published.hpp"
 #include "harness/run_record.hpp"
 #include "harness/table.hpp"
@@ -44,6 +45,7 @@ struct TableKind {
   std::vector<Table> (*build)(const RunRecord& run, const Publication& paper) = nullptr;
   std::vector<Drawing> (*draw)(const RunRecord& run) = nullptr;  ///< null: no figure
   bool measures_accuracy = false;  ///< answers are held against references, and not certified
+  Instance (*load)(const std::string& argument) = load_instance;
 };
 
 /// All tables of `gcsbench tables`, in the order of `all`.
@@ -51,6 +53,9 @@ std::span<const TableKind> table_kinds();
 
 /// What `gcsbench precision` measures.
 const TableKind& precision_kind();
+
+/// What `gcsbench stability` measures.
+const TableKind& stability_kind();
 
 /// The table of that name, of all kinds, or nullptr.
 const TableKind* find_table(std::string_view name);
@@ -105,6 +110,11 @@ std::vector<Variant> precision_variants(std::span<const StrategyEntry> strategie
 std::vector<Table> build_precision(const RunRecord& run, const Publication& paper);
 /// Error against time, one plot for each instance, and performance profiles over all.
 std::vector<Drawing> draw_precision(const RunRecord& run);
+
+/// One table for each family, and how often a strategy refused.
+std::vector<Table> build_stability(const RunRecord& run, const Publication& paper);
+/// A heat map of all families.
+std::vector<Drawing> draw_stability(const RunRecord& run);
 
 const std::vector<std::string>& tangents_instances();
 std::vector<Variant> tangents_variants();

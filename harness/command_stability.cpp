@@ -1,0 +1,109 @@
+/// gcsbench stability: stiff and extreme families.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "harness/commands.hpp"
+#include "harness/families.hpp"
+#include "harness/nearest_name.hpp"
+#include "harness/progress_line.hpp"
+#include "harness/stop_conditions.hpp"
+#include "harness/table_output.hpp"
+#include "harness/table_run.hpp"
+
+namespace gcs {
+
+namespace {
+
+/// All families in less than 15 minutes.
+constexpr MeasureLimits limits{
+    .budget_s = 120, .cell_limit_s = 10, .total_limit_s = 800, .skips_variants = true};
+
+std::vector<std::string> family_names() {
+  std::vector<std::string> names;
+  for (const Family& family : families()) names.emplace_back(family.name);
+  return names;
+}
+
+std::vector<std::string> members_of(const std::vector<std::string>& names) {
+  std::vector<std::string> members;
+  for (const std::string& name : names) {
+    const Family* family = find_family(name);
+    if (family == nullptr)
+      throw UsageError(fmt::format("there is no family '{}'; did you mean '{}'?", name,
+                                   nearest_name(name, family_names())));
+    for (std::string& id : family->members()) members.push_back(std::move(id));
+  }
+  return members;
+}
+
+/// A strategy that calls an answer complete which is not right.
+bool has_wrong_claim(const RunRecord& run) {
+  return std::any_of(run.cells.begin(), run.cells.end(), [](const CellRecord& cell) {
+    const bool is_flawed =
+        cell.accuracy && (cell.accuracy->spurious > 0 || cell.accuracy->missed.value_or(0) > 0);
+    return cell.status == RunStatus::complete && (is_flawed || !cell.difference.empty());
+  });
+}
+
+ExitCode stability(TableRequest request, const std::vector<std::string>& names, bool quiet) {
+  request.tables = {std::string(stability_kind().name)};
+  request.instances = members_of(names);
+  request.limits = limits;
+  catch_interrupts();
+  const RunRecord run = [&] {
+    ProgressLine progress(!quiet);
+    return run_tables(request, {}, progress);
+  }();
+  const TableSet set = build_tables(run, {});
+  if (request.out) write_tables(set, *request.out, table_formats());
+  std::cout << shown_on_terminal(set);
+  if (interrupted()) return ExitCode::interrupted;
+  return has_wrong_claim(run) ? ExitCode::check_failed : ExitCode::done;
+}
+
+std::string families_help() {
+  std::string text = "Families:\n";
+  for (const Family& family : families()) text += fmt::format("  {:18} {}\n", family.name, family.summary);
+  return text +
+         "\nEvery strategy that can do an instance is held against proven solutions. The exit code is 1 when "
+         "one "
+         "calls an answer complete that misses a solution or lists one that is none.\n"
+         "\nExamples:\n"
+         "  gcsbench stability flat-tetrahedron\n"
+         "  gcsbench stability --out results/runs/stability\n";
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& app, Invocation& invocation) {
+  const auto request = std::make_shared<TableRequest>();
+  const auto names = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = app.add_subcommand("stability", "Measure the stiff and extreme families");
+  command->add_option("FAMILY", *names, "Which families; see below. Default: all");
+  command->add_option("--strategies", request->strategies, "Only these strategies, separated by commas")
+      ->delimiter(',');
+  command
+      ->add_option("--repetitions", request->repetitions,
+                   "Runs of every cell; default: as time allows, at least 3")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("N");
+  command->add_option("--out", request->out, "Folder for run.json, the tables and the heat map as SVG")
+      ->type_name("DIR");
+  command->add_flag("--full", request->full, "No limits of time (otherwise 10 s a solve, 14 minutes in all)");
+  command->add_flag("--resume", request->resume, "Keep the finished cells of the run in --out");
+  command->footer(families_help);
+  command->callback([&invocation, request, names] {
+    invocation.action = [&invocation, request, names] {
+      return stability(*request, *names, invocation.quiet);
+    };
+  });
+}
+
+}  // namespace gcs

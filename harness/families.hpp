@@ -1,0 +1,33 @@
+#pragma once
+/// Families of instances that grow stiff or extreme with a parameter, made here with lengths in as many
+/// decimals as the parameter needs.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/instance_io.hpp"
+
+namespace gcs {
+
+struct Family {
+  std::string_view name;
+  std::string_view summary;         ///< what becomes of the scene, and what the parameter is
+  std::vector<std::string> values;  ///< of the parameter, the tame one first
+  /// The text of gcsbench-instance/1 with this id.
+  std::string (*text)(const std::string& id, const std::string& value) = nullptr;
+
+  /// The ids of the members: "flat-triangle@1e-8".
+  std::vector<std::string> members() const;
+};
+
+std::span<const Family> families();
+
+/// The family of that name, or nullptr.
+const Family* find_family(std::string_view name);
+
+/// The member of that id. Precondition: it is one of some family.
+Instance load_member(const std::string& id);
+
+}  // namespace gcs

@@ -1,0 +1,125 @@
+/// The stiff and extreme families: that they are what they say, that their references hold all solutions, and
+/// how strategies fare.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+
+#include "harness/families.hpp"
+#include "harness/strategy_choice.hpp"
+#include "harness/table_run.hpp"
+#include "harness/tables.hpp"
+
+using namespace gcs;
+
+namespace {
+
+struct NoMonitor final : Monitor {
+  void progress(std::string_view, double) override {}
+};
+
+ReferenceList reference_of(const std::string& id) {
+  const Instance instance = load_member(id);
+  NoMonitor monitor;
+  return reference_for(instance, Scene(instance.problem), 60, monitor);
+}
+
+std::size_t real_solutions(const ReferenceList& list) {
+  return static_cast<std::size_t>(std::count_if(list.solutions.begin(), list.solutions.end(),
+                                                [](const KnownSolution& s) { return s.figure.is_real(); }));
+}
+
+RunRecord measured(const std::vector<std::string>& members) {
+  TableRequest request;
+  request.tables = {"stability"};
+  request.instances = members;
+  request.repetitions = 3;
+  NoMonitor monitor;
+  return run_tables(request, {}, monitor);
+}
+
+void check_right(const RunRecord& run) {
+  for (const CellRecord& cell : run.cells) {
+    if (cell.status == RunStatus::unsupported) continue;
+    INFO(cell.spec.instance << ", " << cell.spec.strategy << ": " << cell.reason << cell.difference);
+    CHECK(cell.is_right());
+    REQUIRE(cell.accuracy);
+    CHECK(cell.accuracy->missed == 0u);
+    CHECK(cell.accuracy->spurious == 0);
+    CHECK(cell.accuracy->largest_quotient <= 10);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every member of every family is an instance") {
+  std::set<std::string> ids;
+  for (const Family& family : families()) {
+    CHECK(find_family(family.name) == &family);
+    for (const std::string& id : family.members()) {
+      INFO(id);
+      CHECK(ids.insert(id).second);
+      CHECK(load_member(id).id == id);
+    }
+  }
+}
+
+TEST_CASE("scenes scaled by a power of two have exactly scaled lengths") {
+  const Problem tame = load_member("scale-of-two@0").problem;
+  for (const int exponent : {100, -100, 1000, -1000}) {
+    const Problem scaled = load_member("scale-of-two@" + std::to_string(exponent)).problem;
+    for (std::size_t e = 0; e < tame.constraints.size(); ++e)
+      CHECK(scaled.constraints[e].given.value == std::ldexp(tame.constraints[e].given.value, exponent));
+    CHECK(scaled.interpolation.bend == std::ldexp(tame.interpolation.bend, exponent));
+  }
+}
+
+TEST_CASE("the path of a near miss is flat half-way but for the parameter") {
+  for (const auto& [value, epsilon] : {std::pair{"0.5", 0.5}, {"1e-4", 1e-4}, {"1e-12", 1e-12}}) {
+    const Scene scene(load_member(std::string("near-miss@") + value).problem);
+    const std::vector<LengthPath>& lengths = scene.length_paths();
+    const double gap = lengths[1].value(0.5) + lengths[2].value(0.5) - lengths[0].value(0.5);
+    CHECK(std::ldexp(gap, scene.unit_exponent()) == Approx(epsilon).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("references hold the solutions that doubles do not tell apart") {
+  for (const std::string value : {"1e-4", "1e-8", "1e-15"}) {
+    INFO(value);
+    // The third point above or below the line of the first two, and the fourth beside it: two classes.
+    const ReferenceList flat = reference_of("flat-triangle@" + value);
+    CHECK(flat.has_all_complex);
+    CHECK(real_solutions(flat) == 2);
+    // Here these are complex.
+    const ReferenceList infeasible = reference_of("infeasible@" + value);
+    CHECK(infeasible.has_all_complex);
+    CHECK(infeasible.solutions.size() == 2);
+    CHECK(real_solutions(infeasible) == 0);
+    // K3,3 has 8 classes.
+    CHECK(reference_of("double-root@" + value).solutions.size() == 8);
+  }
+}
+
+TEST_CASE("two solutions near a fold are two") {
+  // Both real, at a condition number of 1e8.
+  const Scene scene(load_member("double-root@1e-6").problem);
+  const SolveRun run = run_strategy(find_strategy("plan-scan"), {}, scene, {});
+  CHECK(run.assessment.counts.real_up_to_reflection == 2u);
+}
+
+TEST_CASE("errors of stiff members are explained by the condition of the solutions") {
+  check_right(
+      measured({"near-miss@1e-8", "coplanar-centres@1e-8", "cyclohexane@1e-8", "flat-tetrahedron@1e-4",
+                "short-edge@1e-2", "scale-of-ten@100", "scale-of-two@-500"}));
+}
+
+TEST_CASE("what is shown of a stored run is what is shown of the run") {
+  const RunRecord run = measured(find_family("near-miss")->members());
+  const RunRecord stored = parse_run_record(to_json_text(run), "run.json");
+  const TableSet set = build_tables(stored, {});
+  REQUIRE(set.tables.size() == 2);
+  CHECK(set.tables[0].name == "stability-near-miss");
+  CHECK(set.tables[1].name == "stability-refusals");
+  REQUIRE(set.drawings.size() == 1);
+  CHECK(set.drawings.front().svg == draw_stability(run).front().svg);
+}

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "harness/commands.hpp"
+#include "harness/measuring_options.hpp"
 #include "harness/progress_line.hpp"
 #include "harness/stop_conditions.hpp"
 #include "harness/table_output.hpp"
@@ -57,17 +58,7 @@ void add_precision_command(CLI::App& app, Invocation& invocation) {
   const auto request = std::make_shared<TableRequest>();
   CLI::App* command = app.add_subcommand("precision", "Measure error against run time");
   command->add_option("INSTANCE", request->instances, "Ids or files; default: all shipped instances");
-  command->add_option("--strategies", request->strategies, "Only these strategies, separated by commas")
-      ->delimiter(',');
-  command
-      ->add_option("--repetitions", request->repetitions,
-                   "Runs of every setting; default: as time allows, at least 3")
-      ->check(CLI::Range(1, 1000000))
-      ->type_name("N");
-  command->add_option("--out", request->out, "Folder for run.json, the tables and the plots as SVG")
-      ->type_name("DIR");
-  command->add_flag("--full", request->full, "No limits of time (otherwise 10 s a solve, 14 minutes in all)");
-  command->add_flag("--resume", request->resume, "Keep the finished cells of the run in --out");
+  add_measuring_options(*command, "the plots as SVG", *request);
   command->footer(
       "Every strategy that can do an instance is measured with its defaults, with each of its accuracy\n"
       "settings, and refined to 30, 60 and 100 digits. Answers are held against proven solutions: those in\n"

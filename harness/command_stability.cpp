@@ -11,6 +11,7 @@
 
 #include "harness/commands.hpp"
 #include "harness/families.hpp"
+#include "harness/measuring_options.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/progress_line.hpp"
 #include "harness/stop_conditions.hpp"
@@ -87,17 +88,7 @@ void add_stability_command(CLI::App& app, Invocation& invocation) {
   const auto names = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("stability", "Measure the stiff and extreme families");
   command->add_option("FAMILY", *names, "Which families; see below. Default: all");
-  command->add_option("--strategies", request->strategies, "Only these strategies, separated by commas")
-      ->delimiter(',');
-  command
-      ->add_option("--repetitions", request->repetitions,
-                   "Runs of every cell; default: as time allows, at least 3")
-      ->check(CLI::Range(1, 1000000))
-      ->type_name("N");
-  command->add_option("--out", request->out, "Folder for run.json, the tables and the heat map as SVG")
-      ->type_name("DIR");
-  command->add_flag("--full", request->full, "No limits of time (otherwise 10 s a solve, 14 minutes in all)");
-  command->add_flag("--resume", request->resume, "Keep the finished cells of the run in --out");
+  add_measuring_options(*command, "the heat map as SVG", *request);
   command->footer(families_help);
   command->callback([&invocation, request, names] {
     invocation.action = [&invocation, request, names] {

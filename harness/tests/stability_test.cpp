@@ -107,6 +107,16 @@ TEST_CASE("two solutions near a fold are two") {
   CHECK(run.assessment.counts.real_up_to_reflection == 2u);
 }
 
+TEST_CASE("two solutions whose paths are not told apart are not called a double one") {
+  for (const std::string id : {"flat-triangle@1e-6", "double-root@1e-4"}) {
+    const Scene scene(load_member(id).problem);
+    const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
+    INFO(id << ": " << run.reason);
+    const bool tells_them_apart = run.assessment.counts.singular == 0u;
+    CHECK((tells_them_apart || run.status == RunStatus::partial));
+  }
+}
+
 TEST_CASE("errors of stiff members are explained by the condition of the solutions") {
   check_right(
       measured({"near-miss@1e-8", "coplanar-centres@1e-8", "cyclohexane@1e-8", "flat-tetrahedron@1e-4",

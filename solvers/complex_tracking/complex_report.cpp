@@ -7,6 +7,7 @@
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/quality.hpp"
 
 namespace gcs {
 namespace {
@@ -126,8 +127,9 @@ class DistinctEnds {
   std::vector<bool> singular_;
 };
 
-/// What keeps the ends from being all solutions; empty when nothing does.
-std::string what_is_missing(const std::vector<PathEnd>& ends, const DistinctEnds& distinct) {
+/// What keeps the ends from being all solutions; empty when nothing does. `in_between`: singular ends that
+/// are no solutions.
+std::string what_is_missing(const std::vector<PathEnd>& ends, const DistinctEnds& distinct, int in_between) {
   std::map<std::string, int> causes;
   for (const PathEnd& end : ends)
     if (end.kind == PathEnd::Kind::failed) ++causes[end.cause];
@@ -140,6 +142,9 @@ std::string what_is_missing(const std::vector<PathEnd>& ends, const DistinctEnds
     append("several paths ended at each of " + number_of(jumps, "regular solution") + ": a step has jumped");
   if (const int lonely = distinct.without_conjugate(); lonely > 0)
     append("the conjugates of " + number_of(lonely, "solution") + " are missing");
+  if (in_between > 0)
+    append("solutions next to " + number_of(in_between, "end") + " are so close together that their paths " +
+           "were not told apart");
   return missing;
 }
 
@@ -156,16 +161,19 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
   report.work = work;
   const std::vector<DoubleDouble> squares = target_squares(scene);
   const DistinctEnds distinct(ends, mirror_axes(scene, system), random);
+  int in_between = 0;
   for (int i = 0; i < distinct.size(); ++i) {
     const double nearby = distinct.is_singular(i) ? singular_uncertainty : 1e-9;
     const std::optional<Figure> real = real_figure(system, squares, distinct[i], nearby);
     report.candidates.push_back({real ? *real : complex_figure(system, distinct[i]),
                                  distinct.is_singular(i) ? distinct.paths(i) : 1});
+    in_between += distinct.is_singular(i) &&
+                  relative_residual(scene, report.candidates.back().figure) > double_root_residual;
   }
   for (const PathEnd& end : ends) report.paths.push_back(record_of(end));
   const bool stopped = std::any_of(ends.begin(), ends.end(),
                                    [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
-  report.reason = stopped ? "stopped on the way" : what_is_missing(ends, distinct);
+  report.reason = stopped ? "stopped on the way" : what_is_missing(ends, distinct, in_between);
   report.status = stopped                 ? SolveStatus::stopped
                   : report.reason.empty() ? SolveStatus::complete
                                           : SolveStatus::partial;

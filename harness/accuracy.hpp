@@ -22,6 +22,7 @@ struct Accuracy {
   double largest_quotient =
       0;  ///< of an error over the condition number (1 at least) times the unit roundoff
 
+  bool is_flawed() const { return spurious > 0 || missed.value_or(0) > 0; }
   bool operator==(const Accuracy&) const = default;
 };
 

@@ -2,16 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <memory>
 #include <string>
 
 #include "harness/commands.hpp"
-#include "harness/measuring_options.hpp"
-#include "harness/progress_line.hpp"
+#include "harness/measuring.hpp"
 #include "harness/stop_conditions.hpp"
-#include "harness/table_output.hpp"
-#include "harness/table_run.hpp"
 
 namespace gcs {
 
@@ -24,10 +20,7 @@ constexpr MeasureLimits limits{
 /// Settings beside the defaults are experiments, whose failures are findings.
 bool has_flawed_default(const RunRecord& run) {
   return std::any_of(run.cells.begin(), run.cells.end(), [](const CellRecord& cell) {
-    if (!cell.spec.given.empty() || cell.status != RunStatus::complete) return false;
-    const bool is_flawed =
-        cell.accuracy && (cell.accuracy->spurious > 0 || cell.accuracy->missed.value_or(0) > 0);
-    return is_flawed || !cell.difference.empty();
+    return cell.spec.given.empty() && cell.status == RunStatus::complete && cell.is_flawed();
   });
 }
 
@@ -39,14 +32,7 @@ bool has_answer(const RunRecord& run) {
 ExitCode precision(TableRequest request, bool quiet) {
   request.tables = {std::string(precision_kind().name)};
   request.limits = limits;
-  catch_interrupts();
-  const RunRecord run = [&] {
-    ProgressLine progress(!quiet);
-    return run_tables(request, {}, progress);
-  }();
-  const TableSet set = build_tables(run, {});
-  if (request.out) write_tables(set, *request.out, table_formats());
-  std::cout << shown_on_terminal(set);
+  const RunRecord run = measure_and_show(request, quiet);
   if (interrupted()) return ExitCode::interrupted;
   if (has_flawed_default(run)) return ExitCode::check_failed;
   return has_answer(run) ? ExitCode::done : ExitCode::not_solved;

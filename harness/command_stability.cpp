@@ -4,19 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "harness/commands.hpp"
 #include "harness/families.hpp"
-#include "harness/measuring_options.hpp"
+#include "harness/measuring.hpp"
 #include "harness/nearest_name.hpp"
-#include "harness/progress_line.hpp"
 #include "harness/stop_conditions.hpp"
-#include "harness/table_output.hpp"
-#include "harness/table_run.hpp"
 
 namespace gcs {
 
@@ -47,9 +43,7 @@ std::vector<std::string> members_of(const std::vector<std::string>& names) {
 /// A strategy that calls an answer complete which is not right.
 bool has_wrong_claim(const RunRecord& run) {
   return std::any_of(run.cells.begin(), run.cells.end(), [](const CellRecord& cell) {
-    const bool is_flawed =
-        cell.accuracy && (cell.accuracy->spurious > 0 || cell.accuracy->missed.value_or(0) > 0);
-    return cell.status == RunStatus::complete && (is_flawed || !cell.difference.empty());
+    return cell.status == RunStatus::complete && cell.is_flawed();
   });
 }
 
@@ -57,14 +51,7 @@ ExitCode stability(TableRequest request, const std::vector<std::string>& names, 
   request.tables = {std::string(stability_kind().name)};
   request.instances = members_of(names);
   request.limits = limits;
-  catch_interrupts();
-  const RunRecord run = [&] {
-    ProgressLine progress(!quiet);
-    return run_tables(request, {}, progress);
-  }();
-  const TableSet set = build_tables(run, {});
-  if (request.out) write_tables(set, *request.out, table_formats());
-  std::cout << shown_on_terminal(set);
+  const RunRecord run = measure_and_show(request, quiet);
   if (interrupted()) return ExitCode::interrupted;
   return has_wrong_claim(run) ? ExitCode::check_failed : ExitCode::done;
 }

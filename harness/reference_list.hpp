@@ -21,8 +21,8 @@ struct KnownSolution {
 struct ReferenceList {
   std::string source;                    ///< where they come from, for a person
   std::vector<KnownSolution> solutions;  ///< each in a class of its own
-  bool has_all_real = false;             ///< of the real solutions none is missing
-  bool has_all_complex = false;
+  bool has_all_real = false;             ///< none is missing, by proof or by what a shipped list claims
+  bool has_all_complex = false;          ///< likewise
   /// Which of them lie on the path S through the sketch, by proof; empty: not known.
   std::optional<std::vector<bool>> on_path;
 };

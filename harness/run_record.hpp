@@ -73,6 +73,8 @@ struct CellRecord {
   std::optional<double> estimate_s;         ///< what a solve that was stopped by its limit would take
   std::vector<Repetition> repetitions;      ///< empty unless the answer is complete and right
 
+  /// Its claim does not hold.
+  bool is_flawed() const { return !difference.empty() || (accuracy && accuracy->is_flawed()); }
   bool is_right() const { return status == RunStatus::complete && difference.empty(); }
   /// The particular of that name, if the strategy counts it.
   std::optional<std::int64_t> particular(std::string_view name) const;

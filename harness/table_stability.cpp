@@ -27,9 +27,7 @@ bool is_refusal(const CellRecord& cell) {
 Outcome outcome_of(const CellRecord& cell) {
   if (is_refusal(cell)) return Outcome::refused;
   if (cell.status != RunStatus::complete) return Outcome::not_run;
-  const bool is_flawed =
-      cell.accuracy && (cell.accuracy->spurious > 0 || cell.accuracy->missed.value_or(0) > 0);
-  if (is_flawed || !cell.difference.empty()) return Outcome::wrong;
+  if (cell.is_flawed()) return Outcome::wrong;
   if (!cell.accuracy || !cell.accuracy->missed) return Outcome::not_run;
   if (cell.accuracy->largest_quotient <= explained) return Outcome::sharp;
   return cell.accuracy->largest_quotient <= far_off ? Outcome::fair : Outcome::inexact;

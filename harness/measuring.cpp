@@ -1,7 +1,12 @@
-#include "harness/measuring_options.hpp"
+#include "harness/measuring.hpp"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <string>
+
+#include "harness/progress_line.hpp"
+#include "harness/stop_conditions.hpp"
+#include "harness/table_output.hpp"
 
 namespace gcs {
 
@@ -17,6 +22,18 @@ void add_measuring_options(CLI::App& command, const char* files, TableRequest& r
       ->type_name("DIR");
   command.add_flag("--full", request.full, "No limits of time (otherwise 10 s a solve, 14 minutes in all)");
   command.add_flag("--resume", request.resume, "Keep the finished cells of the run in --out");
+}
+
+RunRecord measure_and_show(const TableRequest& request, bool quiet) {
+  catch_interrupts();
+  RunRecord run = [&] {
+    ProgressLine progress(!quiet);
+    return run_tables(request, {}, progress);
+  }();
+  const TableSet set = build_tables(run, {});
+  if (request.out) write_tables(set, *request.out, table_formats());
+  std::cout << shown_on_terminal(set);
+  return run;
 }
 
 }  // namespace gcs

@@ -38,14 +38,12 @@ AccuracyJudge::AccuracyJudge(const Scene& scene, ReferenceList reference)
       size_(std::ldexp(scene.size(), scene.unit_exponent())),
       reach_(reference_.solutions.size(), farthest * size_) {
   for (std::size_t i = 0; i < reach_.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      for (const AxisSigns& signs : images_) {
-        const double half =
-            largest_distance(reference_.solutions[i].figure, reference_.solutions[j].figure, signs, size_) /
-            2;
-        reach_[i] = std::min(reach_[i], half);
-        reach_[j] = std::min(reach_[j], half);
-      }
+    for (std::size_t j = 0; j < i; ++j) {
+      const double half =
+          least_distance(reference_.solutions[i].figure, reference_.solutions[j].figure, images_, size_) / 2;
+      reach_[i] = std::min(reach_[i], half);
+      reach_[j] = std::min(reach_[j], half);
+    }
 }
 
 /// What rounding can do to an answer is no reason to call it another solution.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "harness/long_decimal.hpp"
 
@@ -253,14 +252,6 @@ std::string bricard(const std::string& id, const std::string& epsilon) {
   return text_of(id, draft);
 }
 
-const std::vector<std::string> shrinking{"0.5",  "1e-1",  "1e-2",  "1e-4", "1e-6",
-                                         "1e-8", "1e-10", "1e-12", "1e-15"};
-/// Half a unit would leave triangles that cannot close.
-const std::vector<std::string> shrinking_from_less{"0.25", "1e-1",  "1e-2",  "1e-4", "1e-6",
-                                                   "1e-8", "1e-10", "1e-12", "1e-15"};
-const std::vector<std::string> shrinking_to_zero{"0.5",  "1e-1",  "1e-2",  "1e-4",  "1e-6",
-                                                 "1e-8", "1e-10", "1e-12", "1e-15", "0"};
-
 }  // namespace
 
 std::vector<std::string> Family::members() const {
@@ -270,6 +261,13 @@ std::vector<std::string> Family::members() const {
 }
 
 std::span<const Family> families() {
+  static const std::vector<std::string> shrinking{"0.5",  "1e-1",  "1e-2",  "1e-4", "1e-6",
+                                                  "1e-8", "1e-10", "1e-12", "1e-15"};
+  /// Half a unit would leave triangles that cannot close.
+  static const std::vector<std::string> shrinking_from_less{"0.25", "1e-1",  "1e-2",  "1e-4", "1e-6",
+                                                            "1e-8", "1e-10", "1e-12", "1e-15"};
+  static const std::vector<std::string> shrinking_to_zero{"0.5",  "1e-1",  "1e-2",  "1e-4",  "1e-6",
+                                                          "1e-8", "1e-10", "1e-12", "1e-15", "0"};
   static const std::array all{
       Family{"flat-triangle", "a triangle of height ε: nearly tangent circles", shrinking, flat_triangle},
       Family{"flat-tetrahedron", "a tetrahedron of height ε: nearly tangent spheres", shrinking,

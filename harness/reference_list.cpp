@@ -199,13 +199,12 @@ std::optional<std::vector<bool>> known_on_path(const Scene& scene, const Referen
     const Figure met = scene.in_file_unit(scene.representative(candidate.figure));
     double nearest = same_place * std::ldexp(scene.size(), scene.unit_exponent());
     std::optional<std::size_t> same;
-    for (std::size_t i = 0; i < on_path.size(); ++i)
-      for (const AxisSigns& signs : images) {
-        const double distance = largest_distance(met, list.solutions[i].figure, signs, 1);
-        if (distance >= nearest) continue;
-        nearest = distance;
-        same = i;
-      }
+    for (std::size_t i = 0; i < on_path.size(); ++i) {
+      const double distance = least_distance(met, list.solutions[i].figure, images, 1);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      same = i;
+    }
     if (!same) return std::nullopt;
     on_path[*same] = true;
   }

@@ -104,9 +104,10 @@ void limit_solutions(SolveRun& run, std::size_t limit) {
   run.reason = fmt::format("{} of the {} solutions found are kept, as asked", limit, found);
 }
 
-void certify_solutions(const Scene& scene, const SolveReport& report, SolveRun& run) {
+void certify_solutions(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report,
+                       SolveRun& run) {
   const auto start = std::chrono::steady_clock::now();
-  certify(scene, theoretical_counts(scene.problem()), report.generic_member, run.threads, run.assessment);
+  certify(scene, counts, report.generic_member, run.threads, run.assessment);
   run.timing.certify_s = seconds_since(start);
 }
 
@@ -190,8 +191,11 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   set_status(run, report, watch.cause(), limits);
   run.claim = report.claim;
   run.assessment = assess(scene, report);
-  if (limits.checks_counts) check_counts(theoretical_counts(scene.problem()), run);
-  if (limits.certify) certify_solutions(scene, report, run);
+  if (limits.checks_counts || limits.certify) {
+    const TheoreticalCounts counts = theoretical_counts(scene.problem());
+    if (limits.checks_counts) check_counts(counts, run);
+    if (limits.certify) certify_solutions(scene, counts, report, run);
+  }
   if (limits.only_real) leave_out_complex(run);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
   if (limits.digits > 0) refine_solutions(scene, limits.digits, watch, limits, run);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 #include "solvers/certification/balls.hpp"
@@ -114,6 +115,12 @@ double largest_distance(const Figure& a, const Figure& b, const AxisSigns& signs
     largest = std::max({largest, apart(&LinePosition::point, 1), size * turn});
   }
   return largest;
+}
+
+double least_distance(const Figure& a, const Figure& b, std::span<const AxisSigns> images, double size) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const AxisSigns& signs : images) least = std::min(least, largest_distance(a, b, signs, size));
+  return least;
 }
 
 double largest_distance(const DecimalFigure& a, const DecimalFigure& b, const AxisSigns& signs, double size) {

@@ -5,6 +5,7 @@
 /// digits.
 
 #include <array>
+#include <span>
 
 #include "solvers/certification/decimal_figure.hpp"
 #include "solvers/model/problem.hpp"
@@ -21,7 +22,10 @@ std::vector<AxisSigns> mirror_images(const Scene& scene);
 /// Of `a` from the mirror image of `b`. Precondition: they have the same entities.
 double largest_distance(const Figure& a, const Figure& b, const AxisSigns& signs, double size);
 
-/// The same in as many digits as both are given with; rounded to a double at the end.
+/// The smallest one, from any of these mirror images. Precondition: there is one.
+double least_distance(const Figure& a, const Figure& b, std::span<const AxisSigns> images, double size);
+
+/// As largest_distance in as many digits as both are given with; rounded to a double at the end.
 double largest_distance(const DecimalFigure& a, const DecimalFigure& b, const AxisSigns& signs, double size);
 
 /// The nearest doubles; real where no imaginary part is anything but "0".

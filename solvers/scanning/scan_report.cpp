@@ -33,13 +33,16 @@ void widen(Ranges& hull, const Ranges& other) {
     hull[i] = {std::min(hull[i][0], other[i][0]), std::max(hull[i][1], other[i][1])};
 }
 
-/// Pieces that touch as one. They come in the order of the scan, so that neighbours are close in it.
+/// Pieces that touch as one. They come in the order of the scan, so that neighbours are close in it: only the
+/// latest ranges are looked at, and hundreds of thousands of pieces take no time.
 std::vector<Ranges> joined(const std::vector<UndecidedPiece>& pieces) {
+  constexpr std::size_t latest = 100;
   std::vector<Ranges> hulls;
   for (const UndecidedPiece& piece : pieces) {
-    const auto hull = std::find_if(hulls.rbegin(), hulls.rend(),
-                                   [&](const Ranges& known) { return touch(known, piece.ranges); });
-    if (hull == hulls.rend())
+    const auto end = hulls.rbegin() + static_cast<std::ptrdiff_t>(std::min(hulls.size(), latest));
+    const auto hull =
+        std::find_if(hulls.rbegin(), end, [&](const Ranges& known) { return touch(known, piece.ranges); });
+    if (hull == end)
       hulls.push_back(piece.ranges);
     else
       widen(*hull, piece.ranges);

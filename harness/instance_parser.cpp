@@ -17,7 +17,7 @@ namespace {
 constexpr const char* format_name = "gcsbench-instance/1";
 
 /// The rigidity analysis takes time cubic and memory quadratic in the number of entities.
-constexpr std::size_t entity_limit = 1000;
+constexpr std::size_t entity_limit = 2000;
 
 void check_format(const JsonCursor& root) {
   const JsonCursor format = root.required("format");

@@ -168,8 +168,8 @@ TEST_CASE("names of entities are unique and not empty") {
   check_refused(with(plane(), "/points", json::array()), "/points", "no point");
   check_refused(with(plane(), "/lines", {"L"}), "/lines", "space only");
   json crowd = plane();
-  for (int i = 0; i < 1000; ++i) crowd["points"].push_back("q" + std::to_string(i));
-  check_refused(crowd, "/points", "up to 1000");
+  for (int i = 0; i < 2000; ++i) crowd["points"].push_back("q" + std::to_string(i));
+  check_refused(crowd, "/points", "up to 2000");
 }
 
 TEST_CASE("constraints name two different known entities") {

@@ -1,20 +1,35 @@
 #include "solvers/model/core_reduction.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace gcs {
 
 namespace {
 
+/// n log n for n entities and constraints.
 class Reducer {
  public:
-  Reducer(const Problem& problem, const std::vector<int>& keep)
-      : problem_(problem), keep_(keep), present_(problem.points.size() + problem.lines.size(), true) {}
+  Reducer(const Problem& problem, const std::vector<int>& keep, HangsOn allowed)
+      : problem_(problem),
+        allowed_(allowed),
+        neighbours_(problem.points.size() + problem.lines.size()),
+        present_(neighbours_.size(), true),
+        kept_(neighbours_.size(), false),
+        left_(static_cast<int>(neighbours_.size())) {
+    for (const int entity : keep) kept_[entity] = true;
+    for (const DistanceConstraint& constraint : problem.constraints)
+      for (const int side : {0, 1})
+        neighbours_[constraint.between[side]].push_back(constraint.between[1 - side]);
+    for (int entity = 0; entity < left_; ++entity) anchored_ = anchored_ || problem.is_fixed(entity);
+  }
 
   CoreReduction run() {
-    for (int point = next(); point >= 0; point = next()) {
+    for (int point = 0; point < static_cast<int>(problem_.points.size()); ++point) update(point);
+    while (left_ > smallest_rest() && !ready_.empty()) {
+      const int point = ready_.rbegin()->second;
       result_.placed.push_back({point, neighbours(point)});
-      present_[point] = false;
+      remove(point);
     }
     std::reverse(result_.placed.begin(), result_.placed.end());
     list_core();
@@ -22,47 +37,42 @@ class Reducer {
   }
 
  private:
-  bool is_kept(int entity) const { return std::find(keep_.begin(), keep_.end(), entity) != keep_.end(); }
-
-  bool anchored() const {
-    for (int entity = 0; entity < static_cast<int>(present_.size()); ++entity)
-      if (problem_.is_fixed(entity)) return true;
-    return false;
-  }
-
   std::vector<int> neighbours(int entity) const {
     std::vector<int> result;
-    for (const DistanceConstraint& constraint : problem_.constraints)
-      for (const int side : {0, 1})
-        if (constraint.between[side] == entity && present_[constraint.between[1 - side]])
-          result.push_back(constraint.between[1 - side]);
+    for (const int other : neighbours_[entity])
+      if (present_[other]) result.push_back(other);
     return result;
   }
 
-  std::ptrdiff_t left() const { return std::count(present_.begin(), present_.end(), true); }
-
   /// Entities that no rigid motion moves are needed to count degrees of freedom as before: d points, or a
   /// line and another entity; fixed positions do the same.
-  std::ptrdiff_t smallest_rest() const {
-    if (anchored()) return 0;
+  int smallest_rest() const {
+    if (anchored_) return 0;
     return problem_.lines.empty() ? problem_.dimension : 2;
   }
 
   bool can_go(int point) const {
-    return present_[point] && !problem_.is_fixed(point) &&
-           static_cast<int>(neighbours(point).size()) == problem_.dimension;
+    if (!present_[point] || problem_.is_fixed(point)) return false;
+    const std::vector<int> from = neighbours(point);
+    const auto is_point = [this](int entity) { return problem_.is_point(entity); };
+    return static_cast<int>(from.size()) == problem_.dimension &&
+           (allowed_ == HangsOn::entities || std::all_of(from.begin(), from.end(), is_point));
   }
 
-  /// The last point that can go, one that need not be kept if there is one; −1 when none can.
-  int next() const {
-    if (left() <= smallest_rest()) return -1;
-    int kept = -1;
-    for (int point = static_cast<int>(problem_.points.size()) - 1; point >= 0; --point) {
-      if (!can_go(point)) continue;
-      if (!is_kept(point)) return point;
-      kept = std::max(kept, point);
-    }
-    return kept;
+  void update(int point) {
+    const std::pair<bool, int> entry{!kept_[point], point};
+    if (can_go(point))
+      ready_.insert(entry);
+    else
+      ready_.erase(entry);
+  }
+
+  void remove(int point) {
+    present_[point] = false;
+    --left_;
+    update(point);
+    for (const int other : neighbours(point))
+      if (problem_.is_point(other)) update(other);
   }
 
   void list_core() {
@@ -72,7 +82,7 @@ class Reducer {
       only_fixed = only_fixed && problem_.is_fixed(entity);
       result_.core.push_back(entity);
     }
-    result_.core_is_trivial = only_fixed || (!anchored() && left() <= smallest_rest());
+    result_.core_is_trivial = only_fixed || (!anchored_ && left_ <= smallest_rest());
     for (int i = 0; i < static_cast<int>(problem_.constraints.size()); ++i) {
       const auto [a, b] = problem_.constraints[i].between;
       if (present_[a] && present_[b]) result_.core_constraints.push_back(i);
@@ -80,15 +90,20 @@ class Reducer {
   }
 
   const Problem& problem_;
-  const std::vector<int>& keep_;
+  const HangsOn allowed_;
+  std::vector<std::vector<int>> neighbours_;  ///< of every entity, in the order of the constraints
   std::vector<bool> present_;
+  std::vector<bool> kept_;
+  std::set<std::pair<bool, int>> ready_;  ///< points that can go, those to keep first
+  int left_;
+  bool anchored_ = false;
   CoreReduction result_;
 };
 
 }  // namespace
 
-CoreReduction reduce_to_core(const Problem& problem, const std::vector<int>& keep) {
-  return Reducer(problem, keep).run();
+CoreReduction reduce_to_core(const Problem& problem, const std::vector<int>& keep, HangsOn allowed) {
+  return Reducer(problem, keep, allowed).run();
 }
 
 }  // namespace gcs

@@ -23,8 +23,12 @@ struct CoreReduction {
   bool core_is_trivial = false;     ///< nothing is left but these: there is no system to solve
 };
 
+/// On what a point may hang.
+enum class HangsOn { entities, points };
+
 /// Precondition: the problem is well posed (see analyse_structure). Entities of `keep` (a reference, say) are
 /// taken away last.
-CoreReduction reduce_to_core(const Problem& problem, const std::vector<int>& keep);
+CoreReduction reduce_to_core(const Problem& problem, const std::vector<int>& keep,
+                             HangsOn allowed = HangsOn::entities);
 
 }  // namespace gcs

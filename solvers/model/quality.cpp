@@ -12,6 +12,7 @@
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/line_jacobian.hpp"
+#include "solvers/model/sparse_condition.hpp"
 
 namespace gcs {
 namespace {
@@ -51,6 +52,9 @@ std::complex<double> complex_excess(const Problem& problem, const Figure& figure
     return squared_distance_excess(first, Eigen::Vector3cd(points.col(between[1])), square);
   return squared_distance_excess(first, complex_lines(figure)[between[1] - problem.points.size()], square);
 }
+
+/// Above, a singular value decomposition takes tenths of a second and more.
+constexpr int most_dense_unknowns = 300;
 
 /// What residuals are relative to where lengths are shorter still.
 double shortest_length(const Scene& scene) { return 1e-3 * scene.size(); }
@@ -112,6 +116,7 @@ double jacobian_condition(const Scene& scene, const Figure& figure) {
     return singular_ratio(jacobian);
   }
   const DistanceSystem system(scene);
+  if (system.unknowns() > most_dense_unknowns) return sparse_jacobian_condition(scene, figure);
   Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
   system.jacobian(figure.points, jacobian);
   if (figure.is_real()) return singular_ratio<Eigen::MatrixXd>(jacobian.rowwise().normalized());

@@ -16,7 +16,8 @@ inline constexpr double double_root_residual = 1e-13;
 
 /// 2-norm condition number of the Jacobian of the distances at the figure, its rows normalised, in the
 /// frame's free coordinates; to as many digits as rounding leaves, of a complex figure to seven at most.
-/// Infinity at a singular figure. Dimensionless.
+/// Above 300 unknown coordinates of points an estimate from below (sparse_condition.hpp). Infinity at a
+/// singular figure. Dimensionless.
 double jacobian_condition(const Scene& scene, const Figure& figure);
 
 /// The size to which the rounding of a figure's distances is relative: the largest coordinate in modulus, and

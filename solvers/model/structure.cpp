@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <random>
 
+#include "solvers/model/core_reduction.hpp"
 #include "solvers/model/length_inequalities.hpp"
 #include "solvers/model/loose_entities.hpp"
 #include "solvers/model/rigidity_matrix.hpp"
@@ -139,6 +140,36 @@ StructureDefect unsatisfiable(const Problem& problem, const ViolatedInequality& 
           "correct one of " + described(problem, violated.constraints)};
 }
 
+/// Of the rows of a hung point's constraints the columns of the point: regular at almost all placements.
+ResidueMatrix own_block(const Problem& problem, const RigidityMatrix& matrix, const PlacedPoint& placed,
+                        const std::vector<int>& incident) {
+  ResidueMatrix block;
+  const auto first = static_cast<std::size_t>(matrix.first_column[placed.point]);
+  for (const int constraint : incident) {
+    const auto& [a, b] = problem.constraints[constraint].between;
+    const int other = a == placed.point ? b : a;
+    if (std::find(placed.from.begin(), placed.from.end(), other) == placed.from.end()) continue;
+    const ResidueVector& row = matrix.rows[constraint];
+    block.emplace_back(row.begin() + static_cast<std::ptrdiff_t>(first),
+                       row.begin() + static_cast<std::ptrdiff_t>(first) + problem.dimension);
+  }
+  return block;
+}
+
+/// The rank of the matrix, or a smaller number: with the columns of hung points last it is block triangular.
+int generic_rank(const Problem& problem, const RigidityMatrix& matrix) {
+  const CoreReduction reduction = reduce_to_core(problem, {}, HangsOn::points);
+  ResidueMatrix core;
+  for (const int constraint : reduction.core_constraints) core.push_back(matrix.rows[constraint]);
+  std::vector<std::vector<int>> incident(problem.points.size() + problem.lines.size());
+  for (int i = 0; i < static_cast<int>(problem.constraints.size()); ++i)
+    for (const int entity : problem.constraints[i].between) incident[entity].push_back(i);
+  int result = rank(std::move(core));
+  for (const PlacedPoint& placed : reduction.placed)
+    result += rank(own_block(problem, matrix, placed, incident[placed.point]));
+  return result;
+}
+
 int unknown_count(const RigidityMatrix& matrix) { return matrix.columns - rank(matrix.trivial_motions); }
 
 }  // namespace
@@ -149,10 +180,10 @@ Structure analyse_structure(const Problem& problem) {
   Structure structure;
   structure.unknowns = unknown_count(matrix);
   structure.constraints = static_cast<int>(problem.constraints.size());
-  structure.generic_rank = rank(matrix.rows);
+  structure.generic_rank = generic_rank(problem, matrix);
   if (structure.generic_rank < std::min(structure.unknowns, structure.constraints)) {
     RigidityMatrix second = rigidity_matrix(problem, engine);
-    if (const int second_rank = rank(second.rows); second_rank > structure.generic_rank) {
+    if (const int second_rank = generic_rank(problem, second); second_rank > structure.generic_rank) {
       structure.generic_rank = second_rank;
       matrix = std::move(second);
     }

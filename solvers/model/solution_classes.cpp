@@ -1,0 +1,36 @@
+#include "solvers/model/solution_classes.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "solvers/model/quality.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+
+/// The condition that decides which solutions can be told apart. Complex ones are told apart by squared
+/// distances or products of coordinates, whose rounding grows with the square of the coordinates, however
+/// short the lengths.
+double effective_condition(const Scene& scene, const Figure& representative, double condition) {
+  if (representative.is_real()) return condition;
+  const double stretch = std::max(1.0, extent(representative) / scene.size());
+  return condition * stretch * stretch;
+}
+
+}  // namespace
+
+double merging_tolerance(double condition) {
+  return std::min(1e-5, std::max(1e-10, 2 * unit_roundoff * condition));
+}
+
+ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
+                                   std::span<const double> conditions) {
+  std::vector<double> tolerances;
+  for (std::size_t i = 0; i < representatives.size(); ++i)
+    tolerances.push_back(merging_tolerance(effective_condition(scene, representatives[i], conditions[i])));
+  return reflection_classes(scene, representatives, tolerances);
+}
+
+}  // namespace gcs

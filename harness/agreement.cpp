@@ -39,10 +39,10 @@ std::string disagreement(const Cells& cells) {
 /// A strategy that claims all real solutions has those on S too.
 std::string shortfall(const CellRecord& cell, const Cells& standard) {
   if (!cell.counts.real_up_to_reflection || standard.empty()) return "";
-  const std::uint64_t real = *cell.counts.real_up_to_reflection;
+  const Natural& real = *cell.counts.real_up_to_reflection;
   const std::uint64_t on_path = *standard.front()->counts.on_path;
-  if (real >= on_path) return "";
-  return fmt::format("Found {} real solutions, fewer than the {} on S.", real, on_path);
+  if (real >= Natural(on_path)) return "";
+  return fmt::format("Found {} real solutions, fewer than the {} on S.", real.decimal(), on_path);
 }
 
 std::string difference_of(const CellRecord& cell, const Cells& standard,

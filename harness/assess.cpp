@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "solvers/model/quality.hpp"
-#include "solvers/model/reflection_classes.hpp"
+#include "solvers/model/solution_classes.hpp"
 
 namespace gcs {
 
@@ -52,37 +52,16 @@ bool is_usable(const Scene& scene, const Candidate& candidate) {
          (figure.is_real() || is_usable_as_complex(scene, figure)) && candidate.multiplicity >= 1;
 }
 
-/// A candidate converged in double precision lies within u·condition of the exact solution, relative to the
-/// scene's size (within a quarter of that on the stiff families), so two of the same class differ by twice
-/// that at most; two solutions on both sides of a fold differ by a hundred times as much before they cannot
-/// be told apart. No test is finer than 1e-10, which well-conditioned solutions of different classes never
-/// come near, nor coarser than 1e-5, where different solutions would be merged.
-double merging_tolerance(double condition) {
-  return std::min(1e-5, std::max(1e-10, 2 * unit_roundoff * condition));
-}
-
 std::vector<Figure> representatives(const std::vector<Judged>& judged) {
   std::vector<Figure> figures;
   for (const Judged& j : judged) figures.push_back(j.representative);
   return figures;
 }
 
-/// The condition that decides which solutions can be told apart. Complex ones are told apart by squared
-/// distances or products of coordinates, whose rounding grows with the square of the coordinates, however
-/// short the lengths.
-double effective_condition(const Scene& scene, const Judged& judged) {
-  if (judged.figure.is_real()) return judged.condition;
-  const double stretch = std::max(1.0, extent(judged.representative) / scene.size());
-  return judged.condition * stretch * stretch;
-}
-
-/// Every candidate at its own tolerance: one coarse tolerance for all would merge well-conditioned
-/// neighbours.
 std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged) {
-  std::vector<double> tolerances;
-  for (const Judged& candidate : judged)
-    tolerances.push_back(merging_tolerance(effective_condition(scene, candidate)));
-  return reflection_classes(scene, representatives(judged), tolerances).class_of;
+  std::vector<double> conditions;
+  for (const Judged& candidate : judged) conditions.push_back(candidate.condition);
+  return solution_classes(scene, representatives(judged), conditions).class_of;
 }
 
 /// Appends the coordinates in units of `grain` of the scene's size, cut to integers so that rounding does not
@@ -220,12 +199,12 @@ class Assessor {
       assessment_.crossings.push_back({solution_of_[judged], crossing.direction});
       met_.insert(judged);
     }
-    check_alternation(path, taken);
+    if (report_.claim == Claim::on_path) check_alternation(path, taken);
     check_repetition(taken);
   }
 
   /// Between two upward crossings of t = 1 a continuous path must come down, and a closed one meets it
-  /// evenly.
+  /// evenly. On a core's path some crossings may be no solutions of the whole scene.
   void check_alternation(const PathRecord& path, const std::vector<std::pair<int, int>>& taken) {
     const bool closed = path.end == PathRecord::End::closed;
     for (std::size_t i = 0; i < taken.size(); ++i) {
@@ -267,6 +246,13 @@ class Assessor {
                                      solution_of_[i]));
   }
 
+  /// What is put together from different solutions of the parts is different.
+  void check_totals() {
+    if (assessment_.solutions.size() != judged_.size())
+      fail("count", fmt::format("{} solutions were put together, and {} of them are different",
+                                judged_.size(), assessment_.solutions.size()));
+  }
+
   void count();
 
   const Scene& scene_;
@@ -290,8 +276,10 @@ void Assessor::count() {
   if (claim == Claim::on_path || claim == Claim::on_path_of_core) counts.on_path = 0;
   if (claim == Claim::all_real || claim == Claim::all_complex) counts.real_up_to_reflection = 0;
   if (claim == Claim::all_complex) counts.complex_up_to_reflection = 0;
-  recount(assessment_);
   counts.generic = report_.generic;
+  assessment_.totals = report_.totals;
+  if (report_.totals) check_totals();
+  recount(assessment_);
   counts.at_infinity = report_.at_infinity;
   assessment_.ends = ends_of(report_.paths);
   if (report_.paths.empty()) return;
@@ -315,6 +303,11 @@ void recount(Assessment& assessment) {
     counts.real_up_to_reflection = std::count_if(
         solutions.begin(), solutions.end(), [](const AssessedSolution& s) { return s.figure.is_real(); });
   if (counts.complex_up_to_reflection) counts.complex_up_to_reflection = solutions.size();
+  if (assessment.totals) {
+    counts.real_up_to_reflection = assessment.totals->real;
+    counts.complex_up_to_reflection = assessment.totals->complex;
+    counts.generic = assessment.totals->generic;
+  }
   if (counts.singular) counts.singular = std::count_if(solutions.begin(), solutions.end(), is_singular);
   if (counts.certified)
     counts.certified = std::count_if(solutions.begin(), solutions.end(),
@@ -331,6 +324,7 @@ void keep_real(Assessment& assessment) {
   const auto is_complex = [](const AssessedSolution& solution) { return !solution.figure.is_real(); };
   std::erase_if(assessment.solutions, is_complex);
   assessment.counts.complex_up_to_reflection.reset();
+  if (assessment.totals) assessment.totals->complex.reset();
   recount(assessment);
 }
 

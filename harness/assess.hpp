@@ -29,11 +29,12 @@ struct AssessedCrossing {
   int direction = 1;
 };
 
-/// Counts of gcsbench-result/1; empty: the strategy does not determine it.
+/// Counts of gcsbench-result/1; empty: the strategy does not determine it. Numbers of solutions may be those
+/// of a product, of any size.
 struct Counts {
-  std::optional<std::uint64_t> real_up_to_reflection;
-  std::optional<std::uint64_t> complex_up_to_reflection;
-  std::optional<std::uint64_t> generic;
+  std::optional<Natural> real_up_to_reflection;
+  std::optional<Natural> complex_up_to_reflection;
+  std::optional<Natural> generic;
   std::optional<std::uint64_t> on_path;
   std::optional<std::uint64_t> paths;
   std::optional<std::uint64_t> at_infinity;
@@ -73,6 +74,8 @@ struct Proofs {
 };
 
 struct Assessment {
+  /// Of a scene that was taken apart: so many there are, however many are listed.
+  std::optional<SolutionTotals> totals;
   std::vector<AssessedSolution> solutions;  ///< real ones first, then in a fixed order
   std::vector<AssessedCrossing> crossings;  ///< in the order met
   Counts counts;

@@ -19,6 +19,7 @@
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/model/core_reduction.hpp"
 #include "solvers/model/structure.hpp"
+#include "solvers/reduction/decomposition.hpp"
 #include "solvers/tracking/path_report.hpp"
 
 namespace gcs {
@@ -48,6 +49,7 @@ struct Description {
   Structure structure;
   Reference reference;
   CoreReduction reduction;
+  std::vector<Part> parts;  ///< as the option reduce=on takes the scene apart
   TheoreticalCounts counts;
   std::optional<ConstructionPlan> plan;  ///< empty where S, and so a figure to start from, is not defined
   std::vector<StrategyVerdict> strategies;
@@ -96,6 +98,7 @@ Description describe(Instance instance) {
   description.reference = scene.reference();
   description.reduction =
       reduce_to_core(instance.problem, entities_of(description.reference, instance.problem));
+  description.parts = decompose(instance.problem, Split::all);
   description.counts = theoretical_counts(instance.problem);
   description.plan = construction_plan(scene);
   description.strategies = verdicts(scene);
@@ -167,6 +170,15 @@ JsonValue core_value(const Problem& problem, const CoreReduction& reduction) {
                       {"placed", json_array(std::move(placed))}});
 }
 
+JsonValue parts_value(const Problem& problem, const std::vector<Part>& parts) {
+  std::vector<JsonValue> values;
+  for (const Part& part : parts)
+    values.push_back(json_object({{"base", json_texts(names(problem, part.base))},
+                                  {"places", json_texts(names(problem, part.points))},
+                                  {"hung", json_boolean(part.is_hung_point())}}));
+  return json_array(std::move(values));
+}
+
 JsonValue plan_value(const ConstructionPlan& plan) {
   return json_object({{"given", json_boolean(plan.given)},
                       {"driving_parameters", json_count(plan.removed.size())},
@@ -204,6 +216,7 @@ std::string json_description(const Description& description) {
                                        {"sketch", json_boolean(problem.sketch.has_value())},
                                        {"interpolation", interpolation_value(problem)},
                                        {"core", core_value(problem, description.reduction)},
+                                       {"parts", parts_value(problem, description.parts)},
                                        {"theoretical_counts", counts_value(problem, description.counts)},
                                        {"construction", json_or_null(description.plan, plan_value)},
                                        {"strategies", strategies_value(description.strategies)},
@@ -247,11 +260,27 @@ std::string core_text(const Problem& problem, const CoreReduction& reduction) {
 }
 
 std::string placed_text(const Problem& problem, const CoreReduction& reduction) {
+  constexpr std::size_t most = 20;
   std::vector<std::string> placed;
   for (const PlacedPoint& point : reduction.placed)
-    placed.push_back(
-        fmt::format("{} from {}", problem.name(point.point), fmt::join(names(problem, point.from), " ")));
-  return placed.empty() ? "nothing" : join(placed);
+    if (placed.size() < most)
+      placed.push_back(
+          fmt::format("{} from {}", problem.name(point.point), fmt::join(names(problem, point.from), " ")));
+  if (placed.empty()) return "nothing";
+  const std::size_t more = reduction.placed.size() - placed.size();
+  return join(placed) + (more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+/// A row for the parts that are solved one by one, where there are several.
+std::string parts_text(const Problem& problem, const std::vector<Part>& parts) {
+  std::vector<std::string> solved;
+  for (const Part& part : parts) {
+    if (part.is_hung_point()) continue;
+    solved.push_back(fmt::format("{}", fmt::join(names(problem, part.points), " ")));
+    if (!part.base.empty()) solved.back() += fmt::format(" on {}", fmt::join(names(problem, part.base), " "));
+  }
+  if (solved.size() < 2) return "";
+  return row("solved apart", fmt::format("{} parts: {}", solved.size(), join(solved)));
 }
 
 std::string plan_text(const std::optional<ConstructionPlan>& plan) {
@@ -292,6 +321,7 @@ std::string text_description(const Description& description) {
   text += row("reference", reference_text(description));
   text += row("sketch", sketch_text(problem));
   text += row("core to solve", core_text(problem, description.reduction));
+  text += parts_text(problem, description.parts);
   text += row("placed after it", placed_text(problem, description.reduction));
   text += counts_text(problem, description.counts);
   return text + plan_text(description.plan) + strategies_text(description.strategies) +

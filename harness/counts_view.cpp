@@ -38,6 +38,7 @@ JsonValue bound_value(const Problem& problem, const CountBound& bound) {
   std::vector<JsonValue> bodies;
   for (const std::vector<std::string>& body : names.ring) bodies.push_back(json_texts(body));
   members.emplace_back("ring", json_array(std::move(bodies)));
+  members.emplace_back("parts", json_number(bound.parts));
   return json_object(std::move(members));
 }
 
@@ -67,12 +68,13 @@ BoundNames names_of(const Problem& problem, const CountBound& bound) {
     for (const int entity : entities) result.push_back(problem.name(entity));
     return result;
   };
-  BoundNames all{names(bound.reference), {}};
+  BoundNames all{names(bound.reference), {}, bound.parts};
   for (const std::vector<int>& body : bound.ring) all.ring.push_back(names(body));
   return all;
 }
 
 std::string bound_origin(const BoundNames& names) {
+  if (names.parts > 1) return fmt::format("product of the bounds of {} parts", names.parts);
   if (names.ring.empty())
     return fmt::format("m-Bézout bound with {} held fixed", fmt::join(names.reference, ", "));
   std::vector<std::string> bodies;

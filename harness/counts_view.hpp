@@ -25,6 +25,7 @@ JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts);
 struct BoundNames {
   std::vector<std::string> reference;
   std::vector<std::vector<std::string>> ring;
+  int parts = 1;
 };
 
 BoundNames names_of(const Problem& problem, const CountBound& bound);

@@ -18,6 +18,13 @@ void visit_counts(Record& counts, Visit visit) {
 }
 
 template <typename Record, typename Visit>
+void visit_totals(Record& totals, Visit visit) {
+  visit("real", totals.real);
+  visit("complex", totals.complex);
+  visit("generic", totals.generic);
+}
+
+template <typename Record, typename Visit>
 void visit_work(Record& work, Visit visit) {
   visit("iterations", work.iterations);
   visit("rejected_steps", work.rejected_steps);

@@ -90,6 +90,7 @@ class MemberWriter {
   static JsonValue to_value(int value) { return json_number(value); }
   static JsonValue to_value(std::int64_t value) { return json_count(static_cast<std::uint64_t>(value)); }
   static JsonValue to_value(std::uint64_t value) { return json_count(value); }
+  static JsonValue to_value(const Natural& value) { return json_count(value); }
   static JsonValue to_value(const std::string& value) { return json_text(value); }
 
   JsonMembers& members_;
@@ -150,6 +151,12 @@ JsonValue claim_value(const std::optional<Claim>& claim) {
   return json_or_null(claim, [](Claim c) { return json_text(std::string(word(c))); });
 }
 
+JsonValue totals_value(const SolutionTotals& totals) {
+  JsonMembers members;
+  visit_totals(totals, MemberWriter(members));
+  return json_object(std::move(members));
+}
+
 JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
   JsonMembers counts, statistics, origin;
   visit_counts(run.assessment.counts, MemberWriter(counts));
@@ -165,6 +172,7 @@ JsonMembers result_members(const Instance& instance, const SolveRun& run, const 
           {"reason", json_text(run.reason)},
           {"claim", claim_value(run.claim)},
           {"counts", json_object(std::move(counts))},
+          {"totals", json_or_null(run.assessment.totals, totals_value)},
           {"proofs", proofs_value(run.assessment.proofs)},
           {"failed_checks", failed_checks_value(run.assessment.failed_checks)},
           {"solutions", solutions_value(instance.problem, run.assessment.solutions)},

@@ -23,14 +23,27 @@ bool read_boolean(const JsonCursor& cursor) {
   return cursor.value().boolean;
 }
 
-std::uint64_t read_count(const JsonCursor& cursor) {
+void read_count(const JsonCursor& cursor, Natural& count) {
   const bool is_text = cursor.value().kind == JsonValue::Kind::string;
   const std::string text = is_text ? cursor.text() : cursor.number().text;
+  const auto value = Natural::from_decimal(text);
+  if (!value) cursor.fail("'" + text + "' is no count", "give a whole number that is not negative");
+  count = *value;
+}
+
+/// One that numbers or measures what a file holds.
+void read_count(const JsonCursor& cursor, std::uint64_t& count) {
+  Natural value;
+  read_count(cursor, value);
+  const std::string text = value.decimal();
+  if (std::from_chars(text.data(), text.data() + text.size(), count).ec != std::errc())
+    cursor.fail("'" + text + "' is too large", "give a whole number below 2^64");
+}
+
+int read_number(const JsonCursor& cursor) {
   std::uint64_t count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc() || end != text.data() + text.size())
-    cursor.fail("'" + text + "' is no count", "give a whole number that is not negative");
-  return count;
+  read_count(cursor, count);
+  return static_cast<int>(count);
 }
 
 /// A vector of numbers, or of pairs [re, im].
@@ -83,7 +96,7 @@ AssessedSolution read_solution(const JsonCursor& cursor, const Problem& problem)
   read_points(cursor.required("points"), problem, is_real, solution.figure);
   if (!problem.lines.empty()) read_lines(cursor.required("lines"), problem, is_real, solution.figure);
   if (const auto multiplicity = cursor.optional("multiplicity"))
-    solution.multiplicity = static_cast<int>(read_count(*multiplicity));
+    solution.multiplicity = read_number(*multiplicity);
   const auto condition = cursor.optional("condition");
   const bool has_condition = condition && !is_null(*condition);
   solution.condition = has_condition ? condition->number().value : std::numeric_limits<double>::infinity();
@@ -100,7 +113,7 @@ std::vector<AssessedCrossing> read_crossings(const JsonCursor& path, std::size_t
     AssessedCrossing crossing;
     const JsonCursor solution = element.required("solution"), direction = element.required("direction");
     if (!is_null(solution)) {
-      crossing.solution = static_cast<int>(read_count(solution));
+      crossing.solution = read_number(solution);
       if (static_cast<std::size_t>(*crossing.solution) >= solutions)
         solution.fail("there is no such solution", fmt::format("give a number below {}, or null", solutions));
     }
@@ -110,13 +123,12 @@ std::vector<AssessedCrossing> read_crossings(const JsonCursor& path, std::size_t
   return crossings;
 }
 
-Counts read_counts(const JsonCursor& cursor) {
-  Counts counts;
-  visit_counts(counts, [&](const std::string& name, std::optional<std::uint64_t>& count) {
+/// Reads the counts that a list of fields visits; null and what is missing stay empty.
+auto count_reader(const JsonCursor& cursor) {
+  return [cursor](const std::string& name, auto& count) {
     const auto given = cursor.optional(name);
-    if (given && !is_null(*given)) count = read_count(*given);
-  });
-  return counts;
+    if (given && !is_null(*given)) read_count(*given, count.emplace());
+  };
 }
 
 void require_format(const JsonCursor& root) {
@@ -142,7 +154,9 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
     result.listed.solutions.push_back(read_solution(solution, result.instance.problem));
   if (const auto path = root.optional("path"))
     result.listed.crossings = read_crossings(*path, result.listed.solutions.size());
-  if (const auto counts = root.optional("counts")) result.listed.counts = read_counts(*counts);
+  if (const auto counts = root.optional("counts")) visit_counts(result.listed.counts, count_reader(*counts));
+  if (const auto totals = root.optional("totals"); totals && !is_null(*totals))
+    visit_totals(result.listed.totals.emplace(), count_reader(*totals));
   return result;
 }
 

@@ -75,6 +75,7 @@ void visit_limit(Record& limit, Visit visit) {
   visit("exact", limit.is_exact);
   visit("all_signs", limit.all_signs);
   visit("reference", limit.bound.reference);
+  visit("parts", limit.bound.parts);
 }
 
 template <typename Record, typename Visit>
@@ -106,6 +107,12 @@ void visit_solution(Record& solution, Visit visit) {
   visit("points", solution.points);
 }
 
+/// A number beyond 2^53 as text.
+Json json_of(const Natural& count) {
+  const std::string text = count.decimal();
+  return count > Natural::power_of_two(53) ? Json(text) : Json::parse(text);
+}
+
 /// Writes one member; an empty optional is null.
 struct Writer {
   Json& json;
@@ -117,6 +124,9 @@ struct Writer {
   template <typename T>
   void operator()(const std::string& name, const std::optional<T>& value) const {
     json[name] = value ? Json(*value) : Json(nullptr);
+  }
+  void operator()(const std::string& name, const std::optional<Natural>& value) const {
+    json[name] = value ? json_of(*value) : Json(nullptr);
   }
 };
 
@@ -131,6 +141,10 @@ struct Reader {
   void operator()(const char* name, std::optional<T>& value) const {
     const Json& member = json.at(name);
     value = member.is_null() ? std::nullopt : std::optional<T>(member.get<T>());
+  }
+  void operator()(const char* name, std::optional<Natural>& value) const {
+    const Json& member = json.at(name);
+    value = Natural::from_decimal(member.is_string() ? member.get<std::string>() : member.dump());
   }
 };
 

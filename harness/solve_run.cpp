@@ -104,6 +104,18 @@ void limit_solutions(SolveRun& run, std::size_t limit) {
   run.reason = fmt::format("{} of the {} solutions found are kept, as asked", limit, found);
 }
 
+/// Of a product, not all are listed.
+void note_unlisted(SolveRun& run) {
+  const std::optional<SolutionTotals>& totals = run.assessment.totals;
+  if (!totals || run.status != RunStatus::complete) return;
+  const std::optional<Natural>& all = totals->complex ? totals->complex : totals->real;
+  const std::size_t listed = run.assessment.solutions.size();
+  if (!all || *all == Natural(listed)) return;
+  run.status = RunStatus::partial;
+  run.reason =
+      fmt::format("{} of the {} solutions are listed; --max-solutions lists more", listed, all->decimal());
+}
+
 void certify_solutions(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report,
                        SolveRun& run) {
   const auto start = std::chrono::steady_clock::now();
@@ -123,18 +135,20 @@ void check_counts(const TheoreticalCounts& limits, SolveRun& run) {
   const SolutionCount* limit = limits.upper_limit();
   if (limit == nullptr || run.status != RunStatus::complete) return;
   const Natural most = limit->up_to_reflection();
-  const auto fail = [&](std::string_view what, std::uint64_t count) {
+  const auto fail = [&](std::string_view what, const Natural& count) {
     run.assessment.failed_checks.push_back(
-        {"count", fmt::format("{} {} up to reflection, and the {} is {}", count, what,
+        {"count", fmt::format("{} {} up to reflection, and the {} is {}", count.decimal(), what,
                               limits.exact ? "exact number" : "upper bound", most.decimal())});
   };
-  const std::optional<std::uint64_t> generic = run.assessment.counts.generic;
-  const bool is_right = !generic || (limits.exact ? Natural(*generic) == most : Natural(*generic) <= most);
+  const std::optional<Natural>& generic = run.assessment.counts.generic;
+  const bool is_right = !generic || (limits.exact ? *generic == most : *generic <= most);
   if (!is_right) fail("solutions at generic lengths", *generic);
-  std::uint64_t solutions = 0;
+  Natural solutions;
   for (const AssessedSolution& solution : run.assessment.solutions)
-    solutions += static_cast<std::uint64_t>(solution.multiplicity);
-  if (most < Natural(solutions)) fail("solutions, counted with multiplicities,", solutions);
+    solutions += Natural(static_cast<std::uint64_t>(solution.multiplicity));
+  if (run.assessment.totals)
+    solutions = std::max(solutions, run.assessment.totals->complex.value_or(solutions));
+  if (most < solutions) fail("solutions, counted with multiplicities,", solutions);
 }
 
 /// Where certificates do not reach the scene nothing is refined.
@@ -185,8 +199,9 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   }
   StopWatch watch(limits.time_limit_s);
   StartFiles starts;
-  const SolveRequest request{
-      scene, limits.seed, limits.threads, watch.token(), services.monitor, services.journal, &starts};
+  const SolveRequest request{scene,         limits.seed,         limits.threads,
+                             watch.token(), services.monitor,    services.journal,
+                             &starts,       limits.max_solutions};
   SolveReport report = guarded_solve(*strategy, request, run.timing);
   set_status(run, report, watch.cause(), limits);
   run.claim = report.claim;
@@ -198,6 +213,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   }
   if (limits.only_real) leave_out_complex(run);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
+  note_unlisted(run);
   if (limits.digits > 0) refine_solutions(scene, limits.digits, watch, limits, run);
   run.work = report.work;
   run.particulars = std::move(report.particulars);

@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t shown_crossings = 40;
 
 /// "1 class", "2 classes"
-std::string amount(std::uint64_t count, std::string_view singular, std::string_view plural) {
-  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+std::string amount(const Natural& count, std::string_view singular, std::string_view plural) {
+  return fmt::format("{} {}", count.decimal(), count == Natural(1) ? singular : plural);
 }
 
 std::string headline(const Instance& instance, const SolveRun& run) {
@@ -35,14 +35,17 @@ std::string_view convention(const Problem& problem) {
   return anchored ? "positions are fixed, no reflection is divided out" : "up to reflection";
 }
 
-std::string solution_counts(const Problem& problem, const Counts& counts) {
+std::string solution_counts(const Problem& problem, const Counts& counts, const std::optional<Claim>& claim) {
   std::string text;
-  const auto append = [&](std::string_view label, const std::optional<std::uint64_t>& count,
+  const auto append = [&](std::string_view label, const std::optional<Natural>& count,
                           std::string_view what) {
     if (count)
       text += summary_line(label, fmt::format("{}, {}", amount(*count, "solution", "solutions"), what));
   };
-  append("on path", counts.on_path, fmt::format("met on S, {}", convention(problem)));
+  const bool of_core = claim == Claim::on_path_of_core;
+  append("on path", counts.on_path,
+         fmt::format("met on {}, {}", of_core ? "the core's S, hung points as in the sketch" : "S",
+                     convention(problem)));
   append("real", counts.real_up_to_reflection, convention(problem));
   append("complex", counts.complex_up_to_reflection,
          fmt::format("real ones included, {}", convention(problem)));
@@ -54,11 +57,11 @@ std::string solution_counts(const Problem& problem, const Counts& counts) {
 std::string path_counts(const Counts& counts) {
   std::string bound;
   if (counts.generic)
-    bound = summary_line("generic",
-                         amount(*counts.generic, "class", "classes") + " at generic lengths" +
-                             (counts.at_infinity && counts.paths.value_or(*counts.generic) == *counts.generic
-                                  ? fmt::format(", of which {} at infinity here", *counts.at_infinity)
-                                  : ""));
+    bound = summary_line(
+        "generic", amount(*counts.generic, "class", "classes") + " at generic lengths" +
+                       (counts.at_infinity && (!counts.paths || Natural(*counts.paths) == *counts.generic)
+                            ? fmt::format(", of which {} at infinity here", *counts.at_infinity)
+                            : ""));
   if (!counts.paths) return bound;
   std::string text = amount(*counts.paths, "path", "paths");
   if (counts.at_infinity.value_or(0) > 0) text += fmt::format(", {} to infinity", *counts.at_infinity);
@@ -214,7 +217,7 @@ std::string summary_line(std::string_view label, std::string_view text) {
 
 std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run.assessment;
-  return headline(instance, run) + solution_counts(instance.problem, assessment.counts) +
+  return headline(instance, run) + solution_counts(instance.problem, assessment.counts, run.claim) +
          path_counts(assessment.counts) + proofs_text(assessment) + growths(assessment.ends) +
          path_proofs(assessment.ends) + crossings_table(assessment) + quality(assessment.solutions) +
          particulars(run.particulars) + work(run.work) + time(run) + failed_checks(assessment.failed_checks);

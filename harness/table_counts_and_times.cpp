@@ -47,14 +47,14 @@ class Builder {
   /// often the paper counts a class.
   template <class Copies>
   void all_solutions(const std::string& label, const PaperRow& paper_row,
-                     std::optional<std::uint64_t> Counts::*count, const Copies& copies) {
+                     std::optional<Natural> Counts::*count, const Copies& copies) {
     add_row(label, paper_row, [&](const MeasuredInstance& instance, const PrintedFigure* figure) {
       const auto has_all = [&](const CellRecord& cell) {
         return cell.spec.instance == instance.id && cell.is_right() && cell.counts.*count;
       };
       const auto cell = std::find_if(run_.cells.begin(), run_.cells.end(), has_all);
       if (cell == run_.cells.end()) return unanswered(instance);
-      const double classes = static_cast<double>(*(cell->counts.*count));
+      const double classes = (cell->counts.*count)->approximate();
       const double value = classes * copies(instance);
       const std::string note = fmt::format(
           "By {}: {} {}, {}.", label_of(cell->spec), number_text(classes),
@@ -129,11 +129,11 @@ class Builder {
   }
 
   /// Whether a number of solutions is proven.
-  static std::string standing(const std::optional<RecordedProofs>& proofs, std::uint64_t count,
+  static std::string standing(const std::optional<RecordedProofs>& proofs, const Natural& count,
                               bool of_real) {
     if (!proofs) return "found, not certified";
     const std::uint64_t certified = of_real ? proofs->real : proofs->classes;
-    if (certified != count) return fmt::format("found, {} of them certified", certified);
+    if (Natural(certified) != count) return fmt::format("found, {} of them certified", certified);
     return (of_real ? proofs->decides_real : proofs->is_complete)
                ? "proven: all certified, and no lengths have more complex ones"
                : "all certified; that there are no more is found, not proven";
@@ -141,6 +141,7 @@ class Builder {
 
   static std::string origin(const RecordedLimit& limit) {
     if (limit.is_exact) return "Exact at generic lengths: recursion over bigraphs, Capco et al. 2018.";
+    if (limit.bound.parts > 1) return bound_origin(limit.bound) + ".";
     return bound_origin(limit.bound) + (limit.bound.ring.empty()
                                             ? ", Bartzos, Emiris, Schicho 2020."
                                             : "; given shapes close in at most 16 ways.");

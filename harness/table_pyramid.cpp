@@ -112,7 +112,7 @@ Table build_scans(const RunRecord& run, const Publication& paper) {
 
 /// A row of the table of 6p: a count of classes, of which the fixed frame has two mirror images each.
 void add_octahedron_count(Table& table, const RunRecord& run, const Publication& paper,
-                          const std::string& label, std::optional<std::uint64_t> Counts::*count,
+                          const std::string& label, std::optional<Natural> Counts::*count,
                           const std::string& note) {
   TableRow row{label, {printed_entry(table, paper.find("section 4.1", label, "6p", ""))}, {}};
   for (const std::string& id : octahedra()) {
@@ -120,8 +120,7 @@ void add_octahedron_count(Table& table, const RunRecord& run, const Publication&
     const CellRecord* cell = run.find(algebraic().on(id));
     const bool counted = cell != nullptr && cell->counts.*count;
     row.cells.push_back(answer_entry(
-        table, cell,
-        counted ? std::optional(2 * static_cast<double>(*(cell->counts.*count))) : std::nullopt));
+        table, cell, counted ? std::optional(2 * (cell->counts.*count)->approximate()) : std::nullopt));
     if (!note.empty()) row.cells.back().notes.push_back(table.footnote(note));
   }
   table.rows.push_back(std::move(row));

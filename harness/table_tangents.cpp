@@ -20,8 +20,8 @@ struct Quantity {
   std::optional<double> (*of)(const CellRecord& cell);
 };
 
-std::optional<double> number(std::optional<std::uint64_t> count) {
-  return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
+std::optional<double> number(const std::optional<Natural>& count) {
+  return count ? std::optional(count->approximate()) : std::nullopt;
 }
 
 template <int which>

@@ -126,13 +126,15 @@ class Verifier {
   void check_counts() {
     Assessment own = result_.listed;
     recount(own);
-    std::vector<std::optional<std::uint64_t>> given;
+    std::vector<std::optional<Natural>> given;
     visit_counts(result_.listed.counts,
-                 [&](const std::string&, const auto& count) { given.push_back(count); });
+                 [&](const std::string&, const auto& count) { given.emplace_back(count); });
     std::size_t i = 0;
     visit_counts(own.counts, [&](const std::string& name, const auto& count) {
-      if (count != given[i])
-        mismatch("count", fmt::format("the count {} is {}, and the list gives {}", name, *given[i], *count));
+      const std::optional<Natural> own_count(count);
+      if (own_count != given[i])
+        mismatch("count", fmt::format("the count {} is {}, and the list gives {}", name, given[i]->decimal(),
+                                      own_count->decimal()));
       ++i;
     });
   }

@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 
 #include "solvers/journal.hpp"
 #include "solvers/model/scene.hpp"
+#include "solvers/numeric/natural.hpp"
 #include "solvers/work.hpp"
 
 namespace gcs {
@@ -31,6 +33,8 @@ struct SolveRequest {
   Monitor* monitor = nullptr;    ///< may be null
   Journal* journal = nullptr;    ///< may be null; see StrategyEntry::keeps_journal
   StartStore* starts = nullptr;  ///< may be null for strategies whose options name no start system
+  /// Solutions to list at most, where there are so many that they are counted without being listed.
+  std::optional<std::size_t> most_listed = std::nullopt;
 };
 
 /// What a strategy says that it found; the harness checks it.
@@ -78,6 +82,16 @@ struct GenericMember {
   std::vector<std::vector<std::complex<double>>> solutions;  ///< the free coordinates of the scene's frame
 };
 
+/// How many classes there are, where they follow from those of the scene's parts. The candidates may be
+/// fewer. A number that is not determined is empty.
+struct SolutionTotals {
+  std::optional<Natural> real;
+  std::optional<Natural> complex;
+  std::optional<Natural> generic;
+
+  bool operator==(const SolutionTotals&) const = default;
+};
+
 struct SolveReport {
   SolveStatus status = SolveStatus::gave_up;
   std::string reason;  ///< empty when complete
@@ -88,7 +102,8 @@ struct SolveReport {
   std::optional<std::uint64_t> generic;         ///< number of classes at generic lengths, where it is known
   std::optional<GenericMember> generic_member;  ///< proves `generic`, where certificates reach it
   std::optional<std::uint64_t>
-      at_infinity;  ///< how many of these have escaped; with paths, their ends say it
+      at_infinity;                       ///< how many of these have escaped; with paths, their ends say it
+  std::optional<SolutionTotals> totals;  ///< of a scene that was taken apart
   WorkCounters work;
   std::vector<Particular> particulars;
 };
@@ -134,7 +149,7 @@ struct StrategyEntry {
   /// Beside the defaults: settings that trade accuracy or certainty for time, rough ones first. They are
   /// measured by `gcsbench precision`.
   std::vector<OptionMap> accuracy_settings;
-  std::unique_ptr<Strategy> (*make)(const OptionMap& options) = nullptr;
+  std::function<std::unique_ptr<Strategy>(const OptionMap& options)> make;
 };
 
 /// All strategies, in the order of solvers/CMakeLists.txt.

@@ -25,9 +25,9 @@ Violations check_limits(const Scene& scene, const TheoreticalCounts& counts, con
   const auto generic = assessment.counts.generic;
   if (!generic) return violations;
   require_at_most(*generic, limit, "classes at generic lengths", violations);
-  if (counts.exact && report.status == SolveStatus::complete && Natural(*generic) != limit)
-    violations.push_back(
-        {"limit", fmt::format("{} classes at generic lengths, exactly {}", *generic, limit.decimal())});
+  if (counts.exact && report.status == SolveStatus::complete && *generic != limit)
+    violations.push_back({"limit", fmt::format("{} classes at generic lengths, exactly {}",
+                                               generic->decimal(), limit.decimal())});
   return violations;
 }
 

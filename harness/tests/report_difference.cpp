@@ -14,7 +14,7 @@ namespace {
 class Fields {
  public:
   explicit Fields(const SolveReport& report) {
-    const auto& [status, reason, claim, candidates, paths, generic, generic_member, at_infinity, work,
+    const auto& [status, reason, claim, candidates, paths, generic, generic_member, at_infinity, totals, work,
                  particulars] = report;
     add("status", status);
     add("reason", reason);
@@ -26,6 +26,7 @@ class Fields {
     add("generic", generic);
     add("generic_member", generic_member);
     add("at_infinity", at_infinity);
+    add("totals", totals);
     add("work", work);
     add("particulars.size()", particulars.size());
     for (const auto& [name, value] : particulars) add("particulars." + name, value);
@@ -53,6 +54,15 @@ class Fields {
   template <class Derived>
   void add(const std::string& name, const Eigen::PlainObjectBase<Derived>& matrix) {
     add_bytes(name, matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
+  }
+
+  void add(const std::string& name, const Natural& number) { add(name, number.decimal()); }
+
+  void add(const std::string& name, const SolutionTotals& totals) {
+    const auto& [real, complex, generic] = totals;
+    add(name + ".real", real);
+    add(name + ".complex", complex);
+    add(name + ".generic", generic);
   }
 
   void add(const std::string& name, const Candidate& candidate) {

@@ -284,10 +284,11 @@ Violations check_counts(std::string_view instance, const Scene& scene, const Sol
   const auto known = known_counts(instance);
   if (!known) return {};
   const Assessment assessment = assess(scene, report);
-  const auto expect = [&](const auto& found, const auto& exact, std::string_view which, bool is_bound) {
+  const auto expect = [&](const std::optional<Natural>& found, const std::optional<Natural>& exact,
+                          std::string_view which, bool is_bound) {
     if (!found || !exact) return;
-    finder.expect(is_bound ? *found <= *exact : *found == *exact, "count", "{} {}, {} {}", *found, which,
-                  is_bound ? "at most" : "exactly", *exact);
+    finder.expect(is_bound ? *found <= *exact : *found == *exact, "count", "{} {}, {} {}", found->decimal(),
+                  which, is_bound ? "at most" : "exactly", exact->decimal());
   };
   const bool partial = report.status != SolveStatus::complete;
   const Counts& counts = assessment.counts;

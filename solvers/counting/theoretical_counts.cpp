@@ -10,6 +10,7 @@
 #include "solvers/counting/plane_count.hpp"
 #include "solvers/counting/ring_bound.hpp"
 #include "solvers/model/core_reduction.hpp"
+#include "solvers/reduction/decomposition.hpp"
 
 namespace gcs {
 namespace {
@@ -152,12 +153,60 @@ void count_exactly(const Problem& problem, const CoreReduction& reduction, const
 }
 
 /// In the core, or, when it has no triangle, with the points that hang on it.
-void count_points(const Problem& problem, TheoreticalCounts& counts) {
+void count_undivided(const Problem& problem, TheoreticalCounts& counts) {
   const CoreReduction reduction = reduce_to_core(problem, {});
   const PointGraph core = core_graph(problem, reduction);
   count_exactly(problem, reduction, core, counts);
   const bool core_has_reference = !reference_simplices(core, problem.dimension).empty();
   bound_points(problem, core_has_reference ? core : whole_graph(problem), counts);
+}
+
+/// The counts of the parts that are solved apart, and of hung points.
+struct PartCounts {
+  std::vector<TheoreticalCounts> solved;
+  std::vector<int> first;  ///< the points of the first part
+  int hung = 0;
+};
+
+PartCounts counts_of_parts(const Problem& problem) {
+  PartCounts counts;
+  for (const Part& part : decompose(problem, Split::all)) {
+    if (part.is_hung_point()) {
+      ++counts.hung;
+      continue;
+    }
+    const PartProblem alone = part_problem(problem, part);
+    if (counts.solved.empty()) counts.first = alone.points;
+    count_undivided(alone.problem, counts.solved.emplace_back());
+  }
+  return counts;
+}
+
+/// With the base of a part held fixed its solutions in the frame are as many, whatever the others are.
+void multiply(const Problem& problem, const PartCounts& parts, TheoreticalCounts& counts) {
+  Natural exact = Natural::power_of_two(parts.hung), bound = exact;
+  for (const TheoreticalCounts& part : parts.solved) {
+    if (part.exact) exact = exact * part.exact->fixed_frame;
+    if (part.bound) bound = bound * part.bound->count.fixed_frame;
+    if (counts.why_no_exact.empty()) counts.why_no_exact = part.why_no_exact;
+    if (counts.why_no_bound.empty()) counts.why_no_bound = part.why_no_bound;
+  }
+  if (counts.why_no_exact.empty()) counts.exact = count_of_points(problem, std::move(exact));
+  if (!counts.why_no_bound.empty()) return;
+  std::vector<int> reference = parts.solved.front().bound->reference;
+  for (int& point : reference) point = parts.first[point];
+  counts.bound = CountBound{count_of_points(problem, std::move(bound)),
+                            std::move(reference),
+                            {},
+                            static_cast<int>(parts.solved.size())};
+}
+
+void count_points(const Problem& problem, TheoreticalCounts& counts) {
+  const PartCounts parts = counts_of_parts(problem);
+  if (parts.solved.size() > 1)
+    multiply(problem, parts, counts);
+  else
+    count_undivided(problem, counts);
 }
 
 void bound_points_and_line(const Problem& problem, TheoreticalCounts& counts) {

@@ -27,6 +27,7 @@ struct CountBound {
   SolutionCount count;
   std::vector<int> reference;          ///< entities that make the frame: d points, or a line and a point
   std::vector<std::vector<int>> ring;  ///< the points of the ring's bodies; empty for the m-Bézout bound
+  int parts = 1;  ///< of so many parts the bounds are multiplied; the reference is that of the first, no ring
 };
 
 struct TheoreticalCounts {
@@ -43,6 +44,7 @@ struct TheoreticalCounts {
 };
 
 /// Precondition: the problem is well posed (see analyse_structure). Takes seconds at most.
+/// Where d points, pairwise at given distances, separate the points, the counts of the parts are multiplied.
 /// Exact: points in the plane, if the core is small enough, and points in space of which all but three can be
 /// placed one by one. Bound, the smaller of the two, the m-Bézout bound if they are equal: points, or points
 /// and one line, and nothing fixed.

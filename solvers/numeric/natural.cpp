@@ -12,6 +12,17 @@ Natural Natural::power_of_two(int exponent) {
   return result;
 }
 
+std::optional<Natural> Natural::from_decimal(std::string_view digits) {
+  if (digits.empty()) return std::nullopt;
+  Natural result;
+  for (const char digit : digits) {
+    if (digit < '0' || digit > '9') return std::nullopt;
+    result = result * Natural(10);
+    result += Natural(static_cast<std::uint64_t>(digit - '0'));
+  }
+  return result;
+}
+
 std::string Natural::decimal() const {
   std::string digits;
   for (Natural rest = *this; !rest.is_zero();) digits.push_back(static_cast<char>('0' + rest.divide(10)));

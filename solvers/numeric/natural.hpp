@@ -4,7 +4,9 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gcs {
@@ -16,6 +18,8 @@ class Natural {
     trim();
   }
   static Natural power_of_two(int exponent);
+  /// The number that a text of digits 0 to 9 stands for; nothing for any other text.
+  static std::optional<Natural> from_decimal(std::string_view digits);
 
   bool is_zero() const { return limbs_.empty(); }
   std::string decimal() const;

@@ -1,0 +1,48 @@
+#pragma once
+/// The parts of a scene that can be solved one after another.
+
+#include <vector>
+
+#include "solvers/model/problem.hpp"
+
+namespace gcs {
+
+/// Points that are placed together, on d points that are there already. Of several points, the d are pairwise
+/// at given distances, so that the part's solutions do not depend on the rest; a single one is placed by its
+/// distances from the d.
+struct Part {
+  std::vector<int> base;    ///< d points of earlier parts; empty: this is the first part
+  std::vector<int> points;  ///< those that it places
+  /// Those between points of the part, base included; of a single point its distances from the base, in the
+  /// order of the base.
+  std::vector<int> constraints;
+
+  bool is_hung_point() const { return !base.empty() && points.size() == 1; }
+};
+
+/// How far a scene is taken apart.
+enum class Split {
+  hung_points,  ///< points that can be placed after all others, and what is left
+  all  ///< what is left also where d points, pairwise at given distances, separate it (Owen, Algebraic
+       ///< solution for geometry from dimensional constraints, 1991: there also where they are not)
+};
+
+/// In an order in which they can be solved. The first part holds more than d points, so that there is
+/// something to solve, unless that is all there is. One part where positions are given; lines stay in the
+/// first part. Precondition: the problem is well posed (see analyse_structure).
+std::vector<Part> decompose(const Problem& problem, Split split);
+
+/// A part with several points or the first one as a problem of its own: base and points in the order of the
+/// problem, lines in the first part. Its frame is the base; in the first part it is the problem's if that
+/// lies in it. With the sketch of what is in it, and with the bent constraint if that is; a construction plan
+/// of the whole is of no use for it.
+struct PartProblem {
+  Problem problem;
+  std::vector<int> points;  ///< of each point, its number in the whole problem
+};
+PartProblem part_problem(const Problem& whole, const Part& part);
+
+/// The constraint between two points, or −1.
+int constraint_between(const Problem& problem, int a, int b);
+
+}  // namespace gcs

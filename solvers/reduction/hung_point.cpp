@@ -1,0 +1,150 @@
+#include "solvers/reduction/hung_point.hpp"
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "solvers/model/complex_points.hpp"
+#include "solvers/numeric/rational.hpp"
+
+namespace gcs {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// |b₁ − b₀|², |b₂ − b₀|² and |b₂ − b₁|² (in the plane the first), and the squared distances from b₀, b₁, b₂.
+template <class Number>
+struct Squares {
+  std::array<Number, 3> base;
+  std::array<Number, 3> radii;
+};
+
+/// ξ = X/a, η = Y/V and ζ² = D/(a V²), in the plane ζ² = D/a²; V is a times |v|².
+template <class Number>
+struct Quotients {
+  Number a, X, Y, V, D;
+  Number largest_term_of_D, largest_term_of_V;  ///< sums of the terms without their signs
+};
+
+template <class Number>
+Quotients<Number> in_plane(const Squares<Number>& s) {
+  const Number& a = s.base[0];
+  const Number X = (s.radii[0] - s.radii[1] + a) / Number(2);
+  return {a, X, Number(0), Number(1), s.radii[0] * a - X * X, s.radii[0] * a + X * X, Number(1)};
+}
+
+template <class Number>
+Quotients<Number> in_space(const Squares<Number>& s) {
+  const auto& [a, b, c] = s.base;
+  const Number E = (a + b - c) / Number(2), X = (s.radii[0] - s.radii[1] + a) / Number(2);
+  const Number V = a * b - E * E;
+  const Number Y = a * (s.radii[0] - s.radii[2] + b) / Number(2) - X * E;
+  return {a,
+          X,
+          Y,
+          V,
+          s.radii[0] * a * V - X * X * V - Y * Y,
+          s.radii[0] * a * V + X * X * V + Y * Y,
+          a * b + E * E};
+}
+
+template <class Number>
+Quotients<Number> quotients(int dimension, const Squares<Number>& squares) {
+  return dimension == 2 ? in_plane(squares) : in_space(squares);
+}
+
+constexpr std::array<std::array<int, 2>, 3> base_pairs{{{0, 1}, {0, 2}, {1, 2}}};
+
+/// The pairs of base points whose distances count.
+int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
+
+Rational exact_square(const Scene& scene, int constraint) {
+  const DistanceConstraint& c = scene.problem().constraints[constraint];
+  const Rational given =
+      c.given.text.empty() ? Rational::from_double(c.given.value) : Rational::from_decimal(c.given.text);
+  return (c.is_squared ? given : given * given).times_power_of_two(-2 * scene.unit_exponent());
+}
+
+constexpr const char* collinear = "the points that it hangs on are collinear";
+constexpr const char* nearly_collinear = "the points that it hangs on are collinear, to rounding";
+constexpr const char* nearly_flat = "it lies, to rounding, in the plane of the points that it hangs on";
+
+}  // namespace
+
+bool has_given_base(const Problem& problem, const Part& hung) {
+  for (int pair = 0; pair < pairs_in(problem.dimension); ++pair)
+    if (constraint_between(problem, hung.base[base_pairs[pair][0]], hung.base[base_pairs[pair][1]]) < 0)
+      return false;
+  return true;
+}
+
+HungPlace exact_place(const Scene& scene, const Part& hung) {
+  Squares<Rational> squares;
+  for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
+    squares.base[pair] = exact_square(
+        scene,
+        constraint_between(scene.problem(), hung.base[base_pairs[pair][0]], hung.base[base_pairs[pair][1]]));
+  for (int i = 0; i < scene.dimension(); ++i) squares.radii[i] = exact_square(scene, hung.constraints[i]);
+  const Quotients<Rational> q = quotients(scene.dimension(), squares);
+  HungPlace place;
+  if (q.V.sign() == 0) {
+    place.undecided = collinear;
+    return place;
+  }
+  const Rational square = q.D / (q.a * (scene.dimension() == 2 ? q.a : q.V * q.V));
+  place.is_real = square.sign() >= 0;
+  place.is_flat = square.sign() == 0;
+  const double height = place.is_real ? square.approximate_root() : (Rational(0) - square).approximate_root();
+  place.coordinates = {(q.X / q.a).approximate(), (q.Y / q.V).approximate(),
+                       place.is_real ? Complex(height, 0) : Complex(0, height)};
+  return place;
+}
+
+HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base) {
+  constexpr double margin = 1e-9;
+  Squares<Complex> squares{};
+  for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair) {
+    const Eigen::Vector3cd edge = base.col(base_pairs[pair][1]) - base.col(base_pairs[pair][0]);
+    squares.base[pair] = (edge.array() * edge.array()).sum();
+  }
+  for (int i = 0; i < scene.dimension(); ++i) {
+    const double radius = scene.target_lengths()[hung.constraints[i]];
+    squares.radii[i] = radius * radius;
+  }
+  const Quotients<Complex> q = quotients(scene.dimension(), squares);
+  HungPlace place;
+  if (std::abs(q.V) <= margin * std::abs(q.largest_term_of_V)) {
+    place.undecided = nearly_collinear;
+    return place;
+  }
+  if (std::abs(q.D) <= margin * std::abs(q.largest_term_of_D)) {
+    place.undecided = nearly_flat;
+    return place;
+  }
+  const Complex square = q.D / (q.a * (scene.dimension() == 2 ? q.a : q.V * q.V));
+  place.is_real = base.imag().isZero(0) && square.real() > 0;
+  place.coordinates = {q.X / q.a, q.Y / q.V, std::sqrt(square)};
+  return place;
+}
+
+void refine_place(const Scene& scene, const Part& hung, Simplex& positions) {
+  constexpr int steps = 2;          // of quadratic convergence from an error of 1e-6 at most
+  constexpr double longest = 1e-3;  // of the first distance: more is no refinement
+  const int dimension = scene.dimension(), point = hung.points.front();
+  Eigen::Matrix3cd jacobian = Eigen::Matrix3cd::Identity();
+  for (int step = 0; step < steps; ++step) {
+    Eigen::Vector3cd excess = Eigen::Vector3cd::Zero();
+    for (int i = 0; i < dimension; ++i) {
+      const double length = scene.target_lengths()[hung.constraints[i]];
+      const Eigen::Vector3cd from = positions.col(hung.base[i]), to = positions.col(point);
+      excess[i] = squared_distance_excess(to, from, two_product(length, length));
+      jacobian.row(i).head(dimension) = 2.0 * (to - from).head(dimension).transpose();
+    }
+    const Eigen::Vector3cd correction = jacobian.partialPivLu().solve(excess);
+    if (!(correction.norm() <= longest * scene.target_lengths()[hung.constraints[0]])) return;
+    positions.col(point) -= correction;
+  }
+}
+
+}  // namespace gcs

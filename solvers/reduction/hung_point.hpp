@@ -1,0 +1,37 @@
+#pragma once
+/// Where a point is that hangs on d others: at given distances from d points, whose distances are given or
+/// measured.
+
+#include <optional>
+#include <string>
+
+#include "solvers/model/scene.hpp"
+#include "solvers/reduction/decomposition.hpp"
+#include "solvers/reduction/simplex_coordinates.hpp"
+
+namespace gcs {
+
+/// The point and its mirror image, with −ζ.
+struct HungPlace {
+  SimplexCoordinates coordinates = SimplexCoordinates::Zero();
+  bool is_real = false;   ///< where the base is
+  bool is_flat = false;   ///< the point is its own mirror image: a double solution
+  std::string undecided;  ///< why it cannot be told where the point is, in words; else empty
+};
+
+/// Whether all distances between points of the base are given.
+bool has_given_base(const Problem& problem, const Part& hung);
+
+/// By the decimals of the file, exactly: whether it is real, and whether it is flat, is proven, and
+/// coordinates are right to rounding. Precondition: has_given_base.
+HungPlace exact_place(const Scene& scene, const Part& hung);
+
+/// For measured places of the base, in the scene's unit. Undecided within a relative 1e-9 of a flat point or
+/// a collinear base: a solution at a condition of 1e6 keeps ten digits.
+HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base);
+
+/// Newton's method for the hung point's distances from its base, with residuals in double-double.
+/// `positions`: of all points of the scene, in its unit. Precondition: the point is not flat.
+void refine_place(const Scene& scene, const Part& hung, Simplex& positions);
+
+}  // namespace gcs

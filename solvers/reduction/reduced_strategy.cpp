@@ -1,0 +1,286 @@
+#include "solvers/reduction/reduced_strategy.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "solvers/model/complex_points.hpp"
+#include "solvers/model/quality.hpp"
+#include "solvers/model/solution_classes.hpp"
+#include "solvers/options.hpp"
+#include "solvers/reduction/core_path.hpp"
+#include "solvers/reduction/decomposition.hpp"
+#include "solvers/reduction/solution_product.hpp"
+
+namespace gcs {
+namespace {
+
+/// As many solutions are listed, where nobody says how many, as have this many coordinates together.
+constexpr std::size_t listed_coordinates = 1'000'000;
+
+/// A part to be solved by a strategy, as a scene of its own.
+struct PartScene {
+  PartScene(const Problem& whole, const Part& part) : PartScene(part_problem(whole, part)) {}
+  explicit PartScene(PartProblem part) : scene(std::move(part.problem)), points(std::move(part.points)) {}
+
+  Scene scene;
+  std::vector<int> points;  ///< of each point, its number in the whole scene
+};
+
+/// "p1, p2, p3, p4, …"
+std::string names(const PartScene& part) {
+  constexpr std::size_t most = 6;
+  std::string text;
+  for (std::size_t i = 0; i < part.points.size() && i < most; ++i)
+    text += (i == 0 ? "" : ", ") + part.scene.problem().points[i];
+  return text + (part.points.size() > most ? ", …" : "");
+}
+
+std::string about(const PartScene& part, const std::string& reason) {
+  return "the part " + names(part) + ": " + reason;
+}
+
+/// The figure of a part in the whole scene's unit; points outside the part are at the origin.
+Figure in_whole(const Scene& whole, const PartScene& part, const Figure& figure) {
+  const Figure scaled = whole.in_scene_unit(part.scene.in_file_unit(figure));
+  Figure result = scaled;
+  result.points = Eigen::Matrix3Xd::Zero(3, whole.point_count());
+  if (!scaled.is_real()) result.imaginary = result.points;
+  for (std::size_t i = 0; i < part.points.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    result.points.col(part.points[i]) = scaled.points.col(column);
+    if (!scaled.is_real()) result.imaginary.col(part.points[i]) = scaled.imaginary.col(column);
+  }
+  return result;
+}
+
+/// Whether all points lie in the plane of the frame, which is that of the base: up to rounding.
+bool is_flat(const Scene& scene, const Figure& representative) {
+  constexpr double rounding = 1e-9;
+  const ComplexPoints points = complex_points(representative);
+  return !scene.has_lines() &&
+         points.row(scene.dimension() - 1).cwiseAbs().maxCoeff() <= rounding * scene.size();
+}
+
+PartSolution part_solution(const Scene& whole, const PartScene& part_scene, const Part& part,
+                           const Figure& representative, int multiplicity) {
+  const Figure placed = in_whole(whole, part_scene, representative);
+  const Simplex positions = complex_points(placed);
+  PartSolution solution{{},
+                        complex_lines(placed),
+                        representative.is_real(),
+                        is_flat(part_scene.scene, representative),
+                        multiplicity};
+  std::optional<SimplexFrame> frame;
+  if (!part.base.empty()) frame.emplace(columns(positions, part.base));
+  for (const int point : part.points)
+    solution.points.push_back(frame ? frame->coordinates(positions.col(point)) : positions.col(point).eval());
+  return solution;
+}
+
+/// One for each class of what was found.
+std::vector<PartSolution> part_solutions(const Scene& whole, const PartScene& part_scene, const Part& part,
+                                         const SolveReport& report) {
+  std::vector<Figure> figures;
+  std::vector<double> conditions;
+  for (const Candidate& candidate : report.candidates) {
+    figures.push_back(part_scene.scene.representative(candidate.figure));
+    conditions.push_back(jacobian_condition(part_scene.scene, figures.back()));
+  }
+  const ReflectionClasses classes = solution_classes(part_scene.scene, figures, conditions);
+  std::vector<PartSolution> solutions;
+  for (const int first : classes.first)
+    solutions.push_back(
+        part_solution(whole, part_scene, part, figures[first], report.candidates[first].multiplicity));
+  return solutions;
+}
+
+// ---- putting reports together
+
+void add(const WorkCounters& more, WorkCounters& work) {
+  for (const auto member :
+       {&WorkCounters::iterations, &WorkCounters::rejected_steps, &WorkCounters::newton_iterations,
+        &WorkCounters::evaluations, &WorkCounters::partial_evaluations, &WorkCounters::jacobians,
+        &WorkCounters::factorisations, &WorkCounters::plan_changes})
+    work.*member += more.*member;
+  if (more.smallest_step)
+    work.smallest_step = std::min(*more.smallest_step, work.smallest_step.value_or(*more.smallest_step));
+}
+
+void add(const std::vector<Particular>& more, std::vector<Particular>& particulars) {
+  for (const Particular& particular : more) {
+    const auto same = std::find_if(particulars.begin(), particulars.end(),
+                                   [&](const Particular& other) { return other.name == particular.name; });
+    if (same == particulars.end())
+      particulars.push_back(particular);
+    else
+      same->value += particular.value;
+  }
+}
+
+bool claims_all(Claim claim) { return claim == Claim::all_real || claim == Claim::all_complex; }
+
+/// What the reports on all parts have in common; `is_empty`: one of them proves that there is no solution.
+SolveStatus common_status(const std::vector<SolveReport>& reports, bool is_empty) {
+  const auto any = [&](SolveStatus status) {
+    return std::any_of(reports.begin(), reports.end(),
+                       [&](const SolveReport& r) { return r.status == status; });
+  };
+  if (any(SolveStatus::stopped)) return SolveStatus::stopped;
+  if (is_empty) return SolveStatus::complete;
+  for (const SolveStatus status : {SolveStatus::gave_up, SolveStatus::infinite, SolveStatus::partial})
+    if (any(status)) return status;
+  return SolveStatus::complete;
+}
+
+/// The weakest of the claims.
+Claim common_claim(const std::vector<SolveReport>& reports) {
+  Claim claim = Claim::all_complex;
+  for (const SolveReport& report : reports)
+    if (report.claim != Claim::all_complex && claim != Claim::some_real) claim = report.claim;
+  return claim;
+}
+
+/// Every part has two sides but for the first.
+std::optional<Natural> generic_classes(const std::vector<SolveReport>& reports, std::size_t parts) {
+  Natural product = Natural::power_of_two(static_cast<int>(parts) - 1);
+  for (const SolveReport& report : reports) {
+    if (!report.generic) return std::nullopt;
+    product = product * Natural(*report.generic);
+  }
+  return product;
+}
+
+class ReducedStrategy final : public Strategy {
+ public:
+  ReducedStrategy(const StrategyEntry& inner, const OptionMap& options)
+      : needs_sketch_(inner.needs_sketch),
+        reduces_(choice_option(options, "reduce", "on|off") == 0),
+        make_([make = inner.make, options] { return make(options); }) {
+    strategies_.push_back(make_());
+  }
+
+  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+    const std::vector<Part> parts = parts_of(scene);
+    if (parts.size() == 1) return strategies_.front()->why_unsupported(scene);
+    for (const Part& part : parts) {
+      if (part.is_hung_point()) continue;
+      const PartScene part_scene(scene.problem(), part);
+      if (const auto reason = strategies_.front()->why_unsupported(part_scene.scene))
+        return about(part_scene, *reason);
+    }
+    return std::nullopt;
+  }
+
+  void prepare(const SolveRequest& request) override {
+    const std::vector<Part> parts = parts_of(request.scene);
+    if (parts.size() == 1) {
+      strategy(0).prepare(request);
+      return;
+    }
+    std::size_t next = 0;
+    for (const Part& part : parts) {
+      if (part.is_hung_point()) continue;
+      const PartScene part_scene(request.scene.problem(), part);
+      strategy(next++).prepare(request_for(request, part_scene.scene));
+    }
+  }
+
+  SolveReport solve(const SolveRequest& request) override {
+    const std::vector<Part> parts = parts_of(request.scene);
+    if (parts.size() == 1) return strategy(0).solve(request);
+    return needs_sketch_ ? solve_on_path(request, parts) : solve_parts(request, parts);
+  }
+
+ private:
+  std::vector<Part> parts_of(const Scene& scene) const {
+    if (!reduces_) return std::vector<Part>(1);
+    return decompose(scene.problem(), needs_sketch_ ? Split::hung_points : Split::all);
+  }
+
+  Strategy& strategy(std::size_t number) {
+    while (strategies_.size() <= number) strategies_.push_back(make_());
+    return *strategies_[number];
+  }
+
+  static SolveRequest request_for(const SolveRequest& request, const Scene& part) {
+    return {part,           request.seed,       request.threads,
+            request.stop,   request.monitor,    request.journal,
+            request.starts, request.most_listed};
+  }
+
+  SolveReport solve_on_path(const SolveRequest& request, const std::vector<Part>& parts) {
+    const PartScene core(request.scene.problem(), parts.front());
+    SolveReport report = strategy(0).solve(request_for(request, core.scene));
+    for (Candidate& candidate : report.candidates)
+      candidate.figure = in_whole(request.scene, core, candidate.figure);
+    return with_hung_points(request.scene, parts, std::move(report));
+  }
+
+  SolveReport solve_parts(const SolveRequest& request, const std::vector<Part>& parts) {
+    std::vector<SolveReport> reports;
+    std::vector<std::vector<PartSolution>> solved;
+    SolveReport whole;
+    bool is_empty = false;
+    for (const Part& part : parts) {
+      solved.emplace_back();
+      if (part.is_hung_point()) continue;
+      const PartScene part_scene(request.scene.problem(), part);
+      reports.push_back(strategy(reports.size()).solve(request_for(request, part_scene.scene)));
+      const SolveReport& report = reports.back();
+      solved.back() = part_solutions(request.scene, part_scene, part, report);
+      is_empty = is_empty || (report.status == SolveStatus::complete && claims_all(report.claim) &&
+                              report.candidates.empty());
+      if (!report.reason.empty())
+        whole.reason += (whole.reason.empty() ? "" : "; ") + about(part_scene, report.reason);
+      whole.paths.insert(whole.paths.end(), report.paths.begin(), report.paths.end());
+      add(report.work, whole.work);
+      add(report.particulars, whole.particulars);
+    }
+    whole.status = common_status(reports, is_empty);
+    if (whole.status == SolveStatus::complete) whole.reason.clear();
+    whole.claim = common_claim(reports);
+    SolutionProduct product(request.scene, parts, std::move(solved));
+    multiply(request, product, whole);
+    whole.totals->generic = generic_classes(reports, parts.size());
+    return whole;
+  }
+
+  /// Counts, and lists as many as asked for.
+  static void multiply(const SolveRequest& request, SolutionProduct& product, SolveReport& whole) {
+    const bool only_real = whole.claim != Claim::all_complex;
+    const std::size_t coordinates = static_cast<std::size_t>(request.scene.dimension()) *
+                                    static_cast<std::size_t>(request.scene.point_count());
+    const std::size_t limit =
+        request.most_listed.value_or(std::max<std::size_t>(1, listed_coordinates / coordinates));
+    SolutionTotals& totals = whole.totals.emplace();
+    totals.real = product.count(true);
+    if (!only_real) totals.complex = product.count(false);
+    if (totals.real != Natural(0)) whole.candidates = product.list(true, limit);
+    if (!only_real && (!totals.real || totals.complex != totals.real) && whole.candidates.size() < limit)
+      for (Candidate& candidate : product.list(false, limit - whole.candidates.size()))
+        whole.candidates.push_back(std::move(candidate));
+    for (const std::string& sentence : product.undecided())
+      whole.reason += (whole.reason.empty() ? "" : "; ") + sentence;
+    if (!product.undecided().empty() && whole.status == SolveStatus::complete)
+      whole.status = SolveStatus::partial;
+  }
+
+  bool needs_sketch_;
+  bool reduces_;
+  std::function<std::unique_ptr<Strategy>()> make_;
+  std::vector<std::unique_ptr<Strategy>> strategies_;  ///< one for each part that is solved
+};
+
+}  // namespace
+
+StrategyEntry with_reduction(StrategyEntry inner) {
+  StrategyEntry entry = inner;
+  entry.options.push_back({"reduce", inner.needs_sketch ? "off" : "on", "on|off",
+                           "place hung points after the rest, and solve apart what d points separate"});
+  entry.make = [inner = std::move(inner)](const OptionMap& options) -> std::unique_ptr<Strategy> {
+    return std::make_unique<ReducedStrategy>(inner, options);
+  };
+  return entry;
+}
+
+}  // namespace gcs

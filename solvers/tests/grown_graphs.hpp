@@ -1,0 +1,30 @@
+#pragma once
+/// Graphs that fall apart: points hung on others, and octahedra in a chain.
+
+#include "solvers/tests/sample_problems.hpp"
+
+namespace gcs::samples {
+
+struct Graph {
+  int dimension = 3;
+  int points = 0;
+  Edges edges;
+};
+
+Graph octahedron_graph();
+Graph k33_graph();
+
+/// Hangs a point on d points of the graph.
+void hang(Graph& graph, const std::vector<int>& from);
+/// Hangs points on `count` random sets of d points among the first `among`, or, where that is 0, among all
+/// that are there already.
+void hang_at_random(Graph& graph, int count, int among, RandomNumbers& random);
+/// Both graphs with the points `shared` of the one also those of the other.
+Graph glued(Graph graph, const Graph& other, const std::vector<int>& shared);
+/// Octahedra, each with a triangle in common with the next.
+Graph chain_of_octahedra(int count);
+
+/// Sketch and target lengths are those of two random placements.
+Problem placed_at_random(const Graph& graph, RandomNumbers& random);
+
+}  // namespace gcs::samples

@@ -86,10 +86,25 @@ void print_strategies() {
     std::cout << fmt::format("{:{}}  {}\n", entry.name, width, entry.summary);
 }
 
+JsonValue left_out_value() {
+  std::vector<JsonValue> values;
+  for (const LeftOutPart& part : left_out_parts())
+    values.push_back(json_object(
+        {{"name", json_text(std::string(part.name))}, {"option", json_text(std::string(part.option))}}));
+  return json_array(std::move(values));
+}
+
+void print_left_out() {
+  for (const LeftOutPart& part : left_out_parts())
+    std::cout << fmt::format("off in this build: {} (cmake -D{}=ON brings it back)\n", part.name,
+                             part.option);
+}
+
 void print_json(const ListArguments& arguments) {
   JsonMembers members;
   if (arguments.what != "strategies") members.emplace_back("instances", instances_value(all_instances()));
   if (arguments.what != "instances") members.emplace_back("strategies", strategies_value());
+  if (arguments.what.empty()) members.emplace_back("left_out", left_out_value());
   std::cout << to_text(json_object(std::move(members)), 1) << '\n';
 }
 
@@ -99,6 +114,7 @@ void print_text(const ListArguments& arguments) {
   if (arguments.what != "strategies") print_instances(all_instances());
   if (both) std::cout << "\nstrategies:\n";
   if (arguments.what != "instances") print_strategies();
+  if (arguments.what != "instances") print_left_out();
 }
 
 ExitCode list(const ListArguments& arguments) {

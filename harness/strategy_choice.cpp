@@ -37,6 +37,10 @@ const Named* find_named(std::span<const Named> all, std::string_view name) {
 
 const StrategyEntry& find_strategy(std::string_view name) {
   if (const StrategyEntry* entry = find_named(all_strategies(), name)) return *entry;
+  for (const LeftOutPart& part : left_out_parts())
+    if (part.name == fmt::format("strategy {}", name))
+      throw UsageError(
+          fmt::format("strategy {} is off in this build; build with -D{}=ON", name, part.option));
   const auto names = names_of(all_strategies());
   throw UsageError(fmt::format("there is no strategy '{}'; did you mean '{}'? The strategies are {}", name,
                                nearest_name(name, names), quoted_list(names)));

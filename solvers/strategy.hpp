@@ -152,8 +152,15 @@ struct StrategyEntry {
   std::function<std::unique_ptr<Strategy>(const OptionMap& options)> make;
 };
 
-/// All strategies, in the order of solvers/CMakeLists.txt.
+/// All strategies of this build, in the order of solvers/CMakeLists.txt.
 std::span<const StrategyEntry> all_strategies();
+
+/// A part that this build does without.
+struct LeftOutPart {
+  std::string_view name;    ///< "strategy polyhedral"
+  std::string_view option;  ///< of CMake, that brings it back when ON
+};
+std::span<const LeftOutPart> left_out_parts();
 
 /// Defaults overridden by `given`. Throws OptionError for a name that the entry does not have.
 OptionMap complete_options(const StrategyEntry& entry, const OptionMap& given);

@@ -222,12 +222,12 @@ std::string short_edge(const std::string& id, const std::string& epsilon) {
                             {"-0.3", "-0.6", "1.2"}});
 }
 
-/// At ε = 0 a closed chain of four edges can be stretched flat, 1.7 − 1.6 = 1.3 − 1.2, and a complex solution
-/// is at infinity.
+/// At ε = 0 the closed chain of the edges 1–2, 2–4, 4–5 and 5–1 can be stretched flat, 1.8 + 1.8 = 1.9 + 1.7,
+/// and a complex solution is at infinity; else it is as far away as about 1/√ε.
 std::string escaping(const std::string& id, const std::string& epsilon) {
   Draft draft{3, octahedron_edges(), {}, octahedron_sketch(), "", {}};
   for (const double length : octahedron_lengths()) draft.squares.emplace_back(fmt::format("{}", length));
-  draft.squares[0] = LongDecimal("1.7") + LongDecimal(epsilon);
+  draft.squares[0] = LongDecimal("1.8") + LongDecimal(epsilon);
   return text_of(id, draft, "length");
 }
 

@@ -79,6 +79,14 @@ Rational Rational::times_power_of_two(int exponent) const {
   return result;
 }
 
+std::optional<Rational> Rational::root() const {
+  if (!fmpz_is_square(fmpq_numref(value_)) || !fmpz_is_square(fmpq_denref(value_))) return std::nullopt;
+  Rational result;
+  fmpz_sqrt(fmpq_numref(result.value_), fmpq_numref(value_));
+  fmpz_sqrt(fmpq_denref(result.value_), fmpq_denref(value_));
+  return result;
+}
+
 double Rational::approximate() const {
   return from_ball([this](arb_t ball) { arb_set_fmpq(ball, value_, bits); });
 }

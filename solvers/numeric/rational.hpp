@@ -4,6 +4,7 @@
 
 #include <flint/fmpq.h>
 
+#include <optional>
 #include <string>
 
 namespace gcs {
@@ -26,6 +27,8 @@ class Rational {
 
   Rational times_power_of_two(int exponent) const;
   int sign() const { return fmpq_sgn(value_); }
+  /// The square root ≥ 0, where that is rational.
+  std::optional<Rational> root() const;
   /// The nearest double or a neighbour of it.
   double approximate() const;
   /// The same of the square root. Precondition: sign() ≥ 0.
@@ -36,6 +39,8 @@ class Rational {
   friend Rational operator*(const Rational& a, const Rational& b) { return apply(fmpq_mul, a, b); }
   /// Precondition: b.sign() != 0.
   friend Rational operator/(const Rational& a, const Rational& b) { return apply(fmpq_div, a, b); }
+  /// For FLINT's functions.
+  const fmpq* raw() const { return value_; }
   friend bool operator==(const Rational& a, const Rational& b) { return fmpq_equal(a.value_, b.value_) != 0; }
 
  private:

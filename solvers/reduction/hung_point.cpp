@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "solvers/model/complex_points.hpp"
-#include "solvers/numeric/rational.hpp"
+#include "solvers/model/exact_square.hpp"
 
 namespace gcs {
 namespace {
@@ -59,11 +59,9 @@ constexpr std::array<std::array<int, 2>, 3> base_pairs{{{0, 1}, {0, 2}, {1, 2}}}
 /// The pairs of base points whose distances count.
 int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
 
-Rational exact_square(const Scene& scene, int constraint) {
-  const DistanceConstraint& c = scene.problem().constraints[constraint];
-  const Rational given =
-      c.given.text.empty() ? Rational::from_double(c.given.value) : Rational::from_decimal(c.given.text);
-  return (c.is_squared ? given : given * given).times_power_of_two(-2 * scene.unit_exponent());
+/// In the scene's unit.
+Rational square_of(const Scene& scene, int constraint) {
+  return exact_square(scene.problem().constraints[constraint]).times_power_of_two(-2 * scene.unit_exponent());
 }
 
 constexpr const char* collinear = "the points that it hangs on are collinear";
@@ -85,7 +83,7 @@ HungPlace exact_place(const Scene& scene, const Part& hung) {
     squares.base[pair] = exact_square(
         scene,
         constraint_between(scene.problem(), hung.base[base_pairs[pair][0]], hung.base[base_pairs[pair][1]]));
-  for (int i = 0; i < scene.dimension(); ++i) squares.radii[i] = exact_square(scene, hung.constraints[i]);
+  for (int i = 0; i < scene.dimension(); ++i) squares.radii[i] = square_of(scene, hung.constraints[i]);
   const Quotients<Rational> q = quotients(scene.dimension(), squares);
   HungPlace place;
   if (q.V.sign() == 0) {

@@ -10,17 +10,17 @@
 ///
 /// Other points may hang on the octahedron: each is placed afterwards, on both sides.
 ///
-/// A pair that escapes to infinity (a closed walk of four lengths with signs sums to zero) is counted as
-/// such. The solutions are complete when the multiplicities of those found and the escaped pairs sum to 8;
-/// otherwise the report says what is missing. Octahedra that flex (a common factor of the two equations) are
-/// named and refused. Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000, section 3; Michelucci,
-/// Foufou 2004.
+/// How many solutions are at infinity is decided by the file's own numbers. The solutions are complete when
+/// the multiplicities of those found and these sum to 8; otherwise the report says what is missing, or that
+/// the octahedron is proven to flex (octahedron/exact_squares.hpp). Hoffmann, Yuan, On Spatial Constraint
+/// Solving Approaches, 2000, section 3; Michelucci, Foufou 2004.
 
 #include <algorithm>
 #include <cmath>
 
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/quality.hpp"
+#include "solvers/octahedron/exact_squares.hpp"
 #include "solvers/octahedron/octahedron_placer.hpp"
 #include "solvers/strategy.hpp"
 
@@ -31,8 +31,8 @@ using Complex = std::complex<double>;
 
 constexpr int pairs = 8;  // common zeros of two polynomials of bidegree (2, 2): Bézout on P¹ × P¹
 
-/// Beyond this a diagonal is at infinity if nothing finite comes of it.
-constexpr double near_infinity = 1e-6;
+/// Coordinates beyond this (times the longest edge) leave few or no digits of the squared lengths in doubles.
+constexpr double far_away = 1e6;
 /// Below this reciprocal condition a solution is singular: Newton's method then stops about this far from it.
 constexpr double singular = 1e-6;
 /// Below this a face of the octahedron is flat: nothing can be placed on it.
@@ -62,14 +62,29 @@ bool same(const CoreSolution& p, const CoreSolution& q) {
 /// What the eight eigenvalues came to.
 struct CoreSolutions {
   std::vector<CoreSolution> list;
-  int escaped = 0;
-  bool flexible = false;
+  int at_infinity = 0;
+  int far_away = 0;            ///< eigenvalues that led to no solution but far away
+  bool common_factor = false;  ///< to rounding
+  bool flexible = false;       ///< proven
+
+  int accounted_for() const {
+    int count = at_infinity;
+    for (const CoreSolution& solution : list) count += solution.multiplicity;
+    return count;
+  }
+  /// Nothing that a curve of solutions may have left behind.
+  bool are_all_isolated() const {
+    return accounted_for() == pairs &&
+           std::none_of(list.begin(), list.end(),
+                        [](const CoreSolution& solution) { return solution.is_singular; });
+  }
 };
 
 class CoreSolver {
  public:
   CoreSolver(const Scene& scene, const CoreReduction& reduction, const Octahedron& octahedron)
-      : lengths_(scene),
+      : scene_(scene),
+        lengths_(scene),
         octahedron_(with_round_base(octahedron, lengths_)),
         placer_(scene.point_count(), lengths_, octahedron_) {
     const std::vector<DoubleDouble> squares = target_squares(scene);
@@ -83,27 +98,37 @@ class CoreSolver {
   std::array<int, 3> frame() const { return placer_.base(); }
 
   CoreSolutions run(WorkCounters& work) {
+    CoreSolutions solutions = from_eigenvalues(work);
+    solutions.at_infinity = stretched_walks(scene_, octahedron_);
+    solutions.flexible = !solutions.are_all_isolated() && is_proven_to_flex(scene_, octahedron_);
+    return solutions;
+  }
+
+ private:
+  CoreSolutions from_eigenvalues(WorkCounters& work) {
     const DiagonalEquations equations(lengths_, octahedron_);
     const CommonZeros zeros = equations.solve();
     CoreSolutions solutions;
-    solutions.flexible = zeros.common_factor;
-    if (solutions.flexible) return solutions;
+    solutions.common_factor = zeros.common_factor;
     std::vector<int> hits;  // eigenvalues that lead to each solution
     for (const std::vector<CommonZero>& zeros_here : zeros.of_eigenvalue) {
       const std::vector<int> reached = follow(equations, zeros_here, solutions.list, work);
       hits.resize(solutions.list.size(), 0);
       for (int solution : reached) ++hits[solution];
-      if (reached.empty() && is_near_infinity(zeros_here)) ++solutions.escaped;
+      if (reached.empty() && is_far_away(equations, zeros_here)) ++solutions.far_away;
     }
     for (std::size_t i = 0; i < hits.size(); ++i)
       if (solutions.list[i].is_singular) solutions.list[i].multiplicity = hits[i];
     return solutions;
   }
 
- private:
-  static bool is_near_infinity(const std::vector<CommonZero>& zeros) {
-    return std::any_of(zeros.begin(), zeros.end(), [](const CommonZero& zero) {
-      return std::min(zero.x.nearness_to_infinity(), zero.y.nearness_to_infinity()) <= near_infinity;
+  /// All that is placed with these diagonals, if anything is.
+  bool is_far_away(const DiagonalEquations& equations, const std::vector<CommonZero>& zeros) {
+    return std::all_of(zeros.begin(), zeros.end(), [&](const CommonZero& zero) {
+      const std::vector<ComplexPoints> placed = placer_.place(equations.diagonals(zero));
+      return std::all_of(placed.begin(), placed.end(), [&](const ComplexPoints& points) {
+        return !(points.cwiseAbs().maxCoeff() <= far_away * std::sqrt(scale_));
+      });
     });
   }
 
@@ -132,12 +157,12 @@ class CoreSolver {
     return is_near(solution.diagonals[0], diagonals.x) && is_near(solution.diagonals[1], diagonals.y);
   }
 
-  /// Not so where Newton's method stalled on the way to infinity, coordinates being too large for the
-  /// lengths.
+  /// Not so where Newton's method stalled on the way to infinity, the rounding of coordinates so large
+  /// leaving less than three digits of a squared length.
   bool satisfies_distances(const ComplexPoints& points) const {
     return std::all_of(equations_.begin(), equations_.end(), [&](const DistanceEquation& e) {
       return std::abs(squared_distance_excess(points.col(e.a), points.col(e.b), e.square)) <=
-             1e-6 * e.square.value();
+             1e-3 * e.square.value();
     });
   }
 
@@ -154,6 +179,7 @@ class CoreSolver {
     return solution;
   }
 
+  const Scene& scene_;
   SquaredLengths lengths_;
   Octahedron octahedron_;
   OctahedronPlacer placer_;
@@ -181,22 +207,11 @@ class Reporter {
   SolveReport run(const CoreSolutions& core, const WorkCounters& work) {
     report_.work = work;
     report_.claim = Claim::all_complex;
-    if (core.flexible) {
-      report_.reason =
-          "the octahedron flexes: its two equations have a common factor, so that infinitely many pairs "
-          "of diagonals satisfy both";
-      return std::move(report_);
-    }
-    int found = core.escaped;
-    for (const CoreSolution& solution : core.list) {
-      found += solution.multiplicity;
-      hang(0, solution.points, solution);
-    }
+    if (core.flexible || core.common_factor) return refused(core.flexible);
+    for (const CoreSolution& solution : core.list) hang(0, solution.points, solution);
     report_.generic = std::uint64_t{pairs} << reduction_.placed.size();
-    report_.at_infinity = static_cast<std::uint64_t>(core.escaped) << reduction_.placed.size();
-    if (found != pairs)
-      note("of the " + std::to_string(pairs) + " pairs of diagonals " + std::to_string(found) +
-           " are accounted for, escaped ones and multiplicities included");
+    report_.at_infinity = static_cast<std::uint64_t>(core.at_infinity) << reduction_.placed.size();
+    if (core.accounted_for() != pairs) note(what_is_missing(core));
     report_.status = report_.reason.empty() ? SolveStatus::complete : SolveStatus::partial;
     if (request_.stop.stop_requested()) {
       report_.status = SolveStatus::stopped;
@@ -206,6 +221,24 @@ class Reporter {
   }
 
  private:
+  SolveReport refused(bool is_proven) {
+    report_.status = is_proven ? SolveStatus::infinite : SolveStatus::gave_up;
+    report_.reason = is_proven
+                         ? "the octahedron flexes: its two equations have a common factor, proven with the "
+                           "exact lengths, so that a curve of complex solutions satisfies them"
+                         : "the two equations of the octahedron have a common factor to rounding: it is so "
+                           "near one that flexes that doubles do not tell its solutions apart";
+    return std::move(report_);
+  }
+
+  static std::string what_is_missing(const CoreSolutions& core) {
+    const std::string found = "of the " + std::to_string(pairs) + " pairs of diagonals " +
+                              std::to_string(core.accounted_for()) +
+                              " are accounted for, those at infinity and multiplicities included";
+    if (core.far_away <= core.at_infinity) return found;
+    return found + "; others have coordinates so large that doubles do not hold the distances";
+  }
+
   void note(const std::string& reason) { report_.reason += (report_.reason.empty() ? "" : "; ") + reason; }
 
   void hang(std::size_t next, const ComplexPoints& points, const CoreSolution& core) {

@@ -1,0 +1,119 @@
+#include "solvers/octahedron/exact_squares.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "solvers/model/exact_square.hpp"
+#include "solvers/numeric/rational_polynomial.hpp"
+
+namespace gcs {
+namespace {
+
+/// The signs of a closed walk, but for a common one.
+std::array<int, 4> signs_of(int number) {
+  return {1, number & 1 ? -1 : 1, number & 2 ? -1 : 1, number & 4 ? -1 : 1};
+}
+
+// ---- Gram determinants with the squared diagonals as variables
+
+/// Squared distances of an octahedron's points: numbers, and for the first two diagonals variables.
+class SymbolicSquares {
+ public:
+  SymbolicSquares(const Scene& scene, const Octahedron& octahedron)
+      : exact_(scene), octahedron_(octahedron) {}
+
+  RationalPolynomial operator()(int p, int q) const {
+    if (p == q) return Rational(0);
+    for (int variable = 0; variable < 2; ++variable) {
+      const auto [a, a2] = octahedron_.pair[static_cast<std::size_t>(variable)];
+      if (std::minmax(p, q) == std::minmax(a, a2)) return RationalPolynomial::variable(variable);
+    }
+    return exact_(p, q);
+  }
+
+ private:
+  ExactSquares exact_;
+  const Octahedron& octahedron_;
+};
+
+using Rows = std::vector<std::vector<RationalPolynomial>>;
+
+/// By its first row.
+RationalPolynomial determinant(const Rows& rows) {
+  if (rows.empty()) return Rational(1);
+  RationalPolynomial sum = Rational(0);
+  for (std::size_t column = 0; column < rows.size(); ++column) {
+    Rows minor(rows.begin() + 1, rows.end());
+    for (auto& row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+    const RationalPolynomial term = rows[0][column] * determinant(minor);
+    sum = column % 2 == 0 ? sum + term : sum - term;
+  }
+  return sum;
+}
+
+/// Of twice the products of the vectors from `apex` to `points`: the Cayley–Menger determinant up to a
+/// factor.
+RationalPolynomial gram_determinant(const SymbolicSquares& squares, int apex,
+                                    const std::vector<int>& points) {
+  Rows rows;
+  for (const int p : points) {
+    auto& row = rows.emplace_back();
+    for (const int q : points) row.push_back(squares(p, apex) + squares(q, apex) - squares(p, q));
+  }
+  return determinant(rows);
+}
+
+}  // namespace
+
+ExactSquares::ExactSquares(const Scene& scene) {
+  for (const DistanceConstraint& constraint : scene.problem().constraints) {
+    const auto [p, q] = constraint.between;
+    squares_[{p, q}] = squares_[{q, p}] = exact_square(constraint);
+  }
+}
+
+RootSum::RootSum(const std::array<Rational, 4>& squares) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    class_[i] = i;
+    factor_[i] = Rational(1);
+    for (std::size_t j = 0; j < i && class_[i] == i; ++j)
+      if (const auto root = (squares[i] / squares[j]).root(); root && class_[j] == j) {
+        class_[i] = j;
+        factor_[i] = *root;
+      }
+  }
+}
+
+bool RootSum::vanishes(const std::array<int, 4>& signs) const {
+  std::array<Rational, 4> sums;
+  for (std::size_t i = 0; i < 4; ++i) sums[class_[i]] = sums[class_[i]] + Rational(signs[i]) * factor_[i];
+  return std::all_of(sums.begin(), sums.end(), [](const Rational& sum) { return sum.sign() == 0; });
+}
+
+int stretched_walks(const Scene& scene, const Octahedron& octahedron) {
+  const ExactSquares squares(scene);
+  int walks = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [b, b2] = octahedron.pair[i];
+    const auto [c, c2] = octahedron.pair[(i + 1) % 3];
+    const RootSum sum({squares(b, c), squares(c, b2), squares(b2, c2), squares(c2, b)});
+    for (int number = 0; number < 8; ++number) walks += sum.vanishes(signs_of(number)) ? 1 : 0;
+  }
+  return walks;
+}
+
+bool is_proven_to_flex(const Scene& scene, const Octahedron& octahedron) {
+  const SymbolicSquares squares(scene, octahedron);
+  const auto [a, a2] = octahedron.pair[0];
+  const auto [b, b2] = octahedron.pair[1];
+  const auto [c, c2] = octahedron.pair[2];
+  RationalPolynomial curve = common_divisor(gram_determinant(squares, c, {a, a2, b, b2}),
+                                            gram_determinant(squares, c2, {a, a2, b, b2}));
+  const RationalPolynomial flat = gram_determinant(squares, a, {a2, b, b2});
+  for (RationalPolynomial part = common_divisor(curve, flat); !part.is_constant();
+       part = common_divisor(curve, flat))
+    curve = curve.divided_by(part);
+  return !curve.is_constant();
+}
+
+}  // namespace gcs

@@ -43,9 +43,9 @@ class RootSum {
 /// How many solutions are at infinity: one at least for each walk and each choice of signs, all different.
 int stretched_walks(const Scene& scene, const Octahedron& octahedron);
 
-/// True when a curve of diagonals is proven to belong to solutions: the two determinants have a common factor
-/// that the one of {a, a', b, b'} does not have, so that almost everywhere on the curve those four are no
-/// flat tetrahedron and carry c and c'. False: not so, or not proven.
+/// True when a curve of solutions is proven: for two of the diagonals, aa' and bb', the two determinants have
+/// a common factor that the one of {a, a', b, b'} does not have, so that almost everywhere on the curve those
+/// four are no flat tetrahedron and carry c and c'. False: not so, or not proven.
 bool is_proven_to_flex(const Scene& scene, const Octahedron& octahedron);
 
 }  // namespace gcs

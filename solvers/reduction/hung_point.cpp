@@ -80,9 +80,8 @@ bool has_given_base(const Problem& problem, const Part& hung) {
 HungPlace exact_place(const Scene& scene, const Part& hung) {
   Squares<Rational> squares;
   for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
-    squares.base[pair] = exact_square(
-        scene,
-        constraint_between(scene.problem(), hung.base[base_pairs[pair][0]], hung.base[base_pairs[pair][1]]));
+    squares.base[pair] = square_of(scene, constraint_between(scene.problem(), hung.base[base_pairs[pair][0]],
+                                                             hung.base[base_pairs[pair][1]]));
   for (int i = 0; i < scene.dimension(); ++i) squares.radii[i] = square_of(scene, hung.constraints[i]);
   const Quotients<Rational> q = quotients(scene.dimension(), squares);
   HungPlace place;

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "solvers/numeric/rational_polynomial.hpp"
+
 using gcs::Rational;
+using gcs::RationalPolynomial;
 
 TEST_CASE("decimals are exact rational numbers") {
   CHECK(Rational::from_decimal("1.25e-3") == Rational(1) / Rational(800));
@@ -29,4 +32,21 @@ TEST_CASE("the sign of a difference is decided however small it is") {
                               Rational::from_decimal("0.1") - Rational::from_decimal("0.2");
   CHECK(difference.sign() == 1);
   CHECK((Rational::from_decimal("0.1") * Rational(3) - Rational::from_decimal("0.3")).sign() == 0);
+}
+
+TEST_CASE("square roots are found where they are rational") {
+  CHECK((Rational(49) / Rational(64)).root() == Rational(7) / Rational(8));
+  CHECK(Rational(0).root() == Rational(0));
+  CHECK_FALSE(Rational(2).root());
+  CHECK_FALSE((Rational(4) / Rational(3)).root());
+  CHECK_FALSE(Rational(-4).root());
+}
+
+TEST_CASE("polynomials have the common divisors that they were given") {
+  const RationalPolynomial x = RationalPolynomial::variable(0), y = RationalPolynomial::variable(1);
+  const RationalPolynomial common = x * y - Rational(2), left = x + y, right = x - y;
+  CHECK(common_divisor(left, right).is_constant());
+  const RationalPolynomial divisor = common_divisor(common * left, common * right);
+  CHECK_FALSE(divisor.is_constant());
+  CHECK(divisor.divided_by(common).is_constant());
 }

@@ -117,6 +117,14 @@ TEST_CASE("two solutions whose paths are not told apart are not called a double 
   }
 }
 
+TEST_CASE("paths that end on a curve of solutions are said to") {
+  // Generic paths to an octahedron that moves end anywhere on its curve, and not at conjugates of each other.
+  const Scene scene(load_member("bricard@0").problem);
+  const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
+  CHECK(run.status == RunStatus::partial);
+  CHECK_THAT(run.reason, Catch::Contains("not isolated"));
+}
+
 TEST_CASE("errors of stiff members are explained by the condition of the solutions") {
   check_right(
       measured({"near-miss@1e-8", "coplanar-centres@1e-8", "cyclohexane@1e-8", "flat-tetrahedron@1e-4",

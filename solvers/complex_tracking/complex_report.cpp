@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <map>
+#include <sstream>
 
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/model/complex_points.hpp"
@@ -111,14 +113,10 @@ class DistinctEnds {
     return count;
   }
 
-  int without_conjugate() const {
-    int count = 0;
-    for (int i = 0; i < size(); ++i) {
-      ComplexVectorX conjugate = set_[i];
-      for (std::complex<double>& value : conjugate) value = std::conj(value);
-      count += set_.find(conjugate, singular_[i] ? singular_uncertainty : regular_uncertainty) < 0;
-    }
-    return count;
+  bool has_conjugate(int i) const {
+    ComplexVectorX conjugate = set_[i];
+    for (std::complex<double>& value : conjugate) value = std::conj(value);
+    return set_.find(conjugate, singular_[i] ? singular_uncertainty : regular_uncertainty) >= 0;
   }
 
  private:
@@ -127,26 +125,53 @@ class DistinctEnds {
   std::vector<bool> singular_;
 };
 
-/// What keeps the ends from being all solutions; empty when nothing does. `in_between`: singular ends that
-/// are no solutions.
-std::string what_is_missing(const std::vector<PathEnd>& ends, const DistinctEnds& distinct, int in_between) {
-  std::map<std::string, int> causes;
-  for (const PathEnd& end : ends)
-    if (end.kind == PathEnd::Kind::failed) ++causes[end.cause];
-  std::string missing;
-  const auto append = [&missing](const std::string& text) {
-    missing += (missing.empty() ? "" : "; ") + text;
-  };
-  for (const auto& [cause, count] : causes) append(number_of(count, "path") + " failed: " + cause);
-  if (const int jumps = distinct.jumps(); jumps > 0)
-    append("several paths ended at each of " + number_of(jumps, "regular solution") + ": a step has jumped");
-  if (const int lonely = distinct.without_conjugate(); lonely > 0)
-    append("the conjugates of " + number_of(lonely, "solution") + " are missing");
-  if (in_between > 0)
-    append("solutions next to " + number_of(in_between, "end") + " are so close together that their paths " +
-           "were not told apart");
-  return missing;
-}
+/// Of one cause.
+struct LostPaths {
+  int count = 0;
+  double condition = 0;  ///< the largest where they were lost
+};
+
+/// What keeps the ends from being all solutions.
+struct Shortcomings {
+  std::map<std::string, LostPaths> lost;
+  int jumps = 0;         ///< regular ends at which several paths arrived
+  int lonely = 0;        ///< ends without their conjugates
+  int not_isolated = 0;  ///< those of them at which the Jacobian loses rank
+  int in_between = 0;    ///< singular ends that are no solutions
+
+  /// Empty when there are none.
+  std::string in_words() const {
+    std::string text;
+    const auto append = [&text](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
+    for (const auto& [cause, paths] : lost)
+      append(number_of(paths.count, "path") + " failed: " + cause + ", at condition numbers up to " +
+             one_digit(paths.condition));
+    if (jumps > 0)
+      append("several paths ended at each of " + number_of(jumps, "regular solution") +
+             ": a step has jumped");
+    if (not_isolated > 0)
+      append(
+          "the Jacobian loses rank at " + number_of(not_isolated, "end") +
+          " without a conjugate: solutions there are not isolated to working precision, as where the scene " +
+          "flexes or nearly does");
+    if (lonely > not_isolated)
+      append("the conjugates of " + number_of(lonely - not_isolated, "solution") + " are missing");
+    if (in_between > 0)
+      append("solutions next to " + number_of(in_between, "end") +
+             " are so close together that their paths " + "were not told apart");
+    return text;
+  }
+
+ private:
+  static std::string one_digit(double value) {
+    std::ostringstream text;
+    text << std::setprecision(1) << value;
+    return text.str();
+  }
+};
+
+/// A condition number that leaves three digits or fewer of a correction along the Jacobian's near kernel.
+constexpr double rank_lost = 1e13;
 
 }  // namespace
 
@@ -161,19 +186,33 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
   report.work = work;
   const std::vector<DoubleDouble> squares = target_squares(scene);
   const DistinctEnds distinct(ends, mirror_axes(scene, system), random);
-  int in_between = 0;
+  Shortcomings missing;
+  missing.jumps = distinct.jumps();
   for (int i = 0; i < distinct.size(); ++i) {
     const double nearby = distinct.is_singular(i) ? singular_uncertainty : 1e-9;
     const std::optional<Figure> real = real_figure(system, squares, distinct[i], nearby);
     report.candidates.push_back({real ? *real : complex_figure(system, distinct[i]),
                                  distinct.is_singular(i) ? distinct.paths(i) : 1});
-    in_between += distinct.is_singular(i) &&
-                  relative_residual(scene, report.candidates.back().figure) > double_root_residual;
+    const Figure& figure = report.candidates.back().figure;
+    const bool is_lonely = !distinct.has_conjugate(i);
+    const bool is_not_isolated = is_lonely && jacobian_condition(scene, figure) >= rank_lost;
+    missing.lonely += is_lonely;
+    missing.not_isolated += is_not_isolated;
+    missing.in_between += !is_not_isolated && distinct.is_singular(i) &&
+                          relative_residual(scene, figure) > double_root_residual;
+  }
+  for (const PathEnd& end : ends) {
+    if (end.kind != PathEnd::Kind::failed) continue;
+    LostPaths& lost = missing.lost[end.cause];
+    ++lost.count;
+    const Figure where = complex_figure(system, end.x);
+    if (std::isfinite(extent(where)))
+      lost.condition = std::max(lost.condition, jacobian_condition(scene, where));
   }
   for (const PathEnd& end : ends) report.paths.push_back(record_of(end));
   const bool stopped = std::any_of(ends.begin(), ends.end(),
                                    [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
-  report.reason = stopped ? "stopped on the way" : what_is_missing(ends, distinct, in_between);
+  report.reason = stopped ? "stopped on the way" : missing.in_words();
   report.status = stopped                 ? SolveStatus::stopped
                   : report.reason.empty() ? SolveStatus::complete
                                           : SolveStatus::partial;

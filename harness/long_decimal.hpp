@@ -32,6 +32,11 @@ class LongDecimal {
     return a;
   }
 
+  friend LongDecimal root_of(LongDecimal a) {
+    arb_sqrt(a.value_, a.value_, bits);
+    return a;
+  }
+
   /// With so many significant digits.
   std::string text(int digits) const;
 
@@ -42,5 +47,8 @@ class LongDecimal {
 
   arb_t value_;
 };
+
+/// The square root. Precondition: a ≥ 0.
+LongDecimal root_of(LongDecimal a);
 
 }  // namespace gcs

@@ -31,8 +31,9 @@ using Complex = std::complex<double>;
 
 constexpr int pairs = 8;  // common zeros of two polynomials of bidegree (2, 2): Bézout on P¹ × P¹
 
-/// Coordinates beyond this (times the longest edge) leave few or no digits of the squared lengths in doubles.
-constexpr double far_away = 1e6;
+/// Coordinates beyond this (times the longest edge) leave less than six digits of the squared lengths in
+/// doubles.
+constexpr double far_away = 1e5;
 /// Below this reciprocal condition a solution is singular: Newton's method then stops about this far from it.
 constexpr double singular = 1e-6;
 /// Below this a face of the octahedron is flat: nothing can be placed on it.
@@ -62,6 +63,7 @@ bool same(const CoreSolution& p, const CoreSolution& q) {
 /// What the eight eigenvalues came to.
 struct CoreSolutions {
   std::vector<CoreSolution> list;
+  std::array<int, 3> frame{};  ///< points at the origin, on the x-axis and in the xy-plane
   int at_infinity = 0;
   int far_away = 0;            ///< eigenvalues that led to no solution but far away
   bool common_factor = false;  ///< to rounding
@@ -83,8 +85,7 @@ struct CoreSolutions {
 class CoreSolver {
  public:
   CoreSolver(const Scene& scene, const CoreReduction& reduction, const Octahedron& octahedron)
-      : scene_(scene),
-        lengths_(scene),
+      : lengths_(scene),
         octahedron_(with_round_base(octahedron, lengths_)),
         placer_(scene.point_count(), lengths_, octahedron_) {
     const std::vector<DoubleDouble> squares = target_squares(scene);
@@ -95,20 +96,11 @@ class CoreSolver {
     }
   }
 
-  std::array<int, 3> frame() const { return placer_.base(); }
-
   CoreSolutions run(WorkCounters& work) {
-    CoreSolutions solutions = from_eigenvalues(work);
-    solutions.at_infinity = stretched_walks(scene_, octahedron_);
-    solutions.flexible = !solutions.are_all_isolated() && is_proven_to_flex(scene_, octahedron_);
-    return solutions;
-  }
-
- private:
-  CoreSolutions from_eigenvalues(WorkCounters& work) {
     const DiagonalEquations equations(lengths_, octahedron_);
     const CommonZeros zeros = equations.solve();
     CoreSolutions solutions;
+    solutions.frame = placer_.base();
     solutions.common_factor = zeros.common_factor;
     std::vector<int> hits;  // eigenvalues that lead to each solution
     for (const std::vector<CommonZero>& zeros_here : zeros.of_eigenvalue) {
@@ -122,6 +114,7 @@ class CoreSolver {
     return solutions;
   }
 
+ private:
   /// All that is placed with these diagonals, if anything is.
   bool is_far_away(const DiagonalEquations& equations, const std::vector<CommonZero>& zeros) {
     return std::all_of(zeros.begin(), zeros.end(), [&](const CommonZero& zero) {
@@ -157,18 +150,18 @@ class CoreSolver {
     return is_near(solution.diagonals[0], diagonals.x) && is_near(solution.diagonals[1], diagonals.y);
   }
 
-  /// Not so where Newton's method stalled on the way to infinity, the rounding of coordinates so large
-  /// leaving less than three digits of a squared length.
+  /// Not so where Newton's method stalled on the way to infinity, or on a curve of near solutions that leads
+  /// there: the rounding of coordinates so large leaves less than six digits of a squared length.
   bool satisfies_distances(const ComplexPoints& points) const {
     return std::all_of(equations_.begin(), equations_.end(), [&](const DistanceEquation& e) {
       return std::abs(squared_distance_excess(points.col(e.a), points.col(e.b), e.square)) <=
-             1e-3 * e.square.value();
+             1e-6 * e.square.value();
     });
   }
 
   std::optional<CoreSolution> polished(ComplexPoints points, WorkCounters& work) const {
     if (!points.allFinite()) return std::nullopt;
-    const ComplexRefinement refinement = refine(equations_, frame(), points);
+    const ComplexRefinement refinement = refine(equations_, placer_.base(), points);
     work.newton_iterations += refinement.iterations;
     if (!refinement.converged || !satisfies_distances(points)) return std::nullopt;
     CoreSolution solution;
@@ -179,13 +172,28 @@ class CoreSolver {
     return solution;
   }
 
-  const Scene& scene_;
   SquaredLengths lengths_;
   Octahedron octahedron_;
   OctahedronPlacer placer_;
   std::vector<DistanceEquation> equations_;
   double scale_ = 0;  ///< the largest squared length
 };
+
+/// With each choice of two diagonals until nothing is missing: of a, a', b, b' that are coplanar, or nearly,
+/// at solutions the diagonals say little of where c and c' are.
+CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, WorkCounters& work) {
+  Octahedron octahedron = *find_octahedron(scene, reduction);
+  const int at_infinity = stretched_walks(scene, octahedron);
+  CoreSolutions best;
+  for (int choice = 0; choice < 3 && best.accounted_for() != pairs; ++choice) {
+    CoreSolutions found = CoreSolver(scene, reduction, octahedron).run(work);
+    found.at_infinity = at_infinity;
+    if (choice == 0 || found.accounted_for() > best.accounted_for()) best = std::move(found);
+    std::rotate(octahedron.pair.begin(), octahedron.pair.begin() + 1, octahedron.pair.end());
+  }
+  best.flexible = !best.are_all_isolated() && is_proven_to_flex(scene, octahedron);
+  return best;
+}
 
 /// Places the points that hang on the core, on both sides each, and reports what comes of it.
 class Reporter {
@@ -235,8 +243,10 @@ class Reporter {
     const std::string found = "of the " + std::to_string(pairs) + " pairs of diagonals " +
                               std::to_string(core.accounted_for()) +
                               " are accounted for, those at infinity and multiplicities included";
-    if (core.far_away <= core.at_infinity) return found;
-    return found + "; others have coordinates so large that doubles do not hold the distances";
+    return found +
+           (core.far_away > core.at_infinity
+                ? "; others have coordinates so large that doubles do not hold the distances"
+                : "; from others Newton's method did not settle, as where solutions are ill-conditioned");
   }
 
   void note(const std::string& reason) { report_.reason += (report_.reason.empty() ? "" : "; ") + reason; }
@@ -323,10 +333,9 @@ class CayleyMenger final : public Strategy {
   SolveReport solve(const SolveRequest& request) override {
     if (request.stop.stop_requested()) return stopped();
     const CoreReduction reduction = reduce_to_core(request.scene.problem(), {});
-    CoreSolver solver(request.scene, reduction, *find_octahedron(request.scene, reduction));
     WorkCounters work;
-    const CoreSolutions core = solver.run(work);
-    return Reporter(request, reduction, solver.frame()).run(core, work);
+    const CoreSolutions core = solve_core(request.scene, reduction, work);
+    return Reporter(request, reduction, core.frame).run(core, work);
   }
 };
 

@@ -40,10 +40,11 @@ std::vector<std::string> members_of(const std::vector<std::string>& names) {
   return members;
 }
 
-/// A strategy that calls an answer complete which is not right.
+/// A strategy that calls an answer complete, or infinitely many, which is not right.
 bool has_wrong_claim(const RunRecord& run) {
   return std::any_of(run.cells.begin(), run.cells.end(), [](const CellRecord& cell) {
-    return cell.status == RunStatus::complete && cell.is_flawed();
+    return (cell.status == RunStatus::complete && cell.is_flawed()) ||
+           (cell.status == RunStatus::infinite && !is_ill_posed(cell.spec.instance));
   });
 }
 
@@ -62,7 +63,8 @@ std::string families_help() {
   return text +
          "\nEvery strategy that can do an instance is held against proven solutions. The exit code is 1 when "
          "one "
-         "calls an answer complete that misses a solution or lists one that is none.\n"
+         "calls an answer complete that misses a solution or lists one that is none, or infinite where it is "
+         "not.\n"
          "\nExamples:\n"
          "  gcsbench stability flat-tetrahedron\n"
          "  gcsbench stability --out results/runs/stability\n";

@@ -41,9 +41,28 @@ const Family* find_family(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-Instance load_member(const std::string& id) {
+namespace {
+
+struct Member {
+  const Family& family;
+  std::string value;
+};
+
+Member member_of(const std::string& id) {
   const std::size_t at = id.find('@');
-  return parse_instance(find_family(id.substr(0, at))->text(id, id.substr(at + 1)), id, "");
+  return {*find_family(id.substr(0, at)), id.substr(at + 1)};
+}
+
+}  // namespace
+
+bool is_ill_posed(const std::string& id) {
+  const auto [family, value] = member_of(id);
+  return std::find(family.ill_posed.begin(), family.ill_posed.end(), value) != family.ill_posed.end();
+}
+
+Instance load_member(const std::string& id) {
+  const auto [family, value] = member_of(id);
+  return parse_instance(family.text(id, value), id, "");
 }
 
 }  // namespace gcs

@@ -17,6 +17,8 @@ struct Family {
   std::vector<std::string> values;  ///< of the parameter, the tame one first
   /// The text of gcsbench-instance/1 with this id.
   std::string (*text)(const std::string& id, const std::string& value) = nullptr;
+  /// Values at which the solutions are not isolated, or none is regular: to say so is right there.
+  std::vector<std::string> ill_posed = {};
 
   /// The ids of the members: "flat-triangle@1e-8".
   std::vector<std::string> members() const;
@@ -26,6 +28,9 @@ std::span<const Family> families();
 
 /// The family of that name, or nullptr.
 const Family* find_family(std::string_view name);
+
+/// Whether the member of that id is one of the ill-posed ones. Precondition: it is one of some family.
+bool is_ill_posed(const std::string& id);
 
 /// The member of that id. Precondition: it is one of some family.
 Instance load_member(const std::string& id);

@@ -1,4 +1,5 @@
 #include <array>
+#include <string>
 
 #include "harness/family_draft.hpp"
 #include "harness/family_lists.hpp"
@@ -10,34 +11,39 @@ namespace {
 /// it hangs on, so that the condition number stays while the lengths part.
 std::string mixed_lengths(const std::string& id, const std::string& epsilon) {
   const LongDecimal small(epsilon);
-  return text_of(
-      id, measured_at(
-              {{"0", "0", "0"},
-               {"3", "0", "0"},
-               {"4", "2.5", "0"},
-               {"2", "3.6", "0"},
-               {"-1", "2.2", "0"},
-               {"1.5", "-1.3", "0"},
-               {"0", small, "0"},
-               {LongDecimal("0.8") * small, LongDecimal("0.3") * small, "0"}},
-              {.dimension = 2,
-               .points = 8,
-               .edges = {{0, 1},
-                         {0, 3},
-                         {0, 5},
-                         {2, 1},
-                         {2, 3},
-                         {2, 5},
-                         {4, 1},
-                         {4, 3},
-                         {4, 5},
-                         {6, 0},
-                         {6, 1},
-                         {7, 0},
-                         {7, 6}},
-               .sketch =
-                   {{0, 0}, {3.1, 0}, {4.1, 2.4}, {2.1, 3.5}, {-0.9, 2.3}, {1.4, -1.2}, {0, 0.6}, {0.5, 0.2}},
-               .interpolation = R"({"bent": "a1", "bend": 1})"}));
+  const double unit = std::stod(epsilon);
+  return text_of(id, measured_at({{"0", "0", "0"},
+                                  {"3", "0", "0"},
+                                  {"4", "2.5", "0"},
+                                  {"2", "3.6", "0"},
+                                  {"-1", "2.2", "0"},
+                                  {"1.5", "-1.3", "0"},
+                                  {"0", small, "0"},
+                                  {LongDecimal("0.8") * small, LongDecimal("0.3") * small, "0"}},
+                                 {.dimension = 2,
+                                  .points = 8,
+                                  .edges = {{0, 1},
+                                            {0, 3},
+                                            {0, 5},
+                                            {2, 1},
+                                            {2, 3},
+                                            {2, 5},
+                                            {4, 1},
+                                            {4, 3},
+                                            {4, 5},
+                                            {6, 0},
+                                            {6, 1},
+                                            {7, 0},
+                                            {7, 6}},
+                                  .sketch = {{0, 0},
+                                             {3.1, 0},
+                                             {4.1, 2.4},
+                                             {2.1, 3.5},
+                                             {-0.9, 2.3},
+                                             {1.4, -1.2},
+                                             {0, 1.1 * unit},
+                                             {0.75 * unit, 0.35 * unit}},
+                                  .interpolation = R"({"bent": "a9", "bend": 1})"}));
 }
 
 /// p3 and p4 are at heights ε and 2ε over p1 and p2, or below: at most 3ε apart, and p5 is to be 1 from one
@@ -80,6 +86,9 @@ std::string platform(const std::string& id, const std::vector<ExactPoint>& base,
   }
   for (int i = 0; i < 3; ++i) draft.edges.insert(draft.edges.end(), {{i, 9 + i}, {3 + i, 6 + i}});
   for (const ExactPoint& point : with_midpoints(above)) points.push_back(point);
+  for (const ExactPoint& point : points)
+    draft.sketch.push_back(
+        {std::stod(point[0].text(8)), 0.9 * std::stod(point[1].text(8)), std::stod(point[2].text(8))});
   return text_of(id, measured_at(points, draft));
 }
 
@@ -104,7 +113,8 @@ std::span<const Family> compound_families() {
       Family{"griffis-duffy",
              "a platform with coplanar joints, at which every solution is singular",
              {"scalene", "equilateral"},
-             griffis_duffy},
+             griffis_duffy,
+             {"scalene", "equilateral"}},
   };
   return all;
 }

@@ -32,7 +32,7 @@ std::string touching_spheres(const std::string& id, const std::string& epsilon) 
 /// p1, …, p5 as below; their distances to the line are those to their feet on it.
 Draft five_points_and_a_line() {
   const std::vector<ExactPoint> points{
-      {"2", "1", "1"}, {"1", "-2", "1.5"}, {"-1.5", "-1", "-1"}, {"0", "1", "2.5"}, {"0", "0", "1.5"}};
+      {"-2.5", "-2", "0"}, {"-1", "1.5", "0"}, {"3", "-0.5", "2"}, {"0", "1", "0.5"}, {"0", "0", "1.5"}};
   Draft draft = measured_at(
       points, {.points = 5, .edges = {{0, 4}, {1, 4}, {2, 4}, {3, 4}, {0, 1}, {1, 2}, {3, 0}, {2, 3}}});
   for (int i = 0; i < draft.points; ++i) {
@@ -52,7 +52,7 @@ Draft five_points_and_a_line() {
 /// √ε.
 std::string open_side(const std::string& id, const std::string& epsilon) {
   Draft draft = five_points_and_a_line();
-  draft.squares.back() = draft.squares.back() - LongDecimal(epsilon);
+  draft.squares.back() = draft.squares.back() + LongDecimal(epsilon);
   return text_of(id, draft);
 }
 
@@ -65,7 +65,7 @@ std::span<const Family> line_families() {
       Family{"collinear-centres", "tangents of spheres whose centres lie on a line but for ε", shrinking(),
              collinear_centres},
       Family{"touching-spheres", "tangents of spheres that touch but for ε", shrinking(), touching_spheres},
-      Family{"open-side", "5p1L with a side shorter by ε than an extremum of what the others allow",
+      Family{"open-side", "5p1L with a side longer by ε than an extremum of what the others allow",
              shrinking(), open_side},
   };
   return all;

@@ -20,12 +20,13 @@ enum class Outcome { sharp, fair, inexact, refused, wrong, not_run };
 constexpr double explained = 10, far_off = 1000;
 
 bool is_refusal(const CellRecord& cell) {
-  return cell.status == RunStatus::partial || cell.status == RunStatus::gave_up ||
-         cell.status == RunStatus::infinite;
+  return cell.status == RunStatus::partial || cell.status == RunStatus::gave_up;
 }
 
 Outcome outcome_of(const CellRecord& cell) {
   if (is_refusal(cell)) return Outcome::refused;
+  if (cell.status == RunStatus::infinite)
+    return is_ill_posed(cell.spec.instance) ? Outcome::sharp : Outcome::wrong;
   if (cell.status != RunStatus::complete) return Outcome::not_run;
   if (cell.is_flawed()) return Outcome::wrong;
   if (!cell.accuracy || !cell.accuracy->missed) return Outcome::not_run;
@@ -161,7 +162,7 @@ std::vector<Drawing> draw_stability(const RunRecord& run) {
   map.description =
       "For each family and strategy, from the tame member on the left to the most extreme one: how the error "
       "compares with the condition number times the unit roundoff, refusals and wrong answers";
-  map.classes = {{"error up to 10 cond·u", "#0072B2"},
+  map.classes = {{"error up to 10 cond·u, or infinitely many", "#0072B2"},
                  {"up to 1000 cond·u", "#56B4E9"},
                  {"more", "#F0E442"},
                  {"refused, with the reason", "#C0C0C0"},

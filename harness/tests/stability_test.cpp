@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "harness/families.hpp"
+#include "harness/family_lists.hpp"
 #include "harness/strategy_choice.hpp"
 #include "harness/table_run.hpp"
 #include "harness/tables.hpp"
@@ -29,8 +29,9 @@ std::size_t real_solutions(const ReferenceList& list) {
                                                 [](const KnownSolution& s) { return s.figure.is_real(); }));
 }
 
-RunRecord measured(const std::vector<std::string>& members) {
+RunRecord measured(const std::vector<std::string>& members, std::optional<double> limit_s = std::nullopt) {
   TableRequest request;
+  request.limits.cell_limit_s = limit_s;
   request.tables = {"stability"};
   request.instances = members;
   request.repetitions = 3;
@@ -38,15 +39,36 @@ RunRecord measured(const std::vector<std::string>& members) {
   return run_tables(request, {}, monitor);
 }
 
+void check_right(const CellRecord& cell) {
+  INFO(cell.spec.instance << ", " << cell.spec.strategy << ": " << cell.reason << cell.difference);
+  CHECK(cell.is_right());
+  REQUIRE(cell.accuracy);
+  CHECK(cell.accuracy->missed == 0u);
+  CHECK(cell.accuracy->spurious == 0);
+  CHECK(cell.accuracy->largest_quotient <= 10);
+}
+
 void check_right(const RunRecord& run) {
-  for (const CellRecord& cell : run.cells) {
-    if (cell.status == RunStatus::unsupported) continue;
-    INFO(cell.spec.instance << ", " << cell.spec.strategy << ": " << cell.reason << cell.difference);
-    CHECK(cell.is_right());
-    REQUIRE(cell.accuracy);
-    CHECK(cell.accuracy->missed == 0u);
-    CHECK(cell.accuracy->spurious == 0);
-    CHECK(cell.accuracy->largest_quotient <= 10);
+  for (const CellRecord& cell : run.cells)
+    if (cell.status != RunStatus::unsupported) check_right(cell);
+}
+
+/// Of an ill-posed member.
+void check_named(const CellRecord& cell) {
+  INFO(cell.spec.instance << ", " << cell.spec.strategy << ": " << word(cell.status) << " " << cell.reason);
+  CHECK(cell.status != RunStatus::complete);
+  CHECK_FALSE(cell.reason.empty());
+}
+
+/// Every strategy that can do a family's tame member does it right. A limit for those that may never end.
+void check_tame_members(std::span<const Family> families) {
+  for (const Family& family : families) {
+    const std::string tame = family.members().front();
+    const std::optional<double> limit_s = is_ill_posed(tame) ? std::optional(1.0) : std::nullopt;
+    for (const CellRecord& cell : measured({tame}, limit_s).cells) {
+      if (cell.status == RunStatus::unsupported) continue;
+      is_ill_posed(tame) ? check_named(cell) : check_right(cell);
+    }
   }
 }
 
@@ -62,6 +84,38 @@ TEST_CASE("every member of every family is an instance") {
       CHECK(load_member(id).id == id);
     }
   }
+}
+
+TEST_CASE("every strategy is right on the tame members of flat families") {
+  check_tame_members(flat_families());
+}
+
+TEST_CASE("every strategy is right on the tame members of families with a line") {
+  check_tame_members(line_families());
+}
+
+TEST_CASE("every strategy is right on the tame members of octahedra") {
+  check_tame_members(octahedron_families());
+}
+
+TEST_CASE("every strategy is right on the tame members of compound families, or says why not") {
+  check_tame_members(compound_families());
+}
+
+TEST_CASE("infinitely many solutions are found where there are, and nowhere else") {
+  RunLimits limits;
+  limits.time_limit_s = 1;
+  int found = 0;
+  for (const std::string id : {"bricard@0", "bricard-two@0", "bricard@0.5", "bricard-two@1e-8"}) {
+    const Scene scene(load_member(id).problem);
+    for (const StrategyEntry& entry : all_strategies()) {
+      if (run_strategy(entry, {}, scene, limits).status != RunStatus::infinite) continue;
+      INFO(id << ", " << entry.name);
+      CHECK(is_ill_posed(id));
+      ++found;
+    }
+  }
+  CHECK(found >= 2);
 }
 
 TEST_CASE("scenes scaled by a power of two have exactly scaled lengths") {

@@ -15,6 +15,7 @@
 #include "solvers/certification/figure_distance.hpp"
 #include "solvers/certification/scene_equations.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/model/quality.hpp"
 #include "solvers/tracking/certified_tracker.hpp"
 #include "solvers/tracking/path_report.hpp"
 
@@ -100,7 +101,8 @@ class ListMaker {
     for (const AssessedSolution& solution : run.assessment.solutions) {
       const Figure figure = scene_.in_scene_unit(solution.figure);
       take_next_to(figure);
-      if (solution.multiplicity > 1 || solution.condition > ill_conditioned) take_around(figure);
+      if ((solution.multiplicity > 1 || solution.condition > ill_conditioned) && !is_surrounded(figure))
+        take_around(figure);
     }
     const bool is_complete = run.status == RunStatus::complete && run.assessment.failed_checks.empty();
     list_.has_all_real = list_.has_all_real || (is_complete && run.claim == Claim::all_real);
@@ -123,8 +125,16 @@ class ListMaker {
     if (exact && is_new(*exact)) list_.solutions.push_back({*exact, figure_of(*exact)});
   }
 
+  /// As far as doubles tell, another strategy has listed it.
+  bool is_surrounded(const Figure& figure) const {
+    return std::any_of(surrounded_.begin(), surrounded_.end(), [&](const Figure& other) {
+      return least_distance(figure, other, images_, scene_.size()) <= 1e-12 * extent(figure);
+    });
+  }
+
   /// Newton's method from all sides, at all distances that doubles know.
   void take_around(const Figure& middle) {
+    surrounded_.push_back(middle);
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (double distance = 1e-2; distance > 1e-16; distance *= 0.1)
@@ -166,6 +176,7 @@ class ListMaker {
   SceneEquations equations_;
   std::vector<AxisSigns> images_;
   double size_;
+  std::vector<Figure> surrounded_;
   ReferenceList list_;
 };
 

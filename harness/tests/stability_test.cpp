@@ -155,6 +155,44 @@ TEST_CASE("references hold the solutions that doubles do not tell apart") {
   }
 }
 
+TEST_CASE("references of compound scenes hold as many solutions as theory counts") {
+  for (const std::string value : {"0.5", "1e-4"}) {
+    INFO(value);
+    // K3,3 has 8 classes, and each of two points hangs on either side.
+    CHECK(reference_of("mixed-lengths@" + value).solutions.size() == 32);
+  }
+  for (const std::string value : {"0.25", "1e-2"}) {
+    INFO(value);
+    // Three points on either side of what they hang on, up to reflection. Only points 1 to 3 apart carry the
+    // last.
+    const ReferenceList list = reference_of("inconsistent@" + value);
+    CHECK(list.solutions.size() == 4);
+    CHECK(real_solutions(list) == 0);
+  }
+}
+
+TEST_CASE("beside an extremum of the open side the condition number grows like that of a double root") {
+  const auto largest_condition = [](const std::string& id) {
+    const Scene scene(load_member(id).problem);
+    const SolveRun run = run_strategy(find_strategy("theta-scan"), {}, scene, {});
+    double largest = 0;
+    for (const AssessedSolution& solution : run.assessment.solutions)
+      largest = std::max(largest, solution.condition);
+    return largest;
+  };
+  const double ratio = largest_condition("open-side@1e-10") / largest_condition("open-side@1e-6");
+  CHECK(ratio == Approx(100).epsilon(0.02));
+}
+
+TEST_CASE("the path of a long detour is as long as it says") {
+  const Scene scene(load_member("long-detour@1e3").problem);
+  const StrategyEntry& entry = find_strategy("full-space");
+  const SolveReport report = entry.make(complete_options(entry, {}))->solve({scene, 1, 1, {}, nullptr});
+  REQUIRE(report.paths.size() == 1);
+  CHECK(report.paths.front().end == PathRecord::End::closed);
+  CHECK(report.paths.front().length > 1e3);
+}
+
 TEST_CASE("two solutions near a fold are two") {
   // Both real, at a condition number of 1e8.
   const Scene scene(load_member("double-root@1e-6").problem);

@@ -210,6 +210,17 @@ TEST_CASE("two solutions whose paths are not told apart are not called a double 
   }
 }
 
+TEST_CASE("paths to solutions next to each other are told apart by small circles") {
+  // K3,3 has 8 classes, and two points that hang on it quadruple them.
+  for (const auto& [id, classes] : {std::pair{"double-root@1e-4", 8u}, {"mixed-lengths@1e-6", 32u}}) {
+    const Scene scene(load_member(id).problem);
+    const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
+    INFO(id << ": " << run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.assessment.solutions.size() == classes);
+  }
+}
+
 TEST_CASE("paths that end on a curve of solutions are said to") {
   // Generic paths to an octahedron that moves end anywhere on its curve, and not at conjugates of each other.
   const Scene scene(load_member("bricard@0").problem);

@@ -103,6 +103,8 @@ struct ActivePath {
   ComplexVectorX x;  ///< at σ = the current radius
   std::vector<ComplexVectorX> samples{};
   std::optional<CircleReading> last{};
+  std::optional<CircleReading>
+      between{};  ///< the last one that two circles agreed on, of an end that is no zero
   double power = std::numeric_limits<double>::infinity();  ///< x grew like σ^(−power) lately
   bool is_steady = false;
   bool is_closed = false;
@@ -112,8 +114,9 @@ struct ActivePath {
 class Endgame {
  public:
   Endgame(LegTracking& tracking, const ComplexVectorX& from, const ComplexVectorX& to,
-          const std::function<bool()>& stopped, WorkCounters& work)
-      : tracking_(tracking), from_(from), to_(to), stopped_(stopped), work_(work) {}
+          const std::function<bool(const ComplexVectorX&)>& is_zero, const std::function<bool()>& stopped,
+          WorkCounters& work)
+      : tracking_(tracking), from_(from), to_(to), is_zero_(is_zero), stopped_(stopped), work_(work) {}
 
   std::vector<PathEnd> run(std::span<const ComplexVectorX> starts) {
     ends_.assign(starts.size(), {});
@@ -168,7 +171,9 @@ class Endgame {
 
   void remove_lost(std::vector<ActivePath>& paths, const std::string& cause) {
     std::erase_if(paths, [&](const ActivePath& path) {
-      if (path.is_lost) ends_[path.number] = {PathEnd::Kind::failed, path.x, 1, 0, false, cause};
+      if (path.is_lost)
+        ends_[path.number] = path.between ? singular_end(*path.between)
+                                          : PathEnd{PathEnd::Kind::failed, path.x, 1, 0, false, cause};
       return path.is_lost;
     });
   }
@@ -227,22 +232,35 @@ class Endgame {
         continue;
       }
       CircleReading reading = read_circle(path.samples, radius);
-      if (path.last) conclude(path, *path.last, reading);
+      if (path.last) conclude(path, *path.last, reading, radius);
       path.last = std::move(reading);
     }
     std::erase_if(paths,
                   [&](const ActivePath& path) { return ends_[path.number].kind != PathEnd::Kind::failed; });
   }
 
-  void conclude(const ActivePath& path, const CircleReading& before, const CircleReading& now) {
+  /// Of a circle that encloses the ends of several paths the constant term lies between these.
+  bool may_lie_between(const CircleReading& reading, double radius) const {
+    return reading.winding_number > 1 && radius * radius_ratio >= smallest_radius &&
+           !is_zero_(reading.leading);
+  }
+
+  void conclude(ActivePath& path, const CircleReading& before, const CircleReading& now, double radius) {
     if (before.kind != now.kind || before.winding_number != now.winding_number ||
         before.pole_order != now.pole_order)
       return;
     const double change = distance(before.leading, now.leading) / largest(now.leading);
     if (now.kind == CircleReading::Kind::pole && now.pole_offset <= at_the_end && change <= agreed_pole)
       ends_[path.number] = {PathEnd::Kind::at_infinity, {}, now.winding_number, now.pole_order, true, ""};
-    if (now.kind == CircleReading::Kind::finite && change <= agreed_end)
-      ends_[path.number] = {PathEnd::Kind::singular, now.leading, now.winding_number, 0, false, ""};
+    if (now.kind != CircleReading::Kind::finite || change > agreed_end) return;
+    if (may_lie_between(now, radius))
+      path.between = now;
+    else
+      ends_[path.number] = singular_end(now);
+  }
+
+  static PathEnd singular_end(const CircleReading& reading) {
+    return {PathEnd::Kind::singular, reading.leading, reading.winding_number, 0, false, ""};
   }
 
   /// A path that closes after one round and has a constant term may end at a regular point, beside a pole.
@@ -269,6 +287,7 @@ class Endgame {
   LegTracking& tracking_;
   const ComplexVectorX& from_;
   const ComplexVectorX& to_;
+  const std::function<bool(const ComplexVectorX&)>& is_zero_;
   const std::function<bool()>& stopped_;
   WorkCounters& work_;
   std::vector<PathEnd> ends_;
@@ -278,6 +297,7 @@ class Endgame {
 
 std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<ComplexVectorX>& starts,
                                    const ComplexVectorX& from, const ComplexVectorX& to,
+                                   const std::function<bool(const ComplexVectorX&)>& is_zero,
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work) {
   std::vector<PathEnd> ends;
@@ -285,7 +305,7 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
   for (std::size_t first = 0; first < starts.size(); first += batch) {
     const std::size_t count = std::min(batch, starts.size() - first);
     std::vector<PathEnd> some =
-        Endgame(tracking, from, to, stopped, work).run(std::span(starts).subspan(first, count));
+        Endgame(tracking, from, to, is_zero, stopped, work).run(std::span(starts).subspan(first, count));
     std::move(some.begin(), some.end(), std::back_inserter(ends));
     progress(static_cast<double>(ends.size()) / static_cast<double>(starts.size()));
   }

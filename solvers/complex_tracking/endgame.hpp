@@ -29,8 +29,11 @@ struct PathEnd {
 };
 
 /// Follows every start, a regular zero for the squared lengths `from`, to the squared lengths `to`.
+/// `is_zero` tells of a multiple end whether rounding explains that it is no zero; where it does not, the
+/// path goes on to smaller circles, which may tell apart several ends between which it lies.
 std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<ComplexVectorX>& starts,
                                    const ComplexVectorX& from, const ComplexVectorX& to,
+                                   const std::function<bool(const ComplexVectorX&)>& is_zero,
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work);
 

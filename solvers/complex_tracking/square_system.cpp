@@ -67,6 +67,16 @@ ComplexVectorX squares_at(const SquareSystem& system, const ComplexVectorX& x) {
   return squares;
 }
 
+bool is_zero_at(const SquareSystem& system, const ComplexVectorX& squares, const ComplexVectorX& x) {
+  const double uncertainty = 1e-13 * largest(x);
+  const ComplexVectorX found = squares_at(system, x);
+  for (std::size_t e = 0; e < found.size(); ++e) {
+    const double allowed = uncertainty * (2 * std::sqrt(std::abs(squares[e])) + uncertainty);
+    if (!(std::abs(found[e] - squares[e]) <= allowed)) return false;
+  }
+  return true;
+}
+
 ComplexVectorX jacobian_at(const SquareSystem& system, const ComplexVectorX& x) {
   const int n = system.unknowns;
   ComplexVectorX jacobian(static_cast<std::size_t>(system.equations() * n));

@@ -50,6 +50,10 @@ using ComplexVectorX = std::vector<std::complex<double>>;
 /// Σ (u − v)² + Σ c·w of every equation: the parameters A for which x is a zero.
 ComplexVectorX squares_at(const SquareSystem& system, const ComplexVectorX& x);
 
+/// Whether rounding explains what x misses of these parameters: |Σ (u − v)² + Σ c·w − A| ≤ 2·√|A|·δ + δ² in
+/// every equation, for an uncertainty δ of 1e-13 of the largest |x_i|.
+bool is_zero_at(const SquareSystem& system, const ComplexVectorX& squares, const ComplexVectorX& x);
+
 /// df_e/dx_i at x, row by row.
 ComplexVectorX jacobian_at(const SquareSystem& system, const ComplexVectorX& x);
 

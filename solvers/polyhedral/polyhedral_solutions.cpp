@@ -92,7 +92,7 @@ class Solution {
         order_elimination(system.unknowns, samples(system, zeros.coefficients, to));
     LegTracking tracking(system, elimination, request_.setup);
     sort_in(follow_to_end(
-        tracking, zeros.zeros, zeros.coefficients, to, stopped_,
+        tracking, zeros.zeros, zeros.coefficients, to, [](const ComplexVectorX&) { return true; }, stopped_,
         [&](double fraction) { request_.progress("paths to random lengths", fraction); }, work_));
   }
 

@@ -43,8 +43,9 @@ struct Setting {
   std::vector<PathEnd> ends(const GenericSolutions& generic) {
     ComplexVectorX squares;
     for (const DoubleDouble& square : target_squares(scene)) squares.push_back(square.value());
+    const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(system, squares, x); };
     return follow_to_end(
-        tracking, generic.solutions, generic.squares, squares, never, [](double) {}, work);
+        tracking, generic.solutions, generic.squares, squares, is_zero, never, [](double) {}, work);
   }
 
   SolveReport report(const std::vector<PathEnd>& ends) {

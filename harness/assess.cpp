@@ -31,6 +31,7 @@ struct Judged {
   Figure representative;  ///< in the scene's unit
   double condition = 0;
   int multiplicity = 1;
+  double error = 0;  ///< that of the candidate
 };
 
 bool is_finite(const LinePosition& line) { return line.point.allFinite() && line.direction.allFinite(); }
@@ -59,9 +60,9 @@ std::vector<Figure> representatives(const std::vector<Judged>& judged) {
 }
 
 std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged) {
-  std::vector<double> conditions;
-  for (const Judged& candidate : judged) conditions.push_back(candidate.condition);
-  return solution_classes(scene, representatives(judged), conditions).class_of;
+  std::vector<SolutionQuality> qualities;
+  for (const Judged& candidate : judged) qualities.push_back({candidate.condition, candidate.error});
+  return solution_classes(scene, representatives(judged), qualities).class_of;
 }
 
 /// Appends the coordinates in units of `grain` of the scene's size, cut to integers so that rounding does not
@@ -163,7 +164,7 @@ class Assessor {
       }
       judged_index_.back() = static_cast<int>(judged_.size());
       Judged judged{scene_.in_frame(candidate.figure), scene_.representative(candidate.figure), 0,
-                    candidate.multiplicity};
+                    candidate.multiplicity, candidate.error};
       judged.condition = jacobian_condition(scene_, judged.representative);
       judged_.push_back(std::move(judged));
     }

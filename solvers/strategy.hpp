@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -47,6 +48,9 @@ enum class SolveStatus { complete, partial, infinite, gave_up, stopped };
 struct Candidate {
   Figure figure;
   int multiplicity = 1;
+  /// Proven: no point is further from its place in a solution, up to a motion, in the scene's unit. Infinite
+  /// where nothing is proven.
+  double error = std::numeric_limits<double>::infinity();
 };
 
 /// The path met t = 1 at candidates[candidate], going in the direction of growing t (+1) or falling t (−1).

@@ -66,13 +66,14 @@ class Fields {
   }
 
   void add(const std::string& name, const Candidate& candidate) {
-    const auto& [figure, multiplicity] = candidate;
+    const auto& [figure, multiplicity, error] = candidate;
     const auto& [points, lines, imaginary, imaginary_lines] = figure;
     add(name + ".points", points);
     add(name + ".imaginary", imaginary);
     add(name + ".lines", lines);
     add(name + ".imaginary_lines", imaginary_lines);
     add(name + ".multiplicity", multiplicity);
+    add(name + ".error", error);
   }
 
   void add(const std::string& name, const std::vector<std::complex<double>>& numbers) {

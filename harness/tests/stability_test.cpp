@@ -29,8 +29,9 @@ std::size_t real_solutions(const ReferenceList& list) {
                                                 [](const KnownSolution& s) { return s.figure.is_real(); }));
 }
 
-RunRecord measured(const std::vector<std::string>& members) {
+RunRecord measured(const std::vector<std::string>& members, const std::vector<std::string>& strategies = {}) {
   TableRequest request;
+  request.strategies = strategies;
   request.tables = {"stability"};
   request.instances = members;
   request.repetitions = 3;
@@ -233,6 +234,12 @@ TEST_CASE("errors of stiff members are explained by the condition of the solutio
   check_right(
       measured({"near-miss@1e-8", "coplanar-centres@1e-8", "cyclohexane@1e-8", "flat-tetrahedron@1e-4",
                 "short-edge@1e-2", "scale-of-ten@100", "scale-of-two@-500"}));
+}
+
+TEST_CASE("a scan tells apart solutions that the lengths as doubles do not") {
+  check_right(measured({"double-root@1e-8", "double-root@1e-10", "flat-triangle@1e-8", "flat-triangle@1e-12",
+                        "flat-tetrahedron@1e-8", "short-edge@1e-6", "short-edge@1e-8"},
+                       {"plan-scan"}));
 }
 
 TEST_CASE("what is shown of a stored run is what is shown of the run") {

@@ -32,7 +32,7 @@ Problem with_lengths_of(const Figure& placement) {
   for (DistanceConstraint& c : problem.constraints) {
     const auto [a, b] = c.between;
     const Eigen::Vector3d p = placement.points.col(a);
-    c.given.value = problem.is_point(b) ? (p - placement.points.col(b)).norm() : p.tail<2>().norm();
+    c.given = {problem.is_point(b) ? (p - placement.points.col(b)).norm() : p.tail<2>().norm(), ""};
   }
   return problem;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/model/given_numbers.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/run_on_threads.hpp"
 
@@ -75,7 +76,7 @@ DecimalFigure decimals_of(const BallKrawczyk::Proof& proof, const SceneEquations
       const int unknown = equations.point_unknown(point, axis);
       place[static_cast<std::size_t>(axis)] = unknown >= 0
                                                   ? decimals.unknown(unknown, true)
-                                                  : decimals.given(equations.given_coordinate(point, axis));
+                                                  : decimals.given(given_coordinate(scene, point, axis));
     }
   }
   for (int line = 0; line < static_cast<int>(scene.problem().lines.size()); ++line) {

@@ -28,6 +28,12 @@ struct KrawczykImage {
     constexpr double margin = 1 + 4 * std::numeric_limits<double>::epsilon();
     return (move.cwiseAbs() * margin + spread) * margin;
   }
+  /// Whether it lies inside the box of this radius and the same middle, or outside of it.
+  bool is_inside(const Eigen::VectorXd& radius) const { return (reach().array() < radius.array()).all(); }
+  bool misses(const Eigen::VectorXd& radius) const {
+    constexpr double margin = 1 + 4 * std::numeric_limits<double>::epsilon();
+    return (move.cwiseAbs().array() > (spread + radius).array() * margin).any();
+  }
 };
 
 /// mid − C f(mid) + (I − C J(box))(box − mid) for C = `inverse`, any matrix: it holds every zero of f in the

@@ -6,6 +6,7 @@
 
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/model/complex_lines.hpp"
+#include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
@@ -71,26 +72,6 @@ QuadraticSystem SceneEquations::system_at(const std::vector<std::complex<double>
   return system;
 }
 
-ExactNumber SceneEquations::given_coordinate(int point, int axis) const {
-  const Problem& problem = scene_.problem();
-  const auto p = static_cast<std::size_t>(point);
-  if (!scene_.fixed_point(point)) return {};
-  ExactNumber number = exactly((*problem.fixed_points[p])[axis]);
-  if (!problem.fixed_point_texts.empty())
-    number.decimal = problem.fixed_point_texts[p][static_cast<std::size_t>(axis)];
-  number.exponent = -scene_.unit_exponent();
-  return number;
-}
-
-ExactNumber SceneEquations::given_square(int constraint) const {
-  const DistanceConstraint& c = scene_.problem().constraints[static_cast<std::size_t>(constraint)];
-  ExactNumber number = exactly(c.given.value);
-  number.decimal = c.given.text;
-  number.exponent = (c.is_squared ? -2 : -1) * scene_.unit_exponent();
-  number.is_squared = !c.is_squared;
-  return number;
-}
-
 /// Coordinate `axis` of the point a less that of b, which may be the line on the x-axis. Without terms where
 /// both are given.
 LinearForm SceneEquations::difference(int a, int b, int axis) const {
@@ -99,19 +80,19 @@ LinearForm SceneEquations::difference(int a, int b, int axis) const {
   if (minuend >= 0)
     form.terms.push_back({minuend});
   else
-    form.constant = given_coordinate(a, axis);
+    form.constant = given_coordinate(scene_, a, axis);
   if (points_.is_line(b)) return form;
   const int subtrahend = points_.unknown(b, axis);
   if (subtrahend >= 0)
     form.terms.push_back(minus(subtrahend));
   else if (minuend >= 0)
-    form.constant = negated(given_coordinate(b, axis));
+    form.constant = negated(given_coordinate(scene_, b, axis));
   return form;
 }
 
 void SceneEquations::add_distance(int constraint) {
   const auto [a, b] = points_.edges()[static_cast<std::size_t>(constraint)];
-  QuadraticEquation equation{{}, given_square(constraint)};
+  QuadraticEquation equation{{}, given_square(scene_, constraint)};
   for (int axis = points_.is_line(b) ? 1 : 0; axis < points_.dimension(); ++axis) {
     const LinearForm form = difference(a, b, axis);
     if (!form.terms.empty()) equation.products.push_back({form, form});
@@ -128,13 +109,14 @@ int SceneEquations::line_unknown(int line, int part, int axis) const {
 void SceneEquations::add_distance_to_free_line(int constraint) {
   const auto [c, entity] = points_.edges()[static_cast<std::size_t>(constraint)];
   const int line = entity - points_.point_count();
-  QuadraticEquation equation{{}, given_square(constraint)};
+  QuadraticEquation equation{{}, given_square(scene_, constraint)};
   for (int axis = 0; axis < 3; ++axis) {
     const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-    const LinearForm form{{times(given_coordinate(c, next), line_unknown(line, direction, last)),
-                           times(negated(given_coordinate(c, last)), line_unknown(line, direction, next)),
-                           minus(line_unknown(line, moment, axis))},
-                          {}};
+    const LinearForm form{
+        {times(given_coordinate(scene_, c, next), line_unknown(line, direction, last)),
+         times(negated(given_coordinate(scene_, c, last)), line_unknown(line, direction, next)),
+         minus(line_unknown(line, moment, axis))},
+        {}};
     equation.products.push_back({form, form});
   }
   system_.equations.push_back(std::move(equation));

@@ -42,11 +42,8 @@ class SceneEquations {
   /// Of the point of a line (part 0) or its direction (part 1); −1 for a line that the frame puts on the
   /// x-axis.
   int line_unknown(int line, int part, int axis) const;
-  /// What the frame or the file gives for a coordinate, in the scene's unit.
-  ExactNumber given_coordinate(int point, int axis) const;
 
  private:
-  ExactNumber given_square(int constraint) const;
   double offset_from_given(const Figure& figure, int point, int axis) const;
   LinearForm difference(int a, int b, int axis) const;
   void add_distance(int constraint);

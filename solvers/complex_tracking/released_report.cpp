@@ -9,15 +9,15 @@ namespace gcs {
 SolveReport carried_back(const ReleasedScene& released, const Scene& given, SolveReport report) {
   const std::optional<FourSpheres> spheres = spheres_of(given);
   const std::vector<Candidate> candidates = std::exchange(report.candidates, {});
-  for (const auto& [placement, multiplicity] : candidates) {
-    std::optional<Figure> figure = released.carried_back(placement);
+  for (const Candidate& candidate : candidates) {
+    std::optional<Figure> figure = released.carried_back(candidate.figure);
     if (!figure) continue;
     if (spheres) {
-      const ComplexLine line =
-          polished(*spheres, complex_lines(*figure).front(), figure->is_real(), multiplicity, report.work);
+      const ComplexLine line = polished(*spheres, complex_lines(*figure).front(), figure->is_real(),
+                                        candidate.multiplicity, report.work);
       figure = figure_of(complex_points(*figure), {line}, figure->is_real());
     }
-    report.candidates.push_back({*figure, multiplicity});
+    report.candidates.push_back({*figure, candidate.multiplicity});
   }
   if (report.generic) *report.generic >>= released.doublings();
   report.generic_member.reset();

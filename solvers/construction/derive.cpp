@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <sstream>
@@ -33,7 +34,7 @@ Adjacency adjacency_of(const Problem& problem) {
 class Ordering {
  public:
   Ordering(const Scene& scene, const Adjacency& adjacency)
-      : adjacency_(adjacency), dimension_(scene.dimension()), anchored_(scene.is_anchored()) {
+      : scene_(scene), adjacency_(adjacency), dimension_(scene.dimension()), anchored_(scene.is_anchored()) {
     for (int p = 0; p < scene.point_count(); ++p) placed_.push_back(scene.fixed_point(p).has_value());
   }
 
@@ -46,25 +47,39 @@ class Ordering {
 
  private:
   static constexpr std::int64_t impossible = std::numeric_limits<std::int64_t>::max() / 4;
+  static constexpr int most_shortness = 4096;  ///< more than that of a frame, which has three edges
   int count() const { return static_cast<int>(placed_.size()); }
 
-  /// Of the next point when `placed` are there, `known` of its neighbours among them. Driving parameters
-  /// first; then how many instructions lie downstream of them.
-  std::int64_t cost(int placed, int known) const {
+  /// Of the point p when `placed` are there. Driving parameters first, then how many instructions lie
+  /// downstream of them, then how much shorter than the scene the frame is.
+  template <class IsPlaced>
+  std::int64_t cost(int p, int placed, const IsPlaced& is_placed) const {
     const int wanted = need(placed);
+    int known = 0;
+    std::int64_t shortness = 0;
+    for (const Neighbour& n : adjacency_[p]) {
+      if (!is_placed(n.point)) continue;
+      ++known;
+      if (wanted < dimension_) shortness += shortness_of(n.constraint);
+    }
     if (wanted > 0 && known == 0) return impossible;
     const std::int64_t driven = std::max(0, wanted - known);
-    return driven * 1'000'000 + driven * (count() - placed);
+    return (driven * 1'000'000 + driven * (count() - placed)) * most_shortness + shortness;
+  }
+
+  /// In powers of two, from 1/8 of the scene's size on: a frame on so short an edge turns by the edge's
+  /// rounding.
+  std::int64_t shortness_of(int constraint) const {
+    constexpr int harmless = 3, most = most_shortness / 4;
+    const double length = scene_.target_lengths()[static_cast<std::size_t>(constraint)];
+    if (!(length > 0)) return most;
+    return std::clamp(std::ilogb(scene_.size() / length) - harmless, 0, most);
   }
 
   /// Over all sets of placed points that cost no more than `bound`, what some order costs.
   std::vector<int> exact(std::int64_t bound) const {
     std::uint32_t start = 0;
-    std::array<std::uint32_t, exact_limit> neighbours{};
-    for (int p = 0; p < count(); ++p) {
-      start |= static_cast<std::uint32_t>(placed_[p]) << p;
-      for (const Neighbour& n : adjacency_[p]) neighbours[p] |= std::uint32_t{1} << n.point;
-    }
+    for (int p = 0; p < count(); ++p) start |= static_cast<std::uint32_t>(placed_[p]) << p;
     const std::uint32_t all = (std::uint32_t{1} << count()) - 1;
     std::vector<std::int64_t> best(std::size_t{all} + 1, impossible);
     std::vector<std::int8_t> last(std::size_t{all} + 1, -1);
@@ -74,7 +89,8 @@ class Ordering {
       const int placed = std::popcount(set);
       for (int p = 0; p < count(); ++p) {
         if (set >> p & 1U) continue;
-        const std::int64_t total = best[set] + cost(placed, std::popcount(neighbours[p] & set));
+        const auto is_placed = [set](int point) { return (set >> point & 1U) != 0; };
+        const std::int64_t total = best[set] + cost(p, placed, is_placed);
         const std::uint32_t next = set | std::uint32_t{1} << p;
         if (total >= best[next]) continue;
         best[next] = total;
@@ -99,9 +115,7 @@ class Ordering {
       std::int64_t cheapest = choice < 0 ? impossible : 0;
       for (int p = 0; p < count() && !(i == 0 && first >= 0); ++p) {
         if (placed[p]) continue;
-        const auto known = std::count_if(adjacency_[p].begin(), adjacency_[p].end(),
-                                         [&](const Neighbour& n) { return placed[n.point]; });
-        const std::int64_t c = cost(number, static_cast<int>(known));
+        const std::int64_t c = cost(p, number, [&placed](int point) { return placed[point]; });
         if (c < cheapest) {
           cheapest = c;
           choice = p;
@@ -122,6 +136,7 @@ class Ordering {
     return best;
   }
 
+  const Scene& scene_;
   const Adjacency& adjacency_;
   int dimension_;
   bool anchored_;

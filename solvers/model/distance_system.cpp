@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "solvers/model/given_numbers.hpp"
+
 namespace gcs {
 namespace {
 
@@ -32,15 +34,18 @@ DistanceSystem::DistanceSystem(const Scene& scene, const Reference& reference)
       point_count_(scene.point_count()),
       has_line_(scene.has_lines()),
       unknown_(3 * (static_cast<std::size_t>(scene.point_count()) + scene.problem().lines.size()), -1),
-      fixed_coordinates_(Eigen::Matrix3Xd::Zero(3, scene.point_count())) {
+      fixed_coordinates_(Eigen::Matrix3Xd::Zero(3, scene.point_count())),
+      coordinate_errors_(Eigen::Matrix3Xd::Zero(3, scene.point_count())) {
   for (const DistanceConstraint& c : scene.problem().constraints) {
     edges_.push_back(c.between);
     if (!scene.problem().is_point(c.between[0])) std::swap(edges_.back()[0], edges_.back()[1]);
   }
   for (int point = 0; point < point_count_; ++point) {
     if (const auto position = scene.fixed_point(point)) fixed_coordinates_.col(point) = *position;
-    for (int axis = 0; axis < dimension_; ++axis)
+    for (int axis = 0; axis < dimension_; ++axis) {
+      coordinate_errors_(axis, point) = gcs::coordinate_error(scene, point, axis);
       if (!fixed_by_frame(scene, reference_, point, axis)) unknown_[3 * point + axis] = unknowns_++;
+    }
   }
 }
 
@@ -91,13 +96,8 @@ void DistanceSystem::jacobian(const Eigen::Matrix3Xd& points, Eigen::Ref<Eigen::
 
 std::vector<DoubleDouble> target_squares(const Scene& scene) {
   std::vector<DoubleDouble> squares;
-  for (int i = 0; i < scene.constraint_count(); ++i) {
-    const DistanceConstraint& constraint = scene.problem().constraints[i];
-    const double length = scene.target_lengths()[i];
-    squares.push_back(constraint.is_squared
-                          ? DoubleDouble{std::ldexp(constraint.given.value, -2 * scene.unit_exponent()), 0}
-                          : two_product(length, length));
-  }
+  for (int i = 0; i < scene.constraint_count(); ++i)
+    squares.push_back(nearest_double_double(given_square(scene, i)));
   return squares;
 }
 

@@ -19,6 +19,13 @@ double effective_condition(const Scene& scene, const Figure& representative, dou
   return condition * stretch * stretch;
 }
 
+/// Two candidates of the same class within proven errors: a distance moves by both ends', and the frame's
+/// rounding is left.
+double tolerance_of(const Scene& scene, const Figure& representative, const SolutionQuality& quality) {
+  const double proven = std::max(64 * unit_roundoff, 4 * quality.error / scene.size());
+  return std::min(proven, merging_tolerance(effective_condition(scene, representative, quality.condition)));
+}
+
 }  // namespace
 
 double merging_tolerance(double condition) {
@@ -26,10 +33,10 @@ double merging_tolerance(double condition) {
 }
 
 ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
-                                   std::span<const double> conditions) {
+                                   std::span<const SolutionQuality> qualities) {
   std::vector<double> tolerances;
   for (std::size_t i = 0; i < representatives.size(); ++i)
-    tolerances.push_back(merging_tolerance(effective_condition(scene, representatives[i], conditions[i])));
+    tolerances.push_back(tolerance_of(scene, representatives[i], qualities[i]));
   return reflection_classes(scene, representatives, tolerances);
 }
 

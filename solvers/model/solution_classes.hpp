@@ -1,6 +1,8 @@
 #pragma once
 /// Which of the solutions that double precision found are the same, by how well each is conditioned.
 
+#include <limits>
+
 #include "solvers/model/reflection_classes.hpp"
 
 namespace gcs {
@@ -15,6 +17,6 @@ double merging_tolerance(double condition);
 /// Solutions up to a rigid motion and a reflection. `conditions`: jacobian_condition of each. Every one has
 /// its own tolerance: one coarse tolerance for all would merge well-conditioned neighbours.
 ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
-                                   std::span<const double> conditions);
+                                   std::span<const SolutionQuality> qualities);
 
 }  // namespace gcs

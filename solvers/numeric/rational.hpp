@@ -26,7 +26,9 @@ class Rational {
   static Rational from_double(double value);
 
   Rational times_power_of_two(int exponent) const;
+  /// −1, 0 or 1.
   int sign() const { return fmpq_sgn(value_); }
+  bool is_zero() const { return sign() == 0; }
   /// The square root ≥ 0, where that is rational.
   std::optional<Rational> root() const;
   /// The nearest double or a neighbour of it.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "solvers/model/exact_square.hpp"
+#include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/rational_polynomial.hpp"
 
 namespace gcs {
@@ -81,9 +81,9 @@ bool has_proven_curve(const Scene& scene, const Octahedron& octahedron) {
 }  // namespace
 
 ExactSquares::ExactSquares(const Scene& scene) {
-  for (const DistanceConstraint& constraint : scene.problem().constraints) {
-    const auto [p, q] = constraint.between;
-    squares_[{p, q}] = squares_[{q, p}] = exact_square(constraint);
+  for (int i = 0; i < scene.constraint_count(); ++i) {
+    const auto [p, q] = scene.problem().constraints[static_cast<std::size_t>(i)].between;
+    squares_[{p, q}] = squares_[{q, p}] = rational(given_square(scene, i));
   }
 }
 

@@ -15,7 +15,7 @@
 
 namespace gcs {
 
-/// Squared lengths as the file gives them, in the file's unit.
+/// Squared lengths as the file gives them, in the scene's unit.
 class ExactSquares {
  public:
   explicit ExactSquares(const Scene& scene);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "solvers/model/complex_points.hpp"
-#include "solvers/model/exact_square.hpp"
+#include "solvers/model/given_numbers.hpp"
 
 namespace gcs {
 namespace {
@@ -59,11 +59,6 @@ constexpr std::array<std::array<int, 2>, 3> base_pairs{{{0, 1}, {0, 2}, {1, 2}}}
 /// The pairs of base points whose distances count.
 int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
 
-/// In the scene's unit.
-Rational square_of(const Scene& scene, int constraint) {
-  return exact_square(scene.problem().constraints[constraint]).times_power_of_two(-2 * scene.unit_exponent());
-}
-
 constexpr const char* collinear = "the points that it hangs on are collinear";
 constexpr const char* nearly_collinear = "the points that it hangs on are collinear, to rounding";
 constexpr const char* nearly_flat = "it lies, to rounding, in the plane of the points that it hangs on";
@@ -80,9 +75,11 @@ bool has_given_base(const Problem& problem, const Part& hung) {
 HungPlace exact_place(const Scene& scene, const Part& hung) {
   Squares<Rational> squares;
   for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
-    squares.base[pair] = square_of(scene, constraint_between(scene.problem(), hung.base[base_pairs[pair][0]],
-                                                             hung.base[base_pairs[pair][1]]));
-  for (int i = 0; i < scene.dimension(); ++i) squares.radii[i] = square_of(scene, hung.constraints[i]);
+    squares.base[pair] =
+        rational(given_square(scene, constraint_between(scene.problem(), hung.base[base_pairs[pair][0]],
+                                                        hung.base[base_pairs[pair][1]])));
+  for (int i = 0; i < scene.dimension(); ++i)
+    squares.radii[i] = rational(given_square(scene, hung.constraints[i]));
   const Quotients<Rational> q = quotients(scene.dimension(), squares);
   HungPlace place;
   if (q.V.sign() == 0) {

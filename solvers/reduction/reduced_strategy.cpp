@@ -81,12 +81,12 @@ PartSolution part_solution(const Scene& whole, const PartScene& part_scene, cons
 std::vector<PartSolution> part_solutions(const Scene& whole, const PartScene& part_scene, const Part& part,
                                          const SolveReport& report) {
   std::vector<Figure> figures;
-  std::vector<double> conditions;
+  std::vector<SolutionQuality> qualities;
   for (const Candidate& candidate : report.candidates) {
     figures.push_back(part_scene.scene.representative(candidate.figure));
-    conditions.push_back(jacobian_condition(part_scene.scene, figures.back()));
+    qualities.push_back({jacobian_condition(part_scene.scene, figures.back()), candidate.error});
   }
-  const ReflectionClasses classes = solution_classes(part_scene.scene, figures, conditions);
+  const ReflectionClasses classes = solution_classes(part_scene.scene, figures, qualities);
   std::vector<PartSolution> solutions;
   for (const int first : classes.first)
     solutions.push_back(

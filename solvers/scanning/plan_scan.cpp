@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solvers/certification/krawczyk.hpp"
+#include "solvers/certification/box_search.hpp"
 #include "solvers/scanning/step_pieces.hpp"
 
 namespace gcs {
@@ -116,7 +116,10 @@ class Scan {
     Visit visit{part, std::vector<Choice>(plan_.steps.size()), std::vector<Position>(scene_.point_count())};
     for (int p = 0; p < scene_.point_count(); ++p)
       if (const auto position = scene_.fixed_point(p))
-        visit.points[p] = {Form((*position)[0]), Form((*position)[1]), Form((*position)[2])};
+        for (int axis = 0; axis < 3; ++axis) {
+          visit.points[p][axis].mid = (*position)[axis];
+          visit.points[p][axis].rest = system_.coordinate_error(p, axis);
+        }
     step(visit, 0, Narrowing<N>());
   }
 
@@ -264,7 +267,9 @@ class Scan {
   /// All points of a branch are placed and no check excludes them.
   void judge(const Visit& visit, const Narrowing<N>& narrowing) {
     const Box box = box_of(visit);
-    if (box.radius.maxCoeff() <= worth_a_test * scene_.size() && is_decided(box)) return;
+    if (box.radius.maxCoeff() <= worth_a_test * scene_.size() &&
+        (is_decided(box) || (is_worth_a_search(visit, narrowing) && is_searched(box))))
+      return;
     split(visit, plan_.steps.size(), narrowing);
   }
 
@@ -311,13 +316,38 @@ class Scan {
     Box around{x, box.radius + (x - box.mid).cwiseAbs()};
     around.radius *= 1 + 8 * Form::epsilon;
     if (krawczyk(system_, squares_, around) != BoxContent::one_solution) return false;
+    return is_known_now(around);
+  }
+
+  /// Takes the one solution in the box, at its middle, to those found. False when it cannot be told whether
+  /// it is one of them.
+  bool is_known_now(const Box& around) {
     const Box tight = tightened(around);
     const Novelty found = novelty(tight);
     if (found == Novelty::other) {
-      outcome_.solutions.push_back(system_.figure(x));
+      const double error = std::sqrt(3.0) * tight.radius.maxCoeff() * (1 + 4 * Form::epsilon);
+      outcome_.solutions.push_back({system_.figure(tight.mid), error});
       boxes_.push_back(tight);
     }
     return found != Novelty::unknown;
+  }
+
+  /// Narrow cells say little more when they are halved: what rounding leaves unknown of the points stays.
+  bool is_worth_a_search(const Visit& visit, const Narrowing<N>& narrowing) const {
+    if (failed_searches_ == most_failed_searches) return false;
+    const Part left = remainder(visit, plan_.steps.size(), narrowing).part;
+    for (int i = 0; i < plan_.angles(); ++i)
+      if (range(left, visit, i)[1] > narrow) return false;
+    return true;
+  }
+
+  /// True when all solutions in the box are found, and known from now on.
+  bool is_searched(const Box& box) {
+    const auto found = solutions_in(system_, squares_, box, most_parts);
+    const auto is_known = [this](const Box& around) { return is_known_now(around); };
+    if (found && std::all_of(found->begin(), found->end(), is_known)) return true;
+    ++failed_searches_;
+    return false;
   }
 
   void give_up(const Visit& visit, const Cell<N>& cell) {
@@ -335,6 +365,10 @@ class Scan {
   static constexpr double worth_a_visit = 0.6;  ///< of a cell: less is left than halving would leave
   static constexpr double coarse = 0.02;        ///< of the scene
   static constexpr double worth_a_test = 0.1;  ///< of the scene: in larger boxes the Jacobian varies too much
+  static constexpr double narrow =
+      1e-5;  ///< half a cell, as in ScanLimits: regular solutions are found in wider ones
+  static constexpr int most_parts = 5000;          ///< of a search: tens of milliseconds
+  static constexpr int most_failed_searches = 50;  ///< more would say no more, and take seconds
 
   const Scene& scene_;
   const ScanPlan& plan_;
@@ -345,6 +379,7 @@ class Scan {
   StepPieces<N> pieces_;
   std::vector<Part> pending_;  ///< the last is the next
   std::vector<Box> boxes_;     ///< tight ones around the solutions found
+  int failed_searches_ = 0;
   ScanOutcome outcome_;
 };
 

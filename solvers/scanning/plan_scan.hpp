@@ -9,7 +9,8 @@
 /// smaller cells around them. Near a branch end a point's height takes the place of an angle
 /// (height_placing.hpp), and the cell is halved in it: what is unknown of the points then falls with the
 /// square of its width there too. The solutions found are all there are, except in the pieces that are named
-/// as undecided when the cells become too fine: there a solution is multiple, or nearly so.
+/// as undecided when the cells become too fine: there a solution is multiple, or nearly so. All this is
+/// proven for the exact decimals of the file.
 
 #include <cstdint>
 #include <stop_token>
@@ -33,10 +34,16 @@ struct UndecidedPiece {
   Figure figure;  ///< in the plan's frame: its middle, or where Newton's method goes from there
 };
 
+/// A proven solution, in the plan's frame.
+struct ScanSolution {
+  Figure figure;
+  double error = 0;  ///< bound on the distance of each point from its place, in the scene's unit
+};
+
 struct ScanOutcome {
   enum class End { complete, too_many_cells, too_many_undecided, stopped };
   End end = End::complete;
-  std::vector<Figure> solutions;  ///< proven and distinct, in the plan's frame
+  std::vector<ScanSolution> solutions;  ///< distinct
   std::vector<UndecidedPiece> undecided;
   std::int64_t cells = 0;
   std::int64_t boxes = 0;  ///< to which Krawczyk's test was put

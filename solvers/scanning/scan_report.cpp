@@ -98,7 +98,7 @@ SolveReport scan_report(const Scene& scene, const ScanPlan& plan, const ScanOutc
   report.claim = Claim::all_real;
   report.status = status_of(outcome);
   report.reason = what_is_missing(outcome);
-  for (const Figure& figure : outcome.solutions) report.candidates.push_back({figure});
+  for (const auto& [figure, error] : outcome.solutions) report.candidates.push_back({figure, 1, error});
   for (const UndecidedPiece& piece : outcome.undecided)
     if (relative_residual(scene, piece.figure) <= double_root_residual)
       report.candidates.push_back({piece.figure});

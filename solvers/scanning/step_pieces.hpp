@@ -60,10 +60,11 @@ class StepPieces {
   using Form = AffineForm<N>;
   using Position = FormVector<N>;
 
+  /// `squares` are right to 2^-104 relative.
   StepPieces(const std::vector<DoubleDouble>& squares, int angles) : angles_(angles) {
     for (const DoubleDouble& s : squares) {
       Form form(s.hi);
-      form.rest = 2 * std::abs(s.lo);
+      form.rest = 2 * (std::abs(s.lo) + Form::epsilon * Form::epsilon * s.hi) + Form::underflow;
       squares_.push_back(form);
     }
   }

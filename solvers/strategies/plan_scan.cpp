@@ -4,8 +4,8 @@
 /// over a grid. A construction plan is such a parametrisation ([H] §5 with the plans of [I]); here its
 /// parameters are angles (scanning/scan_plan.hpp), and in place of a grid with a threshold the range is
 /// subdivided with enclosures until every piece is proven to hold no solution or exactly one
-/// (scanning/plan_scan.hpp). What is found is therefore proven, for the lengths as doubles, and nothing
-/// depends on a width chosen beforehand.
+/// (scanning/plan_scan.hpp). What is found is therefore proven, for the exact decimals of the file, and
+/// nothing depends on a width chosen beforehand.
 ///
 /// It fails on scenes with more than two driving parameters, and gives up where solutions are not isolated or
 /// where they are multiple; the ranges that it could not decide are named, and points of them that satisfy

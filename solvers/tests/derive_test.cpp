@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "solvers/tests/sample_problems.hpp"
 
@@ -155,6 +156,20 @@ TEST_CASE("no order of the points is cheaper than the derived one") {
     CHECK(plan.driving_parameters() == best.driving);
     CHECK(cost.driving == best.driving);
     CHECK(cost.downstream == best.downstream);
+  }
+}
+
+TEST_CASE("no frame is on an edge that is short beside the scene") {
+  Problem problem = samples::octahedron();
+  for (DistanceConstraint& shortened : problem.constraints) {
+    const Decimal given = std::exchange(shortened.given, {1e-6, ""});
+    const Scene scene(problem);
+    const std::vector<int> order = placing_order(scene);
+    const auto is_in_frame = [&](int point) {
+      return std::count(order.begin(), order.begin() + 3, point) > 0;
+    };
+    CHECK_FALSE((is_in_frame(shortened.between[0]) && is_in_frame(shortened.between[1])));
+    shortened.given = given;
   }
 }
 

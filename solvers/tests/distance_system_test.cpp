@@ -223,3 +223,14 @@ TEST_CASE("with a line in the frame, the derivatives are those of squared distan
   expected << 0, -1.25, 0.75, 0, 0, 0, 0, 2, 0.5, -1.25, -1.25, 1.25;
   CHECK(jacobian == expected);
 }
+
+TEST_CASE("target squares are those of the decimals") {
+  Problem problem = flat_triangle();
+  problem.constraints[0].given = {1.1, "1.1"};
+  problem.constraints[1].given = {1.21, "1.21"};
+  problem.constraints[1].is_squared = true;
+  const std::vector<DoubleDouble> squares = target_squares(Scene(problem));
+  CHECK(squares[0].hi == squares[1].hi);
+  CHECK(squares[0].lo == squares[1].lo);
+  CHECK(squares[0].lo != 0);
+}

@@ -1,0 +1,63 @@
+#include "solvers/model/given_numbers.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "solvers/certification/balls.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr slong bits = 128;  ///< more than a double-double has
+
+}  // namespace
+
+ExactNumber given_square(const Scene& scene, int constraint) {
+  const DistanceConstraint& c = scene.problem().constraints[static_cast<std::size_t>(constraint)];
+  ExactNumber number = exactly(c.given.value);
+  number.decimal = c.given.text;
+  number.exponent = (c.is_squared ? -2 : -1) * scene.unit_exponent();
+  number.is_squared = !c.is_squared;
+  return number;
+}
+
+ExactNumber given_coordinate(const Scene& scene, int point, int axis) {
+  const Problem& problem = scene.problem();
+  const auto p = static_cast<std::size_t>(point);
+  if (!scene.fixed_point(point)) return {};
+  ExactNumber number = exactly((*problem.fixed_points[p])[axis]);
+  if (!problem.fixed_point_texts.empty())
+    number.decimal = problem.fixed_point_texts[p][static_cast<std::size_t>(axis)];
+  number.exponent = -scene.unit_exponent();
+  return number;
+}
+
+Rational rational(const ExactNumber& number) {
+  Rational result = number.decimal.empty() ? Rational::from_double(number.value.real())
+                                           : Rational::from_decimal(number.decimal);
+  result = result.times_power_of_two(number.exponent);
+  if (number.is_squared) result = result * result;
+  return number.is_negative ? Rational(-1) * result : result;
+}
+
+DoubleDouble nearest_double_double(const ExactNumber& number) {
+  Ball exact, high;
+  const acb_ptr rest = exact;
+  const auto nearest = [rest] { return arf_get_d(arb_midref(acb_realref(rest)), ARF_RND_NEAR); };
+  enclose(exact, number, bits);
+  const double hi = nearest();
+  acb_set_d(high, hi);
+  acb_sub(exact, exact, high, bits);
+  return {hi, nearest()};
+}
+
+double coordinate_error(const Scene& scene, int point, int axis) {
+  const auto position = scene.fixed_point(point);
+  if (!position) return 0;
+  const DoubleDouble exact = nearest_double_double(given_coordinate(scene, point, axis));
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return std::abs((exact - DoubleDouble{(*position)[axis], 0}).value()) * (1 + 4 * epsilon) +
+         epsilon * std::abs(exact.lo);
+}
+
+}  // namespace gcs

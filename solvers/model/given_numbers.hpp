@@ -1,0 +1,26 @@
+#pragma once
+/// The numbers of a scene's file, exactly, in the scene's unit, which is a power of two of the file's.
+
+#include "solvers/certification/exact_number.hpp"
+#include "solvers/model/scene.hpp"
+#include "solvers/numeric/double_double.hpp"
+#include "solvers/numeric/rational.hpp"
+
+namespace gcs {
+
+/// The squared length of a constraint.
+ExactNumber given_square(const Scene& scene, int constraint);
+
+/// Coordinate `axis` of a point; 0 where the file gives none.
+ExactNumber given_coordinate(const Scene& scene, int point, int axis);
+
+/// The real part.
+Rational rational(const ExactNumber& number);
+
+/// The real part in double-double: right to 2^-104 relative, or to what underflows.
+DoubleDouble nearest_double_double(const ExactNumber& number);
+
+/// At least how far the double of a given coordinate is from the file's decimal.
+double coordinate_error(const Scene& scene, int point, int axis);
+
+}  // namespace gcs

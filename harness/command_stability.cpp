@@ -29,13 +29,13 @@ std::vector<std::string> family_names() {
 }
 
 std::vector<std::string> members_of(const std::vector<std::string>& names) {
+  const std::vector<std::string> known = family_names();
   std::vector<std::string> members;
   for (const std::string& name : names) {
-    const Family* family = find_family(name);
-    if (family == nullptr)
-      throw UsageError(fmt::format("there is no family '{}'; did you mean '{}'?", name,
-                                   nearest_name(name, family_names())));
-    for (std::string& id : family->members()) members.push_back(std::move(id));
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw UsageError(
+          fmt::format("there is no family '{}'; did you mean '{}'?", name, nearest_name(name, known)));
+    for (std::string& id : find_family(name)->members()) members.push_back(std::move(id));
   }
   return members;
 }

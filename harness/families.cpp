@@ -35,10 +35,10 @@ std::span<const Family> families() {
 }
 
 const Family* find_family(std::string_view name) {
-  const auto all = families();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Family& family) { return family.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  for (const auto all : {families(), growing_families()})
+    for (const Family& family : all)
+      if (family.name == name) return &family;
+  return nullptr;
 }
 
 namespace {

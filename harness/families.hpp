@@ -24,9 +24,13 @@ struct Family {
   std::vector<std::string> members() const;
 };
 
+/// Those of `gcsbench stability`.
 std::span<const Family> families();
 
-/// The family of that name, or nullptr.
+/// Scenes with more and more of what need not be solved for; the parameter says how much.
+std::span<const Family> growing_families();
+
+/// The family of that name, of both kinds, or nullptr.
 const Family* find_family(std::string_view name);
 
 /// Whether the member of that id is one of the ill-posed ones. Precondition: it is one of some family.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "harness/families.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/text_input.hpp"
 
@@ -56,11 +57,30 @@ std::string find_shipped(const std::string& id) {
                        "'? 'gcsbench list instances' shows all; a file needs a '/' or ends in .json");
 }
 
+/// A member of a family, "short-edge@1e-8".
+Instance load_made(const std::string& id) {
+  const std::string name = id.substr(0, id.find('@'));
+  const Family* family = find_family(name);
+  if (family == nullptr) {
+    std::vector<std::string> names;
+    for (const auto all : {families(), growing_families()})
+      for (const Family& one : all) names.emplace_back(one.name);
+    throw InputError("'" + id + "'", "", "there is no family '" + name + "'",
+                     "did you mean '" + nearest_name(name, names) + "'?");
+  }
+  const std::vector<std::string> members = family->members();
+  if (std::find(members.begin(), members.end(), id) == members.end())
+    throw InputError("'" + id + "'", "", "the family has no such member",
+                     "did you mean '" + nearest_name(id, members) + "'?");
+  return load_member(id);
+}
+
 }  // namespace
 
 Instance load_instance(const std::string& argument) {
   if (argument == "-") return load_standard_input();
   const bool is_file = argument.find('/') != std::string::npos || argument.ends_with(".json");
+  if (!is_file && argument.find('@') != std::string::npos) return load_made(argument);
   return load_file(is_file ? argument : find_shipped(argument));
 }
 

@@ -29,10 +29,11 @@ struct Instance {
   JsonValue document;  ///< the whole file, as written
 };
 
-/// Loads and validates `argument`: a file when it has a '/' or ends in .json, "-" for standard input,
-/// anything else the id of a shipped instance, looked up in ./instances and then where the program was built
-/// or installed. Checks the format and then the structure (degrees of freedom, rigidity, unsatisfiable
-/// inequalities). Throws InputError.
+/// Loads and validates `argument`: a file when it has a '/' or ends in .json, "-" for standard input, a
+/// member of a family when it has an '@' (families.hpp), anything else the id of a shipped instance, looked
+/// up in
+/// ./instances and then where the program was built or installed. Checks the format and then the structure
+/// (degrees of freedom, rigidity, unsatisfiable inequalities). Throws InputError.
 Instance load_instance(const std::string& argument);
 
 /// The same for text already read; `file` is for messages; the id is compared with `expected_id` unless

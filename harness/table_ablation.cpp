@@ -14,9 +14,19 @@ struct Study {
   std::vector<Variant> variants;
 };
 
-std::vector<Study> studies() {
-  const auto rcp = [](OptionMap given) { return Variant{"rcp", std::move(given)}; };
-  const auto full = [](OptionMap given) { return Variant{"full-space", std::move(given)}; };
+/// Scenes of which a part need not be solved for.
+const std::vector<std::string>& reducible() {
+  static const std::vector<std::string> ids{"octahedron-hung@3", "octahedra@2", "k33-hung@3"};
+  return ids;
+}
+
+/// Of path strategies, by their solutions on S.
+std::vector<Study> path_studies() {
+  const auto on_paper = [](std::string strategy, OptionMap given) {
+    return Variant{std::move(strategy), std::move(given), {}, reducible()};
+  };
+  const auto rcp = [&](OptionMap given) { return on_paper("rcp", std::move(given)); };
+  const auto full = [&](OptionMap given) { return on_paper("full-space", std::move(given)); };
   return {
       {"rcp: changing the plan near boundary configurations",
        {rcp({}), rcp({{"swap", "off"}}), rcp({{"alpha", "0.02"}}), rcp({{"alpha", "0.05"}}),
@@ -31,6 +41,23 @@ std::vector<Study> studies() {
       {"rcp, mode=paper: largest step",
        {rcp({{"mode", "paper"}}), rcp({{"mode", "paper"}, {"step_max", "0.025"}}),
         rcp({{"mode", "paper"}, {"step_max", "0.1"}})}},
+  };
+}
+
+/// With and without what can be left out, by all solutions.
+std::vector<Study> saving_studies() {
+  const auto study = [](std::string heading, const std::string& strategy, OptionMap without,
+                        const std::vector<std::string>& only_on) {
+    return Study{std::move(heading),
+                 {Variant{strategy, {}, only_on}, Variant{strategy, std::move(without), only_on}}};
+  };
+  const OptionMap whole{{"reduce", "off"}};
+  return {
+      study("hung points and parts are solved apart", "monodromy", whole, reducible()),
+      study("the same, by mixed cells", "polyhedral", whole, reducible()),
+      study("the same, by subdivision", "plan-scan", whole, reducible()),
+      study("vector instructions", "monodromy", {{"instructions", "portable"}}, {"octahedron", "disulfide"}),
+      study("squared norms as unknowns", "polyhedral", {{"formulation", "coordinates"}}, {"octahedron"}),
   };
 }
 
@@ -52,31 +79,23 @@ void append_entries(Table& table, TableRow& row, const CellRecord* cell, const C
   row.cells.push_back(answer_entry(table, cell, work(&WorkCounters::plan_changes)));
 }
 
-}  // namespace
-
-std::vector<Variant> ablation_variants() {
-  std::vector<Variant> variants;
-  for (Study& study : studies()) {
-    for (Variant& variant : study.variants) variants.push_back(std::move(variant));
-  }
-  return variants;
-}
-
-std::vector<Table> build_ablation(const RunRecord& run, const Publication&) {
+Table build_paths(const RunRecord& run) {
   Table table;
   table.name = "ablation";
   table.caption = "Ablation: one option changed at a time";
-  for (const MeasuredInstance& instance : run.instances) {
-    table.groups.push_back({instance.id, {"on S", "time", "rel.", "iterations", "plan changes"}});
-  }
-  for (const Study& study : studies()) {
+  const std::vector<Study> studies = path_studies();
+  const Variant& any = studies.front().variants.front();
+  for (const MeasuredInstance& instance : run.instances)
+    if (any.is_for(instance.id))
+      table.groups.push_back({instance.id, {"on S", "time", "rel.", "iterations", "plan changes"}});
+  for (const Study& study : studies) {
     table.rows.push_back({study.heading, {}, {}});
     for (const Variant& variant : study.variants) {
       TableRow row{label_of(variant.on("")), {}, {}};
-      for (const MeasuredInstance& instance : run.instances) {
-        append_entries(table, row, run.find(variant.on(instance.id)),
-                       run.find(study.variants.front().on(instance.id)));
-      }
+      for (const MeasuredInstance& instance : run.instances)
+        if (variant.is_for(instance.id))
+          append_entries(table, row, run.find(variant.on(instance.id)),
+                         run.find(study.variants.front().on(instance.id)));
       table.rows.push_back(std::move(row));
     }
   }
@@ -84,7 +103,62 @@ std::vector<Table> build_ablation(const RunRecord& run, const Publication&) {
       defaults_remark,
       "rel.: time relative to the first row of the group. An answer that differs from the strategies' "
       "defaults has no time."};
-  return {table};
+  return table;
+}
+
+/// All complex solutions, or all real ones where the strategy finds these.
+std::optional<double> solutions(const CellRecord* cell) {
+  if (cell == nullptr) return std::nullopt;
+  const auto& count = cell->counts.complex_up_to_reflection ? cell->counts.complex_up_to_reflection
+                                                            : cell->counts.real_up_to_reflection;
+  return count ? std::optional(count->approximate()) : std::nullopt;
+}
+
+Table build_savings(const RunRecord& run) {
+  Table table;
+  table.name = "savings";
+  table.caption = "What is left out: with and without";
+  table.groups = {{"", {"solutions", "with", "solutions", "without", "without / with"}}};
+  for (const Study& study : saving_studies()) {
+    table.rows.push_back({study.heading, {}, {}});
+    for (const std::string& id : study.variants.front().only_on) {
+      const CellRecord* with = run.find(study.variants[0].on(id));
+      const CellRecord* without = run.find(study.variants[1].on(id));
+      if (with == nullptr && without == nullptr) continue;
+      table.rows.push_back({fmt::format("{}, {}", id, label_of(study.variants[1].on(""))),
+                            {answer_entry(table, with, solutions(with)), time_entry(table, with),
+                             answer_entry(table, without, solutions(without)), time_entry(table, without),
+                             relative_entry(without, with)},
+                            {}});
+    }
+  }
+  table.remarks = {
+      "Solutions up to reflection, all complex ones, of plan-scan the real ones. Each row names the option "
+      "that switches the saving off."};
+  return table;
+}
+
+}  // namespace
+
+const std::vector<std::string>& ablation_instances() {
+  static const std::vector<std::string> ids = [] {
+    std::vector<std::string> all = paper_instances();
+    all.insert(all.end(), reducible().begin(), reducible().end());
+    return all;
+  }();
+  return ids;
+}
+
+std::vector<Variant> ablation_variants() {
+  std::vector<Variant> variants;
+  for (const auto& studies : {path_studies(), saving_studies()})
+    for (const Study& study : studies)
+      variants.insert(variants.end(), study.variants.begin(), study.variants.end());
+  return variants;
+}
+
+std::vector<Table> build_ablation(const RunRecord& run, const Publication&) {
+  return {build_paths(run), build_savings(run)};
 }
 
 }  // namespace gcs

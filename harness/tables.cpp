@@ -65,7 +65,10 @@ void append(TableSet& set, const TableKind& kind, const RunRecord& part, const P
 }  // namespace
 
 bool Variant::is_for(const std::string& instance) const {
-  return only_on.empty() || std::find(only_on.begin(), only_on.end(), instance) != only_on.end();
+  const auto is_in = [&](const std::vector<std::string>& ids) {
+    return std::find(ids.begin(), ids.end(), instance) != ids.end();
+  };
+  return (only_on.empty() || is_in(only_on)) && !is_in(not_on);
 }
 
 std::span<const TableKind> table_kinds() {
@@ -79,8 +82,8 @@ std::span<const TableKind> table_kinds() {
                 draw_pyramid},
       TableKind{"tangents", "lines at given distances from four points (Hoffmann, Yuan)", hoffmann,
                 tangents_instances, !free_columns, shows_solutions, tangents_variants, build_tangents},
-      TableKind{"ablation", "one option of a strategy changed at a time", imbach, paper_instances,
-                free_columns, !shows_solutions, ablation_variants, build_ablation},
+      TableKind{"ablation", "one option of a strategy changed at a time, and what is left out", imbach,
+                ablation_instances, free_columns, !shows_solutions, ablation_variants, build_ablation},
   };
   return kinds;
 }

@@ -20,8 +20,9 @@ namespace gcs {
 struct Variant {
   std::string strategy;
   OptionMap given;
-  std::vector<std::string> only_on = {};  ///< ids of instances; empty: all of the table's
-  int digits = 0;                         ///< to which every solution is refined; 0: doubles
+  std::vector<std::string> only_on = {};  ///< ids of instances; empty: all of the table's but `not_on`
+  std::vector<std::string> not_on = {};
+  int digits = 0;  ///< to which every solution is refined; 0: doubles
 
   CellSpec on(const std::string& instance) const { return {instance, strategy, given, digits}; }
   bool is_for(const std::string& instance) const;
@@ -91,6 +92,8 @@ std::vector<Variant> table2_variants();
 std::vector<Table> build_table2(const RunRecord& run, const Publication& paper);
 Table build_ratios(const RunRecord& run, const Publication& paper);
 
+/// Those of the papers, and some of which a part can be left out.
+const std::vector<std::string>& ablation_instances();
 std::vector<Variant> ablation_variants();
 std::vector<Table> build_ablation(const RunRecord& run, const Publication& paper);
 

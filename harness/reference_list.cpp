@@ -108,9 +108,14 @@ class ListMaker {
     list_.has_all_real = list_.has_all_real || (is_complete && run.claim == Claim::all_real);
   }
 
-  ReferenceList finish(const TheoreticalCounts& limits) {
+  /// No lengths have more solutions than are proven.
+  bool has_all(const TheoreticalCounts& limits) const {
     const SolutionCount* limit = limits.upper_limit();
-    list_.has_all_complex = limit != nullptr && limit->up_to_reflection() == Natural(list_.solutions.size());
+    return limit != nullptr && limit->up_to_reflection() == Natural(list_.solutions.size());
+  }
+
+  ReferenceList finish(const TheoreticalCounts& limits) {
+    list_.has_all_complex = has_all(limits);
     list_.has_all_real = list_.has_all_real || list_.has_all_complex;
     list_.source = "proven in this run";
     return std::move(list_);
@@ -184,12 +189,13 @@ ReferenceList list_found_now(const Scene& scene, double limit_s, Monitor& progre
   ListMaker maker(scene);
   RunLimits limits;
   limits.time_limit_s = limit_s;
+  const TheoreticalCounts counts = theoretical_counts(scene.problem());
   for (const StrategyEntry& entry : all_strategies()) {
-    if (interrupted()) break;
+    if (interrupted() || maker.has_all(counts)) break;
     progress.progress("reference, " + std::string(entry.name), -1);
     maker.take(run_strategy(entry, {}, scene, limits));
   }
-  return maker.finish(theoretical_counts(scene.problem()));
+  return maker.finish(counts);
 }
 
 /// A crossing is the nearest solution, and no further from it than this of the scene's size.

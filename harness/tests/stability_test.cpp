@@ -202,7 +202,7 @@ TEST_CASE("two solutions near a fold are two") {
 }
 
 TEST_CASE("two solutions whose paths are not told apart are not called a double one") {
-  for (const std::string id : {"flat-triangle@1e-6", "double-root@1e-4"}) {
+  for (const std::string id : {"flat-triangle@1e-6", "double-root@1e-4", "mixed-lengths@1e-10"}) {
     const Scene scene(load_member(id).problem);
     const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
     INFO(id << ": " << run.reason);

@@ -137,7 +137,7 @@ struct Shortcomings {
   int jumps = 0;         ///< regular ends at which several paths arrived
   int lonely = 0;        ///< ends without their conjugates
   int not_isolated = 0;  ///< those of them at which the Jacobian loses rank
-  int in_between = 0;    ///< singular ends that are no solutions
+  int in_between = 0;    ///< singular ends that are no multiple solutions
 
   /// Empty when there are none.
   std::string in_words() const {
@@ -173,6 +173,14 @@ struct Shortcomings {
 /// A condition number that leaves three digits or fewer of a correction along the Jacobian's near kernel.
 constexpr double rank_lost = 1e13;
 
+/// Below this condition number no solution is so near another that doubles do not tell them apart.
+constexpr double regular = 1e4;
+
+bool is_multiple_solution(const Scene& scene, const Figure& figure) {
+  return relative_residual(scene, figure) <= double_root_residual &&
+         jacobian_condition(scene, figure) >= regular;
+}
+
 }  // namespace
 
 std::string number_of(std::int64_t count, const std::string& noun) {
@@ -198,8 +206,7 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
     const bool is_not_isolated = is_lonely && jacobian_condition(scene, figure) >= rank_lost;
     missing.lonely += is_lonely;
     missing.not_isolated += is_not_isolated;
-    missing.in_between += !is_not_isolated && distinct.is_singular(i) &&
-                          relative_residual(scene, figure) > double_root_residual;
+    missing.in_between += distinct.is_singular(i) && !is_not_isolated && !is_multiple_solution(scene, figure);
   }
   for (const PathEnd& end : ends) {
     if (end.kind != PathEnd::Kind::failed) continue;

@@ -265,10 +265,10 @@ class Solve(CommandLine):
         done = run("solve", "tangents-durand", "--strategy", "full-space")
         self.assert_one_message(done, NOT_SOLVED, "unsupported")
 
-    def tangents(self, points, distances):
-        """A line at the given distances from the given points."""
+    def tangents(self, points, distances, given="length"):
+        """A line at the given distances from the given points, or at given "squared" ones."""
         names = [f"c{i + 1}" for i in range(4)]
-        distances = [{"type": "distance", "between": [name, "L"], "length": length}
+        distances = [{"type": "distance", "between": [name, "L"], given: length}
                      for name, length in zip(names, distances)]
         return self.write({"format": "gcsbench-instance/1", "id": "tangents", "dimension": 3, "points": names,
                            "lines": ["L"], "fixed": dict(zip(names, points)), "constraints": distances},
@@ -292,8 +292,8 @@ class Solve(CommandLine):
         with self.subTest("the rulings of a cylinder"):
             self.assert_infinite(self.tangents(axis, [1, 1, 1, 1]), "collinear", "turned about")
         with self.subTest("the rulings of a hyperboloid"):  # squared distances 1 + z²/4
-            distances = [(1 + z * z / 4) ** 0.5 for _, _, z in axis]
-            self.assert_infinite(self.tangents(axis, distances), "collinear", "turned about")
+            squares = [1 + z * z / 4 for _, _, z in axis]
+            self.assert_infinite(self.tangents(axis, squares, "squared"), "collinear", "turned about")
         with self.subTest("the axis itself"):
             self.assert_infinite(self.tangents(axis, [0, 0, 0, 0]), "distance 0")
 

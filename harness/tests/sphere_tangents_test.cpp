@@ -241,14 +241,19 @@ TEST_CASE("infinitely many tangents are named") {
   Eigen::Matrix<double, 3, 4> centers = Eigen::Matrix<double, 3, 4>::Zero();
   const Eigen::Vector4d position(0, 1, 2.5, 4);
   centers.row(1) = position;
-  const auto distances = [&](double alpha, double beta, double gamma) {
-    return Eigen::Vector4d((alpha + beta * position.array() + gamma * position.array().square()).sqrt());
+  const auto on_parabola = [&](double alpha, double beta, double gamma) {
+    Problem problem = spheres(centers, Eigen::Vector4d::Ones());
+    for (int i = 0; i < 4; ++i) {
+      problem.constraints[i].is_squared = true;
+      problem.constraints[i].given.value = alpha + beta * position[i] + gamma * position[i] * position[i];
+    }
+    return problem;
   };
   // A line at distance 1 from the axis, at an angle of sine 1/2, met at 2.
-  const SolveRun turned = solved(spheres(centers, distances(2, -1, 0.25)));
+  const SolveRun turned = solved(on_parabola(2, -1, 0.25));
   CHECK(turned.status == RunStatus::infinite);
   CHECK(turned.reason.find("turned about") != std::string::npos);
-  const SolveRun complex = solved(spheres(centers, distances(1, 0, 2)));
+  const SolveRun complex = solved(on_parabola(1, 0, 2));
   CHECK(complex.status == RunStatus::infinite);
   CHECK(complex.reason.find("no real one") != std::string::npos);
   const SolveRun none = solved(spheres(centers, {1, 1, 1, 2}));
@@ -257,6 +262,19 @@ TEST_CASE("infinitely many tangents are named") {
   const SolveRun axis = solved(spheres(centers, Eigen::Vector4d::Zero()));
   CHECK(axis.status == RunStatus::infinite);
   CHECK(axis.assessment.solutions.size() == 1);
+}
+
+// Lines in an isotropic plane through the line of three points have the distance 0 from all of them: two
+// families with two parameters, of which the fourth distance takes one.
+TEST_CASE("three points on a line at distance 0 have infinitely many tangents with any fourth sphere") {
+  Eigen::Matrix<double, 3, 4> centers;
+  centers << 0, 1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 0.5;
+  for (const std::string method : {"direct", "homotopy"}) {
+    const SolveRun run = solved(spheres(centers, {0, 0, 0, 1}), {{"method", method}});
+    CHECK(run.status == RunStatus::infinite);
+    CHECK(run.reason.find("curve of complex solutions") != std::string::npos);
+    CHECK(solved(spheres(centers, {0, 0, 0.5, 1}), {{"method", method}}).status != RunStatus::infinite);
+  }
 }
 
 TEST_CASE("coinciding centres have infinitely many tangents or none") {

@@ -16,8 +16,9 @@
 /// determine lines no longer. Multiple lines are not followed, so that there the status is partial.
 ///
 /// Complete: the multiplicities of the lines found and of those at infinity (isotropic directions) sum to 12.
-/// Infinitely many solutions are recognised and named: coinciding and collinear centres beforehand, others by
-/// the dimension of what the equations leave. Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000,
+/// Infinitely many solutions are proven and named, with the exact decimals of the file: coinciding and
+/// collinear centres beforehand, others by a common factor of the equations (tangents/exact_spheres.hpp).
+/// Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000,
 /// sections 3.2 and 4.1, where τ is eliminated too, which coplanar centres do not allow; they follow 24 paths
 /// of a system of degrees 2, 3 and 4. The published counts are reported as particulars. Step control of paths
 /// is a heuristic: where one is taken for its neighbour a line is missing, and the status is partial.
@@ -72,8 +73,8 @@ void report_degenerate(const Scene& scene, const LocalSpheres& local, const Dege
   report.generic = 0;  // at generic distances nothing touches spheres that are placed like this
   report.reason = tangents.why_infinite;
   report.status = report.reason.empty() ? SolveStatus::complete : SolveStatus::infinite;
-  if (!tangents.only_real_line) return;
-  const auto& [point, direction] = *tangents.only_real_line;
+  if (!tangents.has_axis) return;
+  const auto [point, direction] = line_of_centers(local.spheres);
   report.candidates.push_back(candidate_of(scene, local.in_scene({point, direction}), true, 1));
 }
 
@@ -88,12 +89,15 @@ void report_lines(const Scene& scene, const FourSpheres& spheres, const LocalSph
   const int accounted_for = tangents.accounted_for();
   if (accounted_for == tangent_count) {
     report.status = SolveStatus::complete;
-  } else if (tangents.infinitely_many) {
+  } else if (have_infinitely_many_tangents(exact_spheres_of(scene))) {
     report.status = SolveStatus::infinite;
     report.reason =
         "the equations of the common tangents leave a curve of complex solutions, although the centres are "
-        "not "
-        "collinear";
+        "not collinear";
+  } else if (accounted_for > tangent_count) {
+    report.status = SolveStatus::partial;
+    report.reason = std::to_string(accounted_for) + " lines were found where there are " +
+                    std::to_string(tangent_count) + ": rounding makes several of one";
   } else {
     report.status = SolveStatus::partial;
     report.reason = "of the " + std::to_string(tangent_count) + " lines " + std::to_string(accounted_for) +
@@ -139,8 +143,10 @@ class SphereTangents final : public Strategy {
     add_particulars(report);
     const FourSpheres spheres = *spheres_of(request.scene);
     const LocalSpheres local(spheres);
-    if (const auto degenerate = degenerate_tangents(local.spheres))
+    if (const auto degenerate = degenerate_tangents(exact_spheres_of(request.scene)))
       report_degenerate(request.scene, local, *degenerate, report);
+    else if (const auto reason = why_nearly_degenerate(local.spheres))
+      report.reason = *reason;
     else if (follows_paths_)
       follow(request, spheres, local, report);
     else

@@ -41,19 +41,40 @@ class Attempt {
     const Eigen::EigenSolver<AlgebraMatrix> solver(mixed_);
     if (solver.info() != Eigen::Success) return {};
     for (int i = 0; i < tangent_count; ++i) {
-      const Complex eigenvalue = solver.eigenvalues()[i];
-      if (eigenvalue.imag() < 0) continue;  // the conjugate comes with the other one
-      const bool taken = eigenvalue.imag() == 0 ? take_simple<double>(solver.pseudoEigenvectors().col(i))
-                                                : take_simple<Complex>(solver.eigenvectors().col(i));
-      if (taken) continue;
-      left_.push_back(eigenvalue);
-      if (eigenvalue.imag() > 0) left_.push_back(std::conj(eigenvalue));
+      eigenvalue_ = solver.eigenvalues()[i];
+      if (eigenvalue_.imag() < 0) continue;  // the conjugate comes with the other one
+      const bool taken = eigenvalue_.imag() == 0 ? take_simple<double>(solver.pseudoEigenvectors().col(i))
+                                                 : take_simple<Complex>(solver.eigenvectors().col(i));
+      if (!taken) leave(eigenvalue_);
     }
+    give_back_doubtful();
     if (!left_.empty()) take_clusters();
     return std::move(found_);
   }
 
  private:
+  void leave(Complex eigenvalue) {
+    left_.push_back(eigenvalue);
+    if (eigenvalue.imag() > 0) left_.push_back(std::conj(eigenvalue));
+  }
+
+  /// Eigenvalues that lead to one line come from two that are close together, or from a double one: they are
+  /// judged together.
+  void give_back_doubtful() {
+    for (const Complex doubtful : doubtful_) {
+      std::vector<FoundTangent> rest;
+      std::vector<Complex> of_rest;
+      for (std::size_t i = 0; i < found_.lines.size(); ++i) {
+        if (eigenvalues_[i] == doubtful) continue;
+        rest.push_back(found_.lines[i]);
+        of_rest.push_back(eigenvalues_[i]);
+      }
+      if (rest.size() < found_.lines.size()) leave(doubtful);
+      found_.lines = std::move(rest);
+      eigenvalues_ = std::move(of_rest);
+    }
+  }
+
   /// A solution by its eigenvector. False when it is not simple or comes out twice.
   template <class Scalar>
   bool take_simple(const AlgebraVector<Scalar>& w) {
@@ -76,14 +97,20 @@ class Attempt {
     work_.newton_iterations += refinement.iterations;
     if (!refinement.is_regular) return false;
     const Line complex{line.point.template cast<Complex>(), line.direction.template cast<Complex>()};
-    if (found_.find(complex) || (!real && difference(complex, conjugate(complex)) <= same_line)) return false;
-    add(complex, real, 1);
+    const auto known = found_.find(complex);
+    if (known && *known < eigenvalues_.size()) doubtful_.push_back(eigenvalues_[*known]);
+    if (known || (!real && is_own_conjugate(complex))) return false;
+    add(complex, real);
     return true;
   }
 
-  void add(const Line& line, bool is_real, int multiplicity) {
-    found_.lines.push_back({line, is_real, multiplicity});
-    if (!is_real) found_.lines.push_back({conjugate(line), false, multiplicity});
+  static bool is_own_conjugate(const Line& line) { return difference(line, conjugate(line)) <= same_line; }
+
+  /// A simple line with its conjugate.
+  void add(const Line& line, bool is_real) {
+    found_.lines.push_back({line, is_real, 1});
+    if (!is_real) found_.lines.push_back({conjugate(line), false, 1});
+    eigenvalues_.resize(found_.lines.size(), eigenvalue_);
   }
 
   /// From coarse to fine: a part of a cluster may look like a whole one.
@@ -134,6 +161,7 @@ class Attempt {
     }
     const Line line = equations_.line<Complex>(u, tau);
     const bool is_real = !with_conjugate && is_nearly_real(line);
+    if (multiplicity == 2 && take_pair(line, is_real, with_conjugate)) return true;
     if (multiplicity == 1) return take_one_of_parallels(u, tau, is_real, with_conjugate);
     const auto found = multiple_tangent(spheres_, line, is_real, multiplicity);
     if (!found || found_.find(found->line)) return false;
@@ -148,8 +176,40 @@ class Attempt {
     Line line = equations_.line<Complex>(u, tau);
     const TangentRefinement refinement = refine(spheres_, line);
     work_.newton_iterations += refinement.iterations;
-    if (!refinement.is_regular || found_.find(line)) return false;
+    if (!refinement.is_regular || found_.find(line) || (with_conjugate && is_own_conjugate(line)))
+      return false;
     found_.lines.push_back({line, false, 1});
+    if (with_conjugate) found_.lines.push_back({conjugate(line), false, 1});
+    return true;
+  }
+
+  /// Two simple lines, or with their conjugates four, that are so close together that only the mean of their
+  /// eigenvalues is right to rounding.
+  bool take_pair(const Line& mean, bool is_real, bool with_conjugate) {
+    const CommonTangents before = found_;
+    for (const Line& start : split(spheres_, is_real ? real_part(mean) : mean)) {
+      if (take_near(start, is_real && is_nearly_real(start), with_conjugate)) continue;
+      found_ = before;
+      return false;
+    }
+    return true;
+  }
+
+  bool take_near(Line line, bool is_real, bool with_conjugate) {
+    const auto is_refined = [&](auto& start) {
+      const TangentRefinement refinement = refine(spheres_, start);
+      work_.newton_iterations += refinement.iterations;
+      return refinement.is_regular;
+    };
+    if (is_real) {
+      Tangent<double> real{line.point.real(), line.direction.real()};
+      if (!is_refined(real)) return false;
+      line = {real.point.cast<Complex>(), real.direction.cast<Complex>()};
+    } else if (!is_refined(line) || is_own_conjugate(line)) {
+      return false;
+    }
+    if (found_.find(line)) return false;
+    found_.lines.push_back({line, is_real, 1});
     if (with_conjugate) found_.lines.push_back({conjugate(line), false, 1});
     return true;
   }
@@ -161,7 +221,10 @@ class Attempt {
   AlgebraMatrix mixed_;
   AlgebraMatrix times_tau_;
   CommonTangents found_;
-  std::vector<Complex> left_;  ///< eigenvalues of solutions that are not simple
+  Complex eigenvalue_;                ///< of the solution at hand
+  std::vector<Complex> eigenvalues_;  ///< of the simple lines found
+  std::vector<Complex> doubtful_;     ///< of those that another eigenvalue leads to as well
+  std::vector<Complex> left_;         ///< of solutions that are not simple
 };
 
 CommonTangents tangents_by_eigenvalues(const FourSpheres& spheres, WorkCounters& work) {
@@ -210,9 +273,6 @@ CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
   if (best.are_all_simple()) return best;
   CommonTangents squeezed = tangents_by_squeezing(spheres, strip, work);
   if (squeezed.tell_more_than(best)) best = std::move(squeezed);
-  if (width >= deceptive && best.accounted_for() < tangent_count)
-    best.infinitely_many =
-        dimension_of_weight_12(TangentEquations(spheres, rotation(turns[0]))) > tangent_count;
   return best;
 }
 

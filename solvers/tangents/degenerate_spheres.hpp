@@ -6,17 +6,24 @@
 #include <optional>
 #include <string>
 
+#include "solvers/tangents/exact_spheres.hpp"
 #include "solvers/tangents/tangent_equations.hpp"
 
 namespace gcs {
 
 struct DegenerateTangents {
   std::string why_infinite;  ///< a sentence; empty: there is no common tangent, not even a complex one
-  std::optional<Tangent<double>> only_real_line;
+  bool has_axis = false;     ///< the line of the centres is a common tangent, the only real one
 };
 
-/// Nothing where the centres are distinct and not collinear. All decisions are to rounding. Precondition:
-/// lengths are of order 1.
-std::optional<DegenerateTangents> degenerate_tangents(const FourSpheres& spheres);
+/// Nothing where the centres are distinct and not collinear. All decisions are exact.
+std::optional<DegenerateTangents> degenerate_tangents(const ExactSpheres& spheres);
+
+/// Why doubles do not tell these spheres from degenerate ones, in a sentence; nothing where they do.
+/// Precondition: lengths are of order 1.
+std::optional<std::string> why_nearly_degenerate(const FourSpheres& spheres);
+
+/// The line through the centres, which are collinear.
+Tangent<double> line_of_centers(const FourSpheres& spheres);
 
 }  // namespace gcs

@@ -44,8 +44,7 @@ std::optional<FoundTangent> multiple_tangent(const FourSpheres& spheres, const C
 
 struct CommonTangents {
   std::vector<FoundTangent> lines;
-  int at_infinity = 0;           ///< isotropic directions, with multiplicities
-  bool infinitely_many = false;  ///< to rounding
+  int at_infinity = 0;  ///< isotropic directions, with multiplicities
 
   /// With its conjugate where it is not real.
   void add_simple(const ComplexTangent& line);

@@ -148,12 +148,4 @@ template double TangentAlgebra::tau(const AlgebraVector<double>&, double, double
 template std::complex<double> TangentAlgebra::tau(const AlgebraVector<std::complex<double>>&,
                                                   std::complex<double>, std::complex<double>) const;
 
-int dimension_of_weight_12(const TangentEquations& equations) {
-  Eigen::MatrixXd relations(relation_count(12), weight_count(12));
-  fill_relations(equations, 12, relations);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(relations);
-  qr.setThreshold(1e-10);
-  return static_cast<int>(relations.cols() - qr.rank());
-}
-
 }  // namespace gcs

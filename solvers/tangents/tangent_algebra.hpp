@@ -60,8 +60,4 @@ class TangentAlgebra {
   AlgebraMatrix times_y_;
 };
 
-/// The dimension of what the relations leave of weight 12: 12, or more if and only if the solutions are
-/// infinitely many. To rounding: a relation counts that is not below 1e-10 of the largest.
-int dimension_of_weight_12(const TangentEquations& equations);
-
 }  // namespace gcs

@@ -274,9 +274,6 @@ FollowedTangents follow_tangents(const FourSpheres& spheres, std::uint64_t seed,
     if (is_complete(squeezed) && (!is_complete(followed) || squeezed.found.tell_more_than(followed.found)))
       return squeezed;
   }
-  if (followed.found.accounted_for() < tangent_count)
-    followed.found.infinitely_many =
-        dimension_of_weight_12(TangentEquations(spheres, Eigen::Matrix3d::Identity())) > tangent_count;
   return followed;
 }
 

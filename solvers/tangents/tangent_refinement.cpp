@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -84,6 +85,7 @@ struct NewtonSystem {
   Vector6<Scalar> right;
   double distance = 1;
   double stretch = 1;
+  Eigen::Matrix<double, 6, 1> row_sums = Eigen::Matrix<double, 6, 1>::Ones();  ///< by which rows are divided
 
   void subtract(const Vector6<Scalar>& change, Tangent<Scalar>& line) const {
     line.point -= distance * change.template head<3>();
@@ -102,6 +104,7 @@ NewtonSystem<Scalar> newton_system(const FourSpheres& spheres, const Tangent<Sca
     if (sum == 0) continue;  // at a distance of 0
     system.matrix.row(i) /= sum;
     system.right[i] /= sum;
+    system.row_sums[i] = sum;
   }
   return system;
 }
@@ -156,6 +159,29 @@ void settle(const FourSpheres& spheres, Tangent<Scalar>& line) {
     decomposition.compute(system.matrix);
     system.subtract(decomposition.solve(system.right), line);
   }
+}
+
+std::array<Tangent<std::complex<double>>, 2> split(const FourSpheres& spheres,
+                                                   const Tangent<std::complex<double>>& mean) {
+  using Vector = Vector6<std::complex<double>>;
+  constexpr double step = 1e-3;  // the equations are of degree 4: a central difference is right to its square
+  const NewtonSystem<std::complex<double>> system = newton_system(spheres, mean);
+  const Eigen::JacobiSVD<Matrix6<std::complex<double>>> svd(system.matrix,
+                                                            Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Vector v = svd.matrixV().col(5), w = svd.matrixU().col(5);
+  const auto moved = [&](std::complex<double> s) {
+    Tangent<std::complex<double>> line = mean;
+    system.subtract(-s * v, line);
+    return line;
+  };
+  const auto along_w = [&](const Tangent<std::complex<double>>& line) {
+    return w.dot(residual(spheres, line).cwiseQuotient(system.row_sums.cast<std::complex<double>>()));
+  };
+  const std::complex<double> middle = along_w(mean);
+  const std::complex<double> bend =
+      (along_w(moved(step)) + along_w(moved(-step)) - 2.0 * middle) / (step * step);
+  const std::complex<double> s = std::sqrt(-2.0 * middle / bend);
+  return {moved(s), moved(-s)};
 }
 
 template <class Scalar>

@@ -22,6 +22,12 @@ TangentRefinement refine(const FourSpheres& spheres, Tangent<Scalar>& line);
 template <class Scalar>
 void settle(const FourSpheres& spheres, Tangent<Scalar>& line);
 
+/// Two lines m ± s v next to the line m, their mean: v is the direction that the equations f determine least
+/// at m, w the combination of f that varies least there, and w·(f(m) + s²/2 f''(v, v)) = 0. Conjugate where m
+/// is real and s² negative.
+std::array<Tangent<std::complex<double>>, 2> split(const FourSpheres& spheres,
+                                                   const Tangent<std::complex<double>>& mean);
+
 /// The largest |d² − r²| over the four spheres, with u·u = 1 assumed and evaluated in double-double.
 template <class Scalar>
 double largest_excess(const FourSpheres& spheres, const Tangent<Scalar>& line);

@@ -247,6 +247,30 @@ TEST_CASE("errors of members that move, escape or mix lengths are explained by t
                         "inconsistent@1e-1", "long-detour@1e3"}));
 }
 
+TEST_CASE("an edge of length 1e-8 refuses no path strategy") {
+  check_right(measured({"short-edge@1e-6", "short-edge@1e-8"}, {"full-space", "rcp"}));
+}
+
+TEST_CASE("a crossing that is no solution is not part of a complete answer") {
+  for (const std::string strategy : {"full-space", "rcp"}) {
+    const Scene scene(load_member("short-edge@1e-12").problem);
+    const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
+    INFO(strategy << ": " << run.reason);
+    CHECK((run.status != RunStatus::complete || run.assessment.failed_checks.empty()));
+  }
+}
+
+TEST_CASE("tangents that are close together are told apart") {
+  check_right(measured({"touching-spheres@1e-8", "touching-spheres@1e-10"}, {"sphere-tangents"}));
+}
+
+TEST_CASE("centres that are collinear to rounding only are not called collinear") {
+  const Scene scene(load_member("collinear-centres@1e-15").problem);
+  const SolveRun run = run_strategy(find_strategy("sphere-tangents"), {}, scene, {});
+  CHECK(run.status == RunStatus::gave_up);
+  CHECK(run.reason.find("nearly collinear") != std::string::npos);
+}
+
 TEST_CASE("what is shown of a stored run is what is shown of the run") {
   const RunRecord run = measured(find_family("near-miss")->members());
   const RunRecord stored = parse_run_record(to_json_text(run), "run.json");

@@ -13,6 +13,7 @@
 /// max_steps. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point Distance Problems by
 /// Homotopy, 2016.
 
+#include "solvers/model/wide_reference.hpp"
 #include "solvers/tracking/certified_tracker.hpp"
 #include "solvers/tracking/distance_curve.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
@@ -52,7 +53,8 @@ class FullSpace final : public Strategy {
       case PathMode::fast:
         break;
     }
-    DistanceCurve curve(request.scene, options_.fast.order, options_.fast.tolerance);
+    DistanceCurve curve(request.scene, wide_reference(request.scene), options_.fast.order,
+                        options_.fast.tolerance);
     SeriesTracker tracker(curve, options_.fast, context);
     return path_report(request.scene, tracker.run(),
                        [&](const Eigen::VectorXd& y) { return curve.figure(y); });

@@ -5,11 +5,14 @@
 namespace gcs {
 
 DistanceCurve::DistanceCurve(const Scene& scene, int order, double tolerance)
-    : system_(scene),
+    : DistanceCurve(scene, scene.reference(), order, tolerance) {}
+
+DistanceCurve::DistanceCurve(const Scene& scene, const Reference& reference, int order, double tolerance)
+    : system_(scene, reference),
       lengths_(scene.length_paths(), order),
       edges_(system_.equations(), system_.dimension(), order),
       tolerance_(tolerance),
-      sketch_(*scene.sketch()),
+      sketch_(scene.in_frame(*scene.sketch(), system_.reference())),
       points_(sketch_.points),
       moving_(Eigen::Matrix3Xd::Zero(3, system_.point_count())),
       bordered_(coordinates(), coordinates()),

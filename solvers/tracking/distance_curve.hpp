@@ -12,8 +12,10 @@ namespace gcs {
 
 class DistanceCurve {
  public:
-  /// Precondition: the scene has a sketch and no lines.
+  /// In the scene's frame. Precondition: the scene has a sketch and no lines.
   DistanceCurve(const Scene& scene, int order, double tolerance);
+  /// In another one.
+  DistanceCurve(const Scene& scene, const Reference& reference, int order, double tolerance);
 
   Eigen::Index coordinates() const { return system_.unknowns() + 1; }
   bool start(int orientation, ArcSeries& series);

@@ -1,6 +1,8 @@
 #include "solvers/tracking/path_report.hpp"
 
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/quality.hpp"
+#include "solvers/model/wide_reference.hpp"
 
 namespace gcs {
 namespace {
@@ -8,6 +10,10 @@ namespace {
 /// A crossing found by a tracker is good to about 1e-6 of the scene; further away Newton may have gone
 /// elsewhere.
 constexpr double largest_refinement = 1e-3;
+
+/// The rounding of coordinates leaves 4e-13 of a thousandth of the scene's size, which is the least that
+/// relative_residual is relative to.
+constexpr double largest_residual = 1e-11;
 
 PathRecord::End record_end(TrackedPath::End end) {
   switch (end) {
@@ -43,7 +49,7 @@ std::optional<std::string> why_no_path(const Scene& scene) {
 
 SolveReport path_report(const Scene& scene, TrackedPath path,
                         const std::function<Figure(const Eigen::VectorXd&)>& figure_of) {
-  const DistanceSystem system(scene);
+  const DistanceSystem system(scene, wide_reference(scene));
   const std::vector<DoubleDouble> squares = target_squares(scene);
   SolveReport report;
   report.claim = Claim::on_path;
@@ -53,16 +59,18 @@ SolveReport path_report(const Scene& scene, TrackedPath path,
   PathRecord record{record_end(path.end), path.cause, path.length, {}};
   record.proven = path.proven;
   for (const PathCrossing& crossing : path.crossings) {
-    Eigen::VectorXd x = system.coordinates(scene.in_frame(figure_of(crossing.point)));
+    Eigen::VectorXd x = system.coordinates(scene.in_frame(figure_of(crossing.point), system.reference()));
     const Eigen::VectorXd before = x;
     const Refinement refinement = refine(system, squares, x);
     report.work.newton_iterations += refinement.iterations;
-    if (!refinement.converged || (x - before).norm() > largest_refinement * scene.size()) {
+    const Figure figure = system.figure(x);
+    if (!refinement.converged || (x - before).norm() > largest_refinement * scene.size() ||
+        relative_residual(scene, figure) > largest_residual) {
       report.status = report.status == SolveStatus::complete ? SolveStatus::partial : report.status;
       report.reason = "a crossing of t = 1 did not refine to a solution";
     }
     record.crossings.push_back({static_cast<int>(report.candidates.size()), crossing.direction});
-    report.candidates.push_back({system.figure(x), 1});
+    report.candidates.push_back({figure, 1});
   }
   report.paths.push_back(std::move(record));
   return report;

@@ -227,7 +227,7 @@ std::vector<Variant> precision_variants(std::span<const StrategyEntry> strategie
     const std::string name(entry.name);
     variants.push_back({name, {}});
     for (const OptionMap& setting : entry.accuracy_settings) variants.push_back({name, setting});
-    for (const int digits : more_digits) variants.push_back({name, {}, {}, digits});
+    for (const int digits : more_digits) variants.push_back({name, {}, {}, {}, digits});
   }
   return variants;
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "solvers/complex_tracking/close_pair.hpp"
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
@@ -17,6 +18,9 @@ namespace {
 /// Of a singular end: Cauchy's formula is right to the rounding of its samples, which a double root feels by
 /// its square root.
 constexpr double singular_uncertainty = 1e-7;
+
+/// How far from the reals Newton's method in R may find the solution of a regular end.
+constexpr double next_to_real = 1e-9;
 
 double uncertainty(const PathEnd& end) {
   return end.kind == PathEnd::Kind::regular ? regular_uncertainty : singular_uncertainty;
@@ -196,17 +200,25 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
   const DistinctEnds distinct(ends, mirror_axes(scene, system), random);
   Shortcomings missing;
   missing.jumps = distinct.jumps();
+  const auto figure_of = [&](const ComplexVectorX& x, double nearby) {
+    const std::optional<Figure> real = real_figure(system, squares, x, nearby);
+    return real ? *real : complex_figure(system, x);
+  };
   for (int i = 0; i < distinct.size(); ++i) {
-    const double nearby = distinct.is_singular(i) ? singular_uncertainty : 1e-9;
-    const std::optional<Figure> real = real_figure(system, squares, distinct[i], nearby);
-    report.candidates.push_back({real ? *real : complex_figure(system, distinct[i]),
-                                 distinct.is_singular(i) ? distinct.paths(i) : 1});
-    const Figure& figure = report.candidates.back().figure;
-    const bool is_lonely = !distinct.has_conjugate(i);
+    const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
+    const Figure figure = figure_of(distinct[i], is_singular ? singular_uncertainty : next_to_real);
     const bool is_not_isolated = is_lonely && jacobian_condition(scene, figure) >= rank_lost;
+    const bool is_in_between = is_singular && !is_not_isolated && !is_multiple_solution(scene, figure);
     missing.lonely += is_lonely;
     missing.not_isolated += is_not_isolated;
-    missing.in_between += distinct.is_singular(i) && !is_not_isolated && !is_multiple_solution(scene, figure);
+    if (is_in_between && distinct.paths(i) == 2) {
+      if (const auto pair = close_pair(system, squares, distinct[i])) {
+        for (const ComplexVectorX& x : *pair) report.candidates.push_back({figure_of(x, next_to_real)});
+        continue;
+      }
+    }
+    report.candidates.push_back({figure, is_singular ? distinct.paths(i) : 1});
+    missing.in_between += is_in_between;
   }
   for (const PathEnd& end : ends) {
     if (end.kind != PathEnd::Kind::failed) continue;

@@ -70,8 +70,11 @@ std::string what_is_missing(const ScanOutcome& outcome) {
     reason = "so many pieces are undecided that the solutions are unlikely to be isolated";
   if (outcome.undecided.empty()) return reason;
   if (!reason.empty()) reason += "; ";
-  return reason + std::to_string(outcome.undecided.size()) +
-         " of the finest pieces undecided, at angles (radians) " + in_words(joined(outcome.undecided));
+  const std::string count = std::to_string(outcome.undecided.size());
+  if (outcome.undecided.front().ranges.empty())
+    return reason + count + " of the branches undecided: solutions there are multiple, or nearly so";
+  return reason + count + " of the finest pieces undecided, at angles (radians) " +
+         in_words(joined(outcome.undecided)) + ": solutions there are multiple, or nearly so";
 }
 
 SolveStatus status_of(const ScanOutcome& outcome) {

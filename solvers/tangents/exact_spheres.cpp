@@ -95,7 +95,7 @@ bool have_common_factor(const RationalForm& p, const RationalForm& q) {
     const RationalForm& form = row < with_p ? p : q;
     const int monomial = row < with_p ? row : row - with_p;
     for (int i = 0; i < form.size(); ++i)
-      fmpq_set(fmpq_mat_entry(products, row, product_number(i, monomial)), form[i].get());
+      fmpq_set(fmpq_mat_entry(products, row, product_number(i, monomial)), form[i].raw());
   }
   const slong rank = fmpq_mat_rref(reduced, products);
   fmpq_mat_clear(products);

@@ -1,8 +1,10 @@
 #include "solvers/complex_tracking/complex_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -30,9 +32,15 @@ bool is_finite_end(const PathEnd& end) {
   return end.kind == PathEnd::Kind::regular || end.kind == PathEnd::Kind::singular;
 }
 
+/// How far the rounding of the lengths to the doubles that paths are followed for moves a regular solution.
+double moved_by_rounding(const Scene& scene, const Figure& figure) {
+  return 4 * std::numeric_limits<double>::epsilon() * jacobian_condition(scene, figure) * scene.size();
+}
+
 /// The real solution next to x, if there is one.
-std::optional<Figure> real_figure(const DistanceSystem& system, const std::vector<DoubleDouble>& squares,
-                                  const ComplexVectorX& x, double nearby) {
+std::optional<Figure> real_figure(const Scene& scene, const DistanceSystem& system,
+                                  const std::vector<DoubleDouble>& squares, const ComplexVectorX& x,
+                                  double nearby) {
   Eigen::VectorXd real(system.unknowns());
   double size = 0;
   for (int i = 0; i < system.unknowns(); ++i) {
@@ -43,9 +51,12 @@ std::optional<Figure> real_figure(const DistanceSystem& system, const std::vecto
   const auto is_off = [&](const std::complex<double>& value) { return std::abs(value.imag()) > tolerance; };
   if (std::any_of(x.begin(), x.end(), is_off)) return std::nullopt;
   const Eigen::VectorXd start = real;
-  const bool converged = refine(system, squares, real).converged;
-  if (!converged || (real - start).cwiseAbs().maxCoeff() > tolerance) return std::nullopt;
-  return system.figure(real);
+  if (!refine(system, squares, real).converged) return std::nullopt;
+  const Figure figure = system.figure(real);
+  const double moved = (real - start).cwiseAbs().maxCoeff();
+  if (moved <= tolerance) return figure;
+  const bool is_regular_end = nearby < singular_uncertainty;
+  return is_regular_end && moved <= moved_by_rounding(scene, figure) ? std::optional(figure) : std::nullopt;
 }
 
 Figure complex_figure(const DistanceSystem& system, const ComplexVectorX& x) {
@@ -60,6 +71,22 @@ Figure complex_figure(const DistanceSystem& system, const ComplexVectorX& x) {
   for (std::size_t i = 0; i < figure.lines.size(); ++i)
     figure.imaginary_lines.push_back({Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
   return figure;
+}
+
+/// Whether doubles are known to lie next to different solutions, eight times further apart than the rounding
+/// of each may leave it from its own, and whether each is known to be real or not to be.
+bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  double uncertain = 0;
+  for (const Figure& figure : figures) {
+    const double stretch = std::max(1.0, extent(figure) / scene.size());
+    uncertain = std::max(uncertain, 8 * rounding * jacobian_condition(scene, figure) * stretch * stretch);
+    if (!figure.is_real() && figure.imaginary.cwiseAbs().maxCoeff() <= next_to_real * stretch) return false;
+  }
+  double apart = (figures[0].points - figures[1].points).cwiseAbs().maxCoeff();
+  if (!figures[0].is_real() && !figures[1].is_real())
+    apart = std::max(apart, (figures[0].imaginary - figures[1].imaginary).cwiseAbs().maxCoeff());
+  return apart > uncertain * scene.size();
 }
 
 PathRecord record_of(const PathEnd& end) {
@@ -201,7 +228,7 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
   Shortcomings missing;
   missing.jumps = distinct.jumps();
   const auto figure_of = [&](const ComplexVectorX& x, double nearby) {
-    const std::optional<Figure> real = real_figure(system, squares, x, nearby);
+    const std::optional<Figure> real = real_figure(scene, system, squares, x, nearby);
     return real ? *real : complex_figure(system, x);
   };
   for (int i = 0; i < distinct.size(); ++i) {
@@ -212,8 +239,12 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
     missing.lonely += is_lonely;
     missing.not_isolated += is_not_isolated;
     if (is_in_between && distinct.paths(i) == 2) {
-      if (const auto pair = close_pair(system, squares, distinct[i])) {
-        for (const ComplexVectorX& x : *pair) report.candidates.push_back({figure_of(x, next_to_real)});
+      const auto pair = close_pair(system, squares, distinct[i]);
+      const auto figures = pair ? std::optional(std::array{figure_of((*pair)[0], next_to_real),
+                                                           figure_of((*pair)[1], next_to_real)})
+                                : std::nullopt;
+      if (figures && are_told_apart(scene, *figures)) {
+        for (const Figure& one : *figures) report.candidates.push_back({one});
         continue;
       }
     }

@@ -248,7 +248,7 @@ TEST_CASE("errors of members that move, escape or mix lengths are explained by t
 }
 
 TEST_CASE("two solutions between which a path ends are found from there") {
-  check_right(measured({"flat-triangle@1e-6", "flat-tetrahedron@1e-6", "double-root@1e-4"},
+  check_right(measured({"flat-triangle@1e-6", "flat-tetrahedron@1e-6", "double-root@1e-4", "short-edge@1e-8"},
                        {"monodromy", "polyhedral"}));
 }
 

@@ -8,11 +8,13 @@
 #include <map>
 #include <sstream>
 
+#include "solvers/certification/krawczyk.hpp"
 #include "solvers/complex_tracking/close_pair.hpp"
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/quality.hpp"
+#include "solvers/model/wide_reference.hpp"
 
 namespace gcs {
 namespace {
@@ -87,6 +89,21 @@ bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
   if (!figures[0].is_real() && !figures[1].is_real())
     apart = std::max(apart, (figures[0].imaginary - figures[1].imaginary).cwiseAbs().maxCoeff());
   return apart > uncertain * scene.size();
+}
+
+/// A proven bound on the error of a real figure, by Krawczyk's test in the smallest box that it holds in; for
+/// those whose condition leaves doubt which solution they are.
+double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure) {
+  constexpr double doubtful = 1e6, largest_box = 1e-6;
+  double error = std::numeric_limits<double>::infinity();
+  if (!figure.is_real() || scene.has_lines() || jacobian_condition(scene, figure) < doubtful) return error;
+  const DistanceSystem system(scene, wide_reference(scene));
+  const Eigen::VectorXd x = system.coordinates(scene.in_frame(figure, system.reference()));
+  for (double radius = largest_box * scene.size(); radius > 0x1p-52 * scene.size(); radius /= 8) {
+    const Box box{x, Eigen::VectorXd::Constant(x.size(), radius)};
+    if (krawczyk(system, squares, box) == BoxContent::one_solution) error = 2 * radius;  // 2 > √3
+  }
+  return error;
 }
 
 PathRecord record_of(const PathEnd& end) {
@@ -244,11 +261,14 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
                                                            figure_of((*pair)[1], next_to_real)})
                                 : std::nullopt;
       if (figures && are_told_apart(scene, *figures)) {
-        for (const Figure& one : *figures) report.candidates.push_back({one});
+        for (const Figure& one : *figures)
+          report.candidates.push_back({one, 1, proven_error(scene, squares, one)});
         continue;
       }
     }
-    report.candidates.push_back({figure, is_singular ? distinct.paths(i) : 1});
+    report.candidates.push_back(
+        {figure, is_singular ? distinct.paths(i) : 1,
+         is_singular ? std::numeric_limits<double>::infinity() : proven_error(scene, squares, figure)});
     missing.in_between += is_in_between;
   }
   for (const PathEnd& end : ends) {

@@ -34,5 +34,7 @@ TEST_CASE("every range that a scan could not decide is named, neighbours as one"
              Catch::Contains("[0, 2] x [0, 2], [4, 5] x [0, 1]"));
   std::vector<UndecidedPiece> many;
   for (int i = 0; i < 23; ++i) many.push_back(piece({{10.0 * i, 10.0 * i + 1}}));
-  CHECK_THAT(reason_for(many), Catch::EndsWith("[190, 191] and 3 more"));
+  CHECK_THAT(reason_for(many),
+             Catch::EndsWith("[190, 191] and 3 more: solutions there are multiple, or nearly so"));
+  CHECK(reason_for({piece({})}) == "1 of the branches undecided: solutions there are multiple, or nearly so");
 }

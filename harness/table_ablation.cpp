@@ -114,23 +114,32 @@ std::optional<double> solutions(const CellRecord* cell) {
   return count ? std::optional(count->approximate()) : std::nullopt;
 }
 
+/// A row for each instance on which it was measured.
+std::vector<TableRow> saving_rows(Table& table, const RunRecord& run, const Study& study) {
+  std::vector<TableRow> rows;
+  for (const std::string& id : study.variants.front().only_on) {
+    const CellRecord* with = run.find(study.variants[0].on(id));
+    const CellRecord* without = run.find(study.variants[1].on(id));
+    if (with == nullptr && without == nullptr) continue;
+    rows.push_back({fmt::format("{}, {}", id, label_of(study.variants[1].on(""))),
+                    {answer_entry(table, with, solutions(with)), time_entry(table, with),
+                     answer_entry(table, without, solutions(without)), time_entry(table, without),
+                     relative_entry(without, with)},
+                    {}});
+  }
+  return rows;
+}
+
 Table build_savings(const RunRecord& run) {
   Table table;
   table.name = "savings";
   table.caption = "What is left out: with and without";
   table.groups = {{"", {"solutions", "with", "solutions", "without", "without / with"}}};
   for (const Study& study : saving_studies()) {
+    const std::vector<TableRow> rows = saving_rows(table, run, study);
+    if (rows.empty()) continue;
     table.rows.push_back({study.heading, {}, {}});
-    for (const std::string& id : study.variants.front().only_on) {
-      const CellRecord* with = run.find(study.variants[0].on(id));
-      const CellRecord* without = run.find(study.variants[1].on(id));
-      if (with == nullptr && without == nullptr) continue;
-      table.rows.push_back({fmt::format("{}, {}", id, label_of(study.variants[1].on(""))),
-                            {answer_entry(table, with, solutions(with)), time_entry(table, with),
-                             answer_entry(table, without, solutions(without)), time_entry(table, without),
-                             relative_entry(without, with)},
-                            {}});
-    }
+    table.rows.insert(table.rows.end(), rows.begin(), rows.end());
   }
   table.remarks = {
       "Solutions up to reflection, all complex ones, of plan-scan the real ones. Each row names the option "
@@ -158,7 +167,9 @@ std::vector<Variant> ablation_variants() {
 }
 
 std::vector<Table> build_ablation(const RunRecord& run, const Publication&) {
-  return {build_paths(run), build_savings(run)};
+  std::vector<Table> tables{build_paths(run), build_savings(run)};
+  std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
+  return tables;
 }
 
 }  // namespace gcs

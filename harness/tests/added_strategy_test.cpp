@@ -107,10 +107,10 @@ bool shows(const TableSet& set, const std::string& word) {
   const bool in_tables = std::any_of(set.tables.begin(), set.tables.end(), [&](const Table& table) {
     return std::any_of(table.rows.begin(), table.rows.end(), names_it);
   });
-  const bool in_drawings = std::all_of(set.drawings.begin(), set.drawings.end(), [&](const Drawing& drawing) {
+  const bool in_drawings = std::any_of(set.drawings.begin(), set.drawings.end(), [&](const Drawing& drawing) {
     return drawing.svg.find(word) != std::string::npos;
   });
-  return in_tables && in_drawings && !set.drawings.empty();
+  return in_tables && in_drawings;
 }
 
 }  // namespace

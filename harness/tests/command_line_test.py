@@ -159,7 +159,7 @@ class ListAndDescribe(CommandLine):
     def test_list(self):
         text = run("list").stdout
         data = json.loads(run("list", "--json").stdout)
-        self.assertEqual(sorted(data), ["instances", "strategies"])
+        self.assertEqual(sorted(data), ["instances", "left_out", "strategies"])
         for one in data["instances"]:
             self.assertIn(one["id"], text)
         for one in data["strategies"]:

@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-#include "solvers/certification/krawczyk.hpp"
+#include "solvers/certification/proven_error.hpp"
 #include "solvers/complex_tracking/close_pair.hpp"
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/model/complex_points.hpp"
@@ -89,21 +89,6 @@ bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
   if (!figures[0].is_real() && !figures[1].is_real())
     apart = std::max(apart, (figures[0].imaginary - figures[1].imaginary).cwiseAbs().maxCoeff());
   return apart > uncertain * scene.size();
-}
-
-/// A proven bound on the error of a real figure, by Krawczyk's test in the smallest box that it holds in; for
-/// those whose condition leaves doubt which solution they are.
-double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure) {
-  constexpr double doubtful = 1e6, largest_box = 1e-6;
-  double error = std::numeric_limits<double>::infinity();
-  if (!figure.is_real() || scene.has_lines() || jacobian_condition(scene, figure) < doubtful) return error;
-  const DistanceSystem system(scene, wide_reference(scene));
-  const Eigen::VectorXd x = system.coordinates(scene.in_frame(figure, system.reference()));
-  for (double radius = largest_box * scene.size(); radius > 0x1p-52 * scene.size(); radius /= 8) {
-    const Box box{x, Eigen::VectorXd::Constant(x.size(), radius)};
-    if (krawczyk(system, squares, box) == BoxContent::one_solution) error = 2 * radius;  // 2 > √3
-  }
-  return error;
 }
 
 PathRecord record_of(const PathEnd& end) {

@@ -11,6 +11,10 @@ namespace {
 
 using Points = std::vector<int>;  // ascending
 
+/// Points beside d others that are left to the strategy even where all can be placed one by one: what it
+/// makes of them is to be seen, and takes no time.
+constexpr int left_to_solve = 2;
+
 /// The graph of the given distances between points.
 class DistanceGraph {
  public:
@@ -176,10 +180,13 @@ std::vector<Part> decompose(const Problem& problem, Split split) {
   const DistanceGraph graph(problem);
   auto hung = reduction.placed.begin();
   Points core = points_among(problem, reduction.core);
-  if (problem.lines.empty() && reduction.core_is_trivial && hung != reduction.placed.end())
-    core = united(core, {(hung++)->point});
+  if (problem.lines.empty())
+    while (static_cast<int>(core.size()) < problem.dimension + left_to_solve &&
+           hung != reduction.placed.end())
+      core = united(core, {(hung++)->point});
   std::vector<Points> pieces;
-  if (split == Split::all && problem.lines.empty())
+  const bool is_small = static_cast<int>(core.size()) <= problem.dimension + left_to_solve;
+  if (split == Split::all && problem.lines.empty() && !is_small)
     split_at_simplices(graph, core, pieces);
   else
     pieces.push_back(core);

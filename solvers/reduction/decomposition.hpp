@@ -27,9 +27,9 @@ enum class Split {
        ///< solution for geometry from dimensional constraints, 1991: there also where they are not)
 };
 
-/// In an order in which they can be solved. The first part holds more than d points, so that there is
-/// something to solve, unless that is all there is. One part where positions are given; lines stay in the
-/// first part. Precondition: the problem is well posed (see analyse_structure).
+/// In an order in which they can be solved. The first part holds d + 2 points at least, so that there is
+/// something to solve, unless that is more than there are. One part where positions are given; lines stay in
+/// the first part. Precondition: the problem is well posed (see analyse_structure).
 std::vector<Part> decompose(const Problem& problem, Split split);
 
 /// A part with several points or the first one as a problem of its own: base and points in the order of the

@@ -59,6 +59,9 @@ constexpr std::array<std::array<int, 2>, 3> base_pairs{{{0, 1}, {0, 2}, {1, 2}}}
 /// The pairs of base points whose distances count.
 int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
 
+/// Of the terms that cancel in D or V: a height of 1e-4 of the size, where condition numbers reach 1e4.
+constexpr double stiff = 1e-8;
+
 constexpr const char* collinear = "the points that it hangs on are collinear";
 constexpr const char* nearly_collinear = "the points that it hangs on are collinear, to rounding";
 constexpr const char* nearly_flat = "it lies, to rounding, in the plane of the points that it hangs on";
@@ -89,6 +92,8 @@ HungPlace exact_place(const Scene& scene, const Part& hung) {
   const Rational square = q.D / (q.a * (scene.dimension() == 2 ? q.a : q.V * q.V));
   place.is_real = square.sign() >= 0;
   place.is_flat = square.sign() == 0;
+  place.is_stiff = std::abs((q.D / q.largest_term_of_D).approximate()) <= stiff ||
+                   std::abs((q.V / q.largest_term_of_V).approximate()) <= stiff;
   const double height = place.is_real ? square.approximate_root() : (Rational(0) - square).approximate_root();
   place.coordinates = {(q.X / q.a).approximate(), (q.Y / q.V).approximate(),
                        place.is_real ? Complex(height, 0) : Complex(0, height)};
@@ -118,6 +123,8 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
   }
   const Complex square = q.D / (q.a * (scene.dimension() == 2 ? q.a : q.V * q.V));
   place.is_real = base.imag().isZero(0) && square.real() > 0;
+  place.is_stiff = std::abs(q.D) <= stiff * std::abs(q.largest_term_of_D) ||
+                   std::abs(q.V) <= stiff * std::abs(q.largest_term_of_V);
   place.coordinates = {q.X / q.a, q.Y / q.V, std::sqrt(square)};
   return place;
 }

@@ -16,6 +16,7 @@ struct HungPlace {
   SimplexCoordinates coordinates = SimplexCoordinates::Zero();
   bool is_real = false;   ///< where the base is
   bool is_flat = false;   ///< the point is its own mirror image: a double solution
+  bool is_stiff = false;  ///< it is nearly flat, or its base nearly collinear
   std::string undecided;  ///< why it cannot be told where the point is, in words; else empty
 };
 

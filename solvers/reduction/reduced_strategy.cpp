@@ -62,13 +62,15 @@ bool is_flat(const Scene& scene, const Figure& representative) {
 }
 
 PartSolution part_solution(const Scene& whole, const PartScene& part_scene, const Part& part,
-                           const Figure& representative, int multiplicity) {
+                           const Figure& representative, double condition, int multiplicity) {
+  constexpr double stiff = 1e6;
   const Figure placed = in_whole(whole, part_scene, representative);
   const Simplex positions = complex_points(placed);
   PartSolution solution{{},
                         complex_lines(placed),
                         representative.is_real(),
                         is_flat(part_scene.scene, representative),
+                        condition > stiff,
                         multiplicity};
   std::optional<SimplexFrame> frame;
   if (!part.base.empty()) frame.emplace(columns(positions, part.base));
@@ -89,8 +91,8 @@ std::vector<PartSolution> part_solutions(const Scene& whole, const PartScene& pa
   const ReflectionClasses classes = solution_classes(part_scene.scene, figures, qualities);
   std::vector<PartSolution> solutions;
   for (const int first : classes.first)
-    solutions.push_back(
-        part_solution(whole, part_scene, part, figures[first], report.candidates[first].multiplicity));
+    solutions.push_back(part_solution(whole, part_scene, part, figures[first], qualities[first].condition,
+                                      report.candidates[first].multiplicity));
   return solutions;
 }
 

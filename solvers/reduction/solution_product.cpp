@@ -5,7 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "solvers/certification/proven_error.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/model/distance_system.hpp"
 
 namespace gcs {
 namespace {
@@ -40,6 +42,7 @@ SolutionProduct::SolutionProduct(const Scene& scene, const std::vector<Part>& pa
                                  std::vector<std::vector<PartSolution>> solved)
     : scene_(scene),
       parts_(parts),
+      squares_(target_squares(scene)),
       solutions_(std::move(solved)),
       home_(static_cast<std::size_t>(scene.point_count()), -1),
       depends_on_(parts.size()),
@@ -134,7 +137,7 @@ Simplex SolutionProduct::measured_base(int part) {
 
 std::vector<PartSolution> SolutionProduct::placed(int part, const HungPlace& place) {
   if (place.undecided.empty())
-    return {{{place.coordinates}, {}, place.is_real, place.is_flat, place.is_flat ? 2 : 1}};
+    return {{{place.coordinates}, {}, place.is_real, place.is_flat, place.is_stiff, place.is_flat ? 2 : 1}};
   note(scene_.problem().name(parts_[part].points.front()) + " is not placed: " + place.undecided);
   return {};
 }
@@ -274,9 +277,14 @@ void SolutionProduct::list_from(int part, bool has_complex, bool has_side) {
 
 Candidate SolutionProduct::candidate(bool is_real) const {
   Candidate result;
-  for (std::size_t part = 0; part < parts_.size(); ++part)
-    result.multiplicity *= solutions_[part][choices_[part].solution].multiplicity;
+  bool is_stiff = false;
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const PartSolution& chosen = solutions_[part][choices_[part].solution];
+    result.multiplicity *= chosen.multiplicity;
+    is_stiff = is_stiff || chosen.is_stiff;
+  }
   result.figure = figure_of(positions_, solutions_[0][choices_[0].solution].lines, is_real);
+  if (is_stiff) result.error = proven_error(scene_, squares_, result.figure);
   return result;
 }
 

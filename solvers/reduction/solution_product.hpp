@@ -25,7 +25,8 @@ struct PartSolution {
   std::vector<Eigen::Vector3cd> points;
   std::vector<ComplexLine> lines{};  ///< in the first part
   bool is_real = false;
-  bool is_flat = false;  ///< it is its own mirror image
+  bool is_flat = false;   ///< it is its own mirror image
+  bool is_stiff = false;  ///< so ill-conditioned that the error of a figure with it has to be proven
   int multiplicity = 1;
 };
 
@@ -73,6 +74,7 @@ class SolutionProduct {
 
   const Scene& scene_;
   const std::vector<Part>& parts_;
+  std::vector<DoubleDouble> squares_;                 ///< of the target lengths
   std::vector<std::vector<PartSolution>> solutions_;  ///< of dependent parts: at `placed_at_`
   std::vector<int> home_;                             ///< of each point, the part that places it
   std::vector<std::vector<int>> depends_on_;          ///< of each part, ascending

@@ -1,6 +1,7 @@
 #include "solvers/construction/boundary.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 
 #include "solvers/tests/random_numbers.hpp"

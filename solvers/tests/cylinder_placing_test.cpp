@@ -2,6 +2,7 @@
 
 #include "solvers/scanning/cylinder_placing.hpp"
 
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 
 #include "solvers/tests/random_numbers.hpp"

@@ -1,5 +1,6 @@
 #include "solvers/polyhedral/dictionary.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <optional>

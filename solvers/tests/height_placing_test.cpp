@@ -3,6 +3,7 @@
 #include "solvers/scanning/height_placing.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 
 #include "solvers/tests/random_numbers.hpp"

@@ -1,5 +1,6 @@
 /// 5p1L of Hoffmann and Yuan 2000, and random ones.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

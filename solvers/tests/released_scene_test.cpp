@@ -2,6 +2,7 @@
 
 #include "solvers/model/released_scene.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

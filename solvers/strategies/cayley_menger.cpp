@@ -183,13 +183,13 @@ class CoreSolver {
 /// at solutions the diagonals say little of where c and c' are.
 CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, WorkCounters& work) {
   Octahedron octahedron = *find_octahedron(scene, reduction);
-  const int at_infinity = stretched_walks(scene, octahedron);
-  CoreSolutions best;
-  for (int choice = 0; choice < 3 && best.accounted_for() != pairs; ++choice) {
-    CoreSolutions found = CoreSolver(scene, reduction, octahedron).run(work);
-    found.at_infinity = at_infinity;
-    if (choice == 0 || found.accounted_for() > best.accounted_for()) best = std::move(found);
+  CoreSolutions best = CoreSolver(scene, reduction, octahedron).run(work);
+  if (best.accounted_for() != pairs) best.at_infinity = stretched_walks(scene, octahedron);
+  for (int choice = 1; choice < 3 && best.accounted_for() != pairs; ++choice) {
     std::rotate(octahedron.pair.begin(), octahedron.pair.begin() + 1, octahedron.pair.end());
+    CoreSolutions found = CoreSolver(scene, reduction, octahedron).run(work);
+    found.at_infinity = best.at_infinity;
+    if (found.accounted_for() > best.accounted_for()) best = std::move(found);
   }
   best.flexible = !best.are_all_isolated() && is_proven_to_flex(scene, octahedron);
   return best;

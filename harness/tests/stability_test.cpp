@@ -252,6 +252,19 @@ TEST_CASE("two solutions between which a path ends are found from there") {
                        {"monodromy", "polyhedral"}));
 }
 
+TEST_CASE("solutions too far away for doubles are not called missing at infinity, or found") {
+  for (const std::string id :
+       {"escaping@1e-8", "escaping@1e-12", "inconsistent@1e-8", "inconsistent@1e-12"}) {
+    const Scene scene(load_member(id).problem);
+    const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
+    INFO(id << ": " << run.reason);
+    CHECK(run.status == RunStatus::partial);
+  }
+  // Coordinates of 1e6, at the ends of paths that grow like the inverse of a square root.
+  const Scene scene(load_member("short-edge@1e-6").problem);
+  CHECK(run_strategy(find_strategy("monodromy"), {}, scene, {}).assessment.counts.at_infinity == 0u);
+}
+
 TEST_CASE("an edge of length 1e-8 refuses no path strategy") {
   check_right(measured({"short-edge@1e-6", "short-edge@1e-8"}, {"full-space", "rcp"}));
 }

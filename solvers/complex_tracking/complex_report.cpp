@@ -171,6 +171,7 @@ struct Shortcomings {
   int lonely = 0;        ///< ends without their conjugates
   int not_isolated = 0;  ///< those of them at which the Jacobian loses rank
   int in_between = 0;    ///< singular ends that are no multiple solutions
+  int too_far = 0;       ///< ends whose coordinates doubles do not hold finely enough
 
   /// Empty when there are none.
   std::string in_words() const {
@@ -189,6 +190,9 @@ struct Shortcomings {
           "flexes or nearly does");
     if (lonely > not_isolated)
       append("the conjugates of " + number_of(lonely - not_isolated, "solution") + " are missing");
+    if (too_far > 0)
+      append("the coordinates of " + number_of(too_far, "end") +
+             " are so large beside the lengths that doubles do not hold the distances");
     if (in_between > 0)
       append("solutions next to " + number_of(in_between, "end") +
              " are so close together that their paths " + "were not told apart");
@@ -205,6 +209,9 @@ struct Shortcomings {
 
 /// A condition number that leaves three digits or fewer of a correction along the Jacobian's near kernel.
 constexpr double rank_lost = 1e13;
+
+/// Of the scene's size: beyond it the rounding of coordinates moves a squared distance by as much as it is.
+constexpr double farthest = 0x1p26;
 
 /// Below this condition number no solution is so near another that doubles do not tell them apart.
 constexpr double regular = 1e4;
@@ -238,6 +245,7 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
     const Figure figure = figure_of(distinct[i], is_singular ? singular_uncertainty : next_to_real);
     const bool is_not_isolated = is_lonely && jacobian_condition(scene, figure) >= rank_lost;
     const bool is_in_between = is_singular && !is_not_isolated && !is_multiple_solution(scene, figure);
+    missing.too_far += extent(figure) > farthest * scene.size();
     missing.lonely += is_lonely;
     missing.not_isolated += is_not_isolated;
     if (is_in_between && distinct.paths(i) == 2) {

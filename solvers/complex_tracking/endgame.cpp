@@ -30,8 +30,8 @@ constexpr double absent = 1e-9;       // a term of the series: rounding and the 
 constexpr double dominant = 0.5;      // the leading term of a pole, so that its power is not mistaken
 constexpr double agreed_pole = 1e-4;  // two circles' leading coefficients
 constexpr double agreed_end = 1e-8;   // two circles' constant terms
-/// A pole so near σ = 0 is at it: a finite solution would have coordinates of 1e12.
-constexpr double at_the_end = 1e-12;
+/// A pole so near σ = 0 is at it, as far as lengths in doubles tell: their rounding moves it by as much.
+constexpr double at_the_end = 1e-15;
 
 /// σ along a straight line.
 Route segment(const ComplexVectorX& from, const ComplexVectorX& to, Complex first, Complex last) {

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "solvers/model/complex_points.hpp"
@@ -63,6 +64,7 @@ int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
 constexpr double stiff = 1e-8;
 
 constexpr const char* collinear = "the points that it hangs on are collinear";
+constexpr const char* coinciding = "two of the points that it hangs on coincide, to rounding";
 constexpr const char* nearly_collinear = "the points that it hangs on are collinear, to rounding";
 constexpr const char* nearly_flat = "it lies, to rounding, in the plane of the points that it hangs on";
 
@@ -100,8 +102,7 @@ HungPlace exact_place(const Scene& scene, const Part& hung) {
   return place;
 }
 
-HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base) {
-  constexpr double margin = 1e-9;
+HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base, double condition) {
   Squares<Complex> squares{};
   for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair) {
     const Eigen::Vector3cd edge = base.col(base_pairs[pair][1]) - base.col(base_pairs[pair][0]);
@@ -113,6 +114,16 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
   }
   const Quotients<Complex> q = quotients(scene.dimension(), squares);
   HungPlace place;
+  double shortest = scene.size();
+  for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
+    shortest = std::min(shortest, std::sqrt(std::abs(squares.base[pair])));
+  // Relative errors of the base's edges, a thousand times.
+  const double margin =
+      std::max(1e-9, 1e3 * std::numeric_limits<double>::epsilon() * condition * scene.size() / shortest);
+  if (!(margin < 1)) {
+    place.undecided = coinciding;
+    return place;
+  }
   if (std::abs(q.V) <= margin * std::abs(q.largest_term_of_V)) {
     place.undecided = nearly_collinear;
     return place;

@@ -27,9 +27,10 @@ bool has_given_base(const Problem& problem, const Part& hung);
 /// coordinates are right to rounding. Precondition: has_given_base.
 HungPlace exact_place(const Scene& scene, const Part& hung);
 
-/// For measured places of the base, in the scene's unit. Undecided within a relative 1e-9 of a flat point or
-/// a collinear base: a solution at a condition of 1e6 keeps ten digits.
-HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base);
+/// For measured places of the base, in the scene's unit, in a solution of this condition number. What is
+/// within a relative 1e-9, or 1000 times the errors of the base's edges, of a flat point or a collinear base
+/// is undecided.
+HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base, double condition = 1);
 
 /// Newton's method for the hung point's distances from its base, with residuals in double-double.
 /// `positions`: of all points of the scene, in its unit. Precondition: the point is not flat.

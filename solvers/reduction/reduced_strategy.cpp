@@ -71,6 +71,7 @@ PartSolution part_solution(const Scene& whole, const PartScene& part_scene, cons
                         representative.is_real(),
                         is_flat(part_scene.scene, representative),
                         condition > stiff,
+                        condition,
                         multiplicity};
   std::optional<SimplexFrame> frame;
   if (!part.base.empty()) frame.emplace(columns(positions, part.base));

@@ -137,7 +137,8 @@ Simplex SolutionProduct::measured_base(int part) {
 
 std::vector<PartSolution> SolutionProduct::placed(int part, const HungPlace& place) {
   if (place.undecided.empty())
-    return {{{place.coordinates}, {}, place.is_real, place.is_flat, place.is_stiff, place.is_flat ? 2 : 1}};
+    return {
+        {{place.coordinates}, {}, place.is_real, place.is_flat, place.is_stiff, 1, place.is_flat ? 2 : 1}};
   note(scene_.problem().name(parts_[part].points.front()) + " is not placed: " + place.undecided);
   return {};
 }
@@ -149,7 +150,10 @@ const std::vector<PartSolution>& SolutionProduct::solutions(int part) {
     now.push_back(is_across_[part] ? choices_[other] : Choice{choices_[other].solution});
   if (now == placed_at_[part]) return solutions_[part];
   placed_at_[part] = std::move(now);
-  solutions_[part] = placed(part, measured_place(scene_, parts_[part], measured_base(part)));
+  double condition = 1;
+  for (const int other : depends_on_[part])
+    condition = std::max(condition, solutions_[other][choices_[other].solution].condition);
+  solutions_[part] = placed(part, measured_place(scene_, parts_[part], measured_base(part), condition));
   return solutions_[part];
 }
 

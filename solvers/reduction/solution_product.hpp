@@ -27,6 +27,7 @@ struct PartSolution {
   bool is_real = false;
   bool is_flat = false;   ///< it is its own mirror image
   bool is_stiff = false;  ///< so ill-conditioned that the error of a figure with it has to be proven
+  double condition = 1;   ///< of the part's equations there; 1 for a hung point
   int multiplicity = 1;
 };
 

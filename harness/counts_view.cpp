@@ -9,8 +9,8 @@ namespace {
 
 std::string in_conventions(const SolutionCount& count) {
   return fmt::format("{} in the fixed frame, {} up to reflection, {} with all signs",
-                     count.fixed_frame.decimal(), count.up_to_reflection().decimal(),
-                     count.all_signs().decimal());
+                     readable(count.fixed_frame), readable(count.up_to_reflection()),
+                     readable(count.all_signs()));
 }
 
 std::string exact_text(const TheoreticalCounts& counts) {
@@ -45,6 +45,13 @@ JsonValue bound_value(const Problem& problem, const CountBound& bound) {
 JsonValue reason_value(const std::string& reason) { return reason.empty() ? json_null() : json_text(reason); }
 
 }  // namespace
+
+std::string readable(const Natural& count) {
+  constexpr std::size_t most_digits = 18, shown_digits = 4;
+  const std::string digits = count.decimal();
+  if (digits.size() <= most_digits) return digits;
+  return fmt::format("about {}.{}e{}", digits.front(), digits.substr(1, shown_digits - 1), digits.size() - 1);
+}
 
 std::string row(std::string_view label, const std::string& text) {
   return fmt::format("{:<20}{}\n", label, text);

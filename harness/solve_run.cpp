@@ -10,6 +10,7 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/certify.hpp"
+#include "harness/counts_view.hpp"
 #include "harness/json_document.hpp"
 #include "harness/start_file.hpp"
 #include "harness/stop_conditions.hpp"
@@ -113,7 +114,7 @@ void note_unlisted(SolveRun& run) {
   if (!all || *all == Natural(listed)) return;
   run.status = RunStatus::partial;
   run.reason =
-      fmt::format("{} of the {} solutions are listed; --max-solutions lists more", listed, all->decimal());
+      fmt::format("{} of the {} solutions are listed; --max-solutions lists more", listed, readable(*all));
 }
 
 void certify_solutions(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report,

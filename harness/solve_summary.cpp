@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "harness/certificates_view.hpp"
+#include "harness/counts_view.hpp"
 
 namespace gcs {
 
@@ -19,7 +20,7 @@ constexpr std::size_t shown_crossings = 40;
 
 /// "1 class", "2 classes"
 std::string amount(const Natural& count, std::string_view singular, std::string_view plural) {
-  return fmt::format("{} {}", count.decimal(), count == Natural(1) ? singular : plural);
+  return fmt::format("{} {}", readable(count), count == Natural(1) ? singular : plural);
 }
 
 std::string headline(const Instance& instance, const SolveRun& run) {

@@ -1,6 +1,7 @@
 #include "solvers/reduction/hung_point.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -140,22 +141,36 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
   return place;
 }
 
-void refine_place(const Scene& scene, const Part& hung, Simplex& positions) {
-  constexpr int steps = 2;          // of quadratic convergence from an error of 1e-6 at most
-  constexpr double longest = 1e-3;  // of the first distance: more is no refinement
-  const int dimension = scene.dimension(), point = hung.points.front();
-  Eigen::Matrix3cd jacobian = Eigen::Matrix3cd::Identity();
+void refine_place(const Scene& scene, const Part& part, Simplex& positions) {
+  constexpr int steps = 2;          // of quadratic convergence from a relative error of 1e-6 at most
+  constexpr double longest = 1e-3;  // of the coordinates: more is no refinement
+  const int dimension = scene.dimension();
+  const auto unknowns = dimension * static_cast<Eigen::Index>(part.points.size());
+  const auto column_of = [&](int point) -> Eigen::Index {
+    const auto found = std::find(part.points.begin(), part.points.end(), point);
+    return found == part.points.end() ? -1 : dimension * (found - part.points.begin());
+  };
   for (int step = 0; step < steps; ++step) {
-    Eigen::Vector3cd excess = Eigen::Vector3cd::Zero();
-    for (int i = 0; i < dimension; ++i) {
-      const double length = scene.target_lengths()[hung.constraints[i]];
-      const Eigen::Vector3cd from = positions.col(hung.base[i]), to = positions.col(point);
-      excess[i] = squared_distance_excess(to, from, two_product(length, length));
-      jacobian.row(i).head(dimension) = 2.0 * (to - from).head(dimension).transpose();
+    Eigen::MatrixXcd jacobian = Eigen::MatrixXcd::Zero(unknowns, unknowns);
+    Eigen::VectorXcd excess(unknowns);
+    Eigen::Index row = 0;
+    for (const int constraint : part.constraints) {
+      const auto& [a, b] = scene.problem().constraints[constraint].between;
+      const std::array ends{column_of(a), column_of(b)};
+      if (ends[0] < 0 && ends[1] < 0) continue;
+      const double length = scene.target_lengths()[constraint];
+      const Eigen::Vector3cd from = positions.col(b), to = positions.col(a);
+      excess[row] = squared_distance_excess(to, from, two_product(length, length));
+      for (const int side : {0, 1})
+        if (ends[side] >= 0)
+          jacobian.row(row).segment(ends[side], dimension) =
+              (side == 0 ? 2.0 : -2.0) * (to - from).head(dimension).transpose();
+      ++row;
     }
-    const Eigen::Vector3cd correction = jacobian.partialPivLu().solve(excess);
-    if (!(correction.norm() <= longest * scene.target_lengths()[hung.constraints[0]])) return;
-    positions.col(point) -= correction;
+    const Eigen::VectorXcd correction = jacobian.partialPivLu().solve(excess);
+    if (!(correction.norm() <= longest * columns(positions, part.points).norm())) return;
+    for (const int point : part.points)
+      positions.col(point).head(dimension) -= correction.segment(column_of(point), dimension);
   }
 }
 

@@ -32,8 +32,8 @@ HungPlace exact_place(const Scene& scene, const Part& hung);
 /// is undecided.
 HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base, double condition = 1);
 
-/// Newton's method for the hung point's distances from its base, with residuals in double-double.
-/// `positions`: of all points of the scene, in its unit. Precondition: the point is not flat.
-void refine_place(const Scene& scene, const Part& hung, Simplex& positions);
+/// Newton's method for the points that a part places on its base, with residuals in double-double; nothing is
+/// done where it does not converge. `positions`: of all points of the scene, in its unit.
+void refine_place(const Scene& scene, const Part& part, Simplex& positions);
 
 }  // namespace gcs

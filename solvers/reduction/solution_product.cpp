@@ -13,7 +13,7 @@ namespace gcs {
 namespace {
 
 /// Choices to look at before counting or listing is given up: seconds.
-constexpr std::int64_t most_visits = 100'000;
+constexpr std::int64_t most_visits = 50'000;
 
 /// A base whose squared distances are given, somewhere.
 Simplex canonical_base(const Scene& scene, const Part& part) {
@@ -170,7 +170,7 @@ void SolutionProduct::place(int part) {
     coordinates[2] *= choices_[part].side;
     positions_.col(where.points[i]) = frame.point(coordinates);
   }
-  if (where.is_hung_point() && !chosen.is_flat) refine_place(scene_, where, positions_);
+  if (!chosen.is_flat) refine_place(scene_, where, positions_);
 }
 
 // ---- counting

@@ -20,7 +20,7 @@ class Placer {
       const double height =
           SimplexFrame(columns(sketch, part.base)).coordinates(sketch.col(part.points.front()))[2].real();
       hung_.push_back({&part, height < 0 ? -1.0 : 1.0, std::nullopt});
-      if (has_given_base(scene.problem(), part)) hung_.back().place = exact_place(scene, part);
+      if (part.has_given_base()) hung_.back().place = exact_place(scene, part);
     }
   }
 
@@ -34,10 +34,7 @@ class Placer {
       if (!place.undecided.empty())
         return scene_.problem().name(point) + " is not placed: " + place.undecided;
       if (!place.is_real) return scene_.problem().name(point) + " has no real place";
-      SimplexCoordinates coordinates = place.coordinates;
-      coordinates[2] *= hung.side;
-      positions.col(point) = SimplexFrame(base).point(coordinates);
-      if (!place.is_flat) refine_place(scene_, *hung.part, positions);
+      place_on_base(scene_, *hung.part, {place.coordinates}, hung.side, place.is_flat, positions);
     }
     figure.points = positions.real();
     return std::nullopt;

@@ -35,6 +35,14 @@ class DistanceGraph {
     return -1;
   }
 
+  /// Between all pairs of the points, the first with each other, then the second, …; −1 where there is none.
+  std::vector<int> constraints_between(const Points& points) const {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t j = i + 1; j < points.size(); ++j) found.push_back(constraint(points[i], points[j]));
+    return found;
+  }
+
   /// All sets of d points of `among` that are pairwise joined.
   std::vector<Points> simplices(const Points& among) const {
     std::vector<Points> found;
@@ -109,7 +117,7 @@ void split_at_simplices(const DistanceGraph& graph, const Points& points, std::v
 }
 
 /// The pieces of a core as parts: each shares d points with those before it.
-std::vector<Part> joined(int dimension, std::vector<Points> pieces) {
+std::vector<Part> joined(const DistanceGraph& graph, int dimension, std::vector<Points> pieces) {
   std::vector<Part> parts;
   Points placed;
   while (!pieces.empty()) {
@@ -118,6 +126,7 @@ std::vector<Part> joined(int dimension, std::vector<Points> pieces) {
     });
     Part part;
     part.base = common(*next, placed);
+    part.base_constraints = graph.constraints_between(part.base);
     std::set_difference(next->begin(), next->end(), part.base.begin(), part.base.end(),
                         std::back_inserter(part.points));
     placed = united(placed, *next);
@@ -159,8 +168,9 @@ void list_constraints(const Problem& problem, Part& part) {
 }
 
 Part hung_point(const DistanceGraph& graph, const PlacedPoint& placed) {
-  Part part{placed.from, {placed.point}, {}};
+  Part part{placed.from, {}, {placed.point}, {}};
   std::sort(part.base.begin(), part.base.end());
+  part.base_constraints = graph.constraints_between(part.base);
   for (const int point : part.base) part.constraints.push_back(graph.constraint(placed.point, point));
   return part;
 }
@@ -190,7 +200,7 @@ std::vector<Part> decompose(const Problem& problem, Split split) {
     split_at_simplices(graph, core, pieces);
   else
     pieces.push_back(core);
-  std::vector<Part> parts = joined(problem.dimension, std::move(pieces));
+  std::vector<Part> parts = joined(graph, problem.dimension, std::move(pieces));
   for (Part& part : parts) list_constraints(problem, part);
   for (; hung != reduction.placed.end(); ++hung) parts.push_back(hung_point(graph, *hung));
   return parts;
@@ -265,14 +275,6 @@ PartProblem part_problem(const Problem& whole, const Part& part) {
   problem.reference = frame_of(whole, part, numbers.number);
   if (whole.sketch) problem.sketch = figure_of(*whole.sketch, problem, result.points);
   return result;
-}
-
-int constraint_between(const Problem& problem, int a, int b) {
-  for (int i = 0; i < static_cast<int>(problem.constraints.size()); ++i) {
-    const auto& between = problem.constraints[i].between;
-    if (between == std::array{a, b} || between == std::array{b, a}) return i;
-  }
-  return -1;
 }
 
 }  // namespace gcs

@@ -1,6 +1,7 @@
 #pragma once
 /// The parts of a scene that can be solved one after another.
 
+#include <algorithm>
 #include <vector>
 
 #include "solvers/model/problem.hpp"
@@ -11,13 +12,20 @@ namespace gcs {
 /// at given distances, so that the part's solutions do not depend on the rest; a single one is placed by its
 /// distances from the d.
 struct Part {
-  std::vector<int> base;    ///< d points of earlier parts; empty: this is the first part
+  std::vector<int> base;  ///< d points of earlier parts; empty: this is the first part
+  /// Between the points of the base, 0–1, 0–2 and 1–2 (in the plane the first); −1 where no distance is
+  /// given.
+  std::vector<int> base_constraints;
   std::vector<int> points;  ///< those that it places
   /// Those between points of the part, base included; of a single point its distances from the base, in the
   /// order of the base.
   std::vector<int> constraints;
 
   bool is_hung_point() const { return !base.empty() && points.size() == 1; }
+  /// Whether all distances between points of the base are given.
+  bool has_given_base() const {
+    return std::find(base_constraints.begin(), base_constraints.end(), -1) == base_constraints.end();
+  }
 };
 
 /// How far a scene is taken apart.
@@ -41,8 +49,5 @@ struct PartProblem {
   std::vector<int> points;  ///< of each point, its number in the whole problem
 };
 PartProblem part_problem(const Problem& whole, const Part& part);
-
-/// The constraint between two points, or −1.
-int constraint_between(const Problem& problem, int a, int b);
 
 }  // namespace gcs

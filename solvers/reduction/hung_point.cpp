@@ -71,19 +71,10 @@ constexpr const char* nearly_flat = "it lies, to rounding, in the plane of the p
 
 }  // namespace
 
-bool has_given_base(const Problem& problem, const Part& hung) {
-  for (int pair = 0; pair < pairs_in(problem.dimension); ++pair)
-    if (constraint_between(problem, hung.base[base_pairs[pair][0]], hung.base[base_pairs[pair][1]]) < 0)
-      return false;
-  return true;
-}
-
 HungPlace exact_place(const Scene& scene, const Part& hung) {
   Squares<Rational> squares;
   for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
-    squares.base[pair] =
-        rational(given_square(scene, constraint_between(scene.problem(), hung.base[base_pairs[pair][0]],
-                                                        hung.base[base_pairs[pair][1]])));
+    squares.base[pair] = rational(given_square(scene, hung.base_constraints[pair]));
   for (int i = 0; i < scene.dimension(); ++i)
     squares.radii[i] = rational(given_square(scene, hung.constraints[i]));
   const Quotients<Rational> q = quotients(scene.dimension(), squares);
@@ -172,6 +163,17 @@ void refine_place(const Scene& scene, const Part& part, Simplex& positions) {
     for (const int point : part.points)
       positions.col(point).head(dimension) -= correction.segment(column_of(point), dimension);
   }
+}
+
+void place_on_base(const Scene& scene, const Part& part, const std::vector<SimplexCoordinates>& coordinates,
+                   double side, bool is_flat, Simplex& positions) {
+  const SimplexFrame frame(columns(positions, part.base));
+  for (std::size_t i = 0; i < part.points.size(); ++i) {
+    SimplexCoordinates there = coordinates[i];
+    there[2] *= side;
+    positions.col(part.points[i]) = frame.point(there);
+  }
+  if (!is_flat) refine_place(scene, part, positions);
 }
 
 }  // namespace gcs

@@ -20,11 +20,8 @@ struct HungPlace {
   std::string undecided;  ///< why it cannot be told where the point is, in words; else empty
 };
 
-/// Whether all distances between points of the base are given.
-bool has_given_base(const Problem& problem, const Part& hung);
-
 /// By the decimals of the file, exactly: whether it is real, and whether it is flat, is proven, and
-/// coordinates are right to rounding. Precondition: has_given_base.
+/// coordinates are right to rounding. Precondition: the base is given.
 HungPlace exact_place(const Scene& scene, const Part& hung);
 
 /// For measured places of the base, in the scene's unit, in a solution of this condition number. What is
@@ -35,5 +32,10 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
 /// Newton's method for the points that a part places on its base, with residuals in double-double; nothing is
 /// done where it does not converge. `positions`: of all points of the scene, in its unit.
 void refine_place(const Scene& scene, const Part& part, Simplex& positions);
+
+/// Puts the points of a part at these coordinates in its base, or on the other side of it for side = −1, and
+/// refines them unless they are flat. `positions`: as above; the base is placed.
+void place_on_base(const Scene& scene, const Part& part, const std::vector<SimplexCoordinates>& coordinates,
+                   double side, bool is_flat, Simplex& positions);
 
 }  // namespace gcs

@@ -17,15 +17,15 @@ constexpr std::int64_t most_visits = 50'000;
 
 /// A base whose squared distances are given, somewhere.
 Simplex canonical_base(const Scene& scene, const Part& part) {
-  const auto square = [&](int a, int b) {
-    const double length = scene.target_lengths()[constraint_between(scene.problem(), a, b)];
+  const auto square = [&](int pair) {
+    const double length = scene.target_lengths()[part.base_constraints[pair]];
     return length * length;
   };
   Simplex base = Simplex::Zero(3, static_cast<Eigen::Index>(part.base.size()));
-  const double a = square(part.base[0], part.base[1]);
+  const double a = square(0);
   base(0, 1) = std::sqrt(a);
   if (base.cols() == 2) return base;
-  const double b = square(part.base[0], part.base[2]), c = square(part.base[1], part.base[2]);
+  const double b = square(1), c = square(2);
   const double along = (a + b - c) / 2 / std::sqrt(a);
   base(0, 2) = along;
   base(1, 2) = std::sqrt(std::complex<double>(b - along * along));
@@ -62,10 +62,16 @@ bool SolutionProduct::is_inside(const std::vector<int>& points, int part) const 
   });
 }
 
+int SolutionProduct::last_home(const std::vector<int>& points) const {
+  int last = 0;
+  for (const int point : points) last = std::max(last, home_[point]);
+  return last;
+}
+
 void SolutionProduct::find_dependences() {
   for (int part = 0; part < static_cast<int>(parts_.size()); ++part) {
     if (!parts_[part].is_hung_point()) continue;
-    if (has_given_base(scene_.problem(), parts_[part])) {
+    if (parts_[part].has_given_base()) {
       solutions_[part] = placed(part, exact_place(scene_, parts_[part]));
       continue;
     }
@@ -74,8 +80,7 @@ void SolutionProduct::find_dependences() {
       if (!all.insert(other).second) return;
       for (const int point : parts_[other].base) recurse(home_[point], recurse);
     };
-    int last = 0;
-    for (const int point : parts_[part].base) last = std::max(last, home_[point]);
+    const int last = last_home(parts_[part].base);
     is_across_[part] = !is_inside(parts_[part].base, last);
     if (is_across_[part]) {
       for (const int point : parts_[part].base) add_with_base(home_[point], add_with_base);
@@ -126,11 +131,7 @@ Simplex SolutionProduct::positions_in_part(int part, const std::vector<int>& poi
 /// Of a part that depends on others: where they put its base.
 Simplex SolutionProduct::measured_base(int part) {
   const std::vector<int>& base = parts_[part].base;
-  if (!is_across_[part]) {
-    int last = 0;
-    for (const int point : base) last = std::max(last, home_[point]);
-    return positions_in_part(last, base);
-  }
+  if (!is_across_[part]) return positions_in_part(last_home(base), base);
   for (const int other : depends_on_[part]) place(other);
   return columns(positions_, base);
 }
@@ -164,13 +165,7 @@ void SolutionProduct::place(int part) {
     for (std::size_t i = 0; i < where.points.size(); ++i) positions_.col(where.points[i]) = chosen.points[i];
     return;
   }
-  const SimplexFrame frame(columns(positions_, where.base));
-  for (std::size_t i = 0; i < where.points.size(); ++i) {
-    SimplexCoordinates coordinates = chosen.points[i];
-    coordinates[2] *= choices_[part].side;
-    positions_.col(where.points[i]) = frame.point(coordinates);
-  }
-  if (!chosen.is_flat) refine_place(scene_, where, positions_);
+  place_on_base(scene_, where, chosen.points, choices_[part].side, chosen.is_flat, positions_);
 }
 
 // ---- counting

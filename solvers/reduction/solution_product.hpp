@@ -57,6 +57,7 @@ class SolutionProduct {
 
   void find_dependences();
   bool is_inside(const std::vector<int>& points, int part) const;
+  int last_home(const std::vector<int>& points) const;
   const std::vector<PartSolution>& solutions(int part);
   std::vector<PartSolution> placed(int part, const HungPlace& place);
   Simplex measured_base(int part);

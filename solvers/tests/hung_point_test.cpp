@@ -19,7 +19,7 @@ Problem triangle(const std::string& base, const std::string& first, const std::s
   return problem;
 }
 
-const Part third_on_first_two{{0, 1}, {2}, {1, 2}};
+const Part third_on_first_two{{0, 1}, {0}, {2}, {1, 2}};
 
 HungPlace place_of(const Problem& problem) { return exact_place(Scene(problem), third_on_first_two); }
 
@@ -72,8 +72,8 @@ TEST_CASE("measured and given bases give the same place") {
     const Problem problem = samples::between(3, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}},
                                              random.points(3, 4, 1), random.points(3, 4, 1));
     const Scene scene(problem);
-    const Part hung{{0, 1, 2}, {3}, {3, 4, 5}};
-    REQUIRE(has_given_base(problem, hung));
+    const Part hung{{0, 1, 2}, {0, 1, 2}, {3}, {3, 4, 5}};
+    REQUIRE(hung.has_given_base());
     const HungPlace exact = exact_place(scene, hung);
     // A base of the target's lengths, by the cosine theorem.
     const auto& length = scene.target_lengths();
@@ -104,7 +104,7 @@ TEST_CASE("a point that is flat to rounding, or on a collinear base, is not plac
   Eigen::Matrix3Xd flat = RandomNumbers(6).points(3, 4, 1);
   flat.row(2).setZero();
   flat *= std::ldexp(1.0, -scene.unit_exponent());
-  const Part hung{{0, 1, 2}, {3}, {3, 4, 5}};
+  const Part hung{{0, 1, 2}, {0, 1, 2}, {3}, {3, 4, 5}};
   CHECK(measured_place(scene, hung, flat.leftCols(3).cast<std::complex<double>>())
             .undecided.find("in the plane") != std::string::npos);
   Simplex line = Simplex::Zero(3, 3);

@@ -46,5 +46,7 @@ void add_verify_command(CLI::App& app, Invocation& invocation);
 void add_path_command(CLI::App& app, Invocation& invocation);
 void add_reference_command(CLI::App& app, Invocation& invocation);
 void add_report_command(CLI::App& app, Invocation& invocation);
+void add_manual_command(CLI::App& app, Invocation& invocation);
+void add_complete_command(CLI::App& app, Invocation& invocation);
 
 }  // namespace gcs

@@ -8,21 +8,13 @@
 
 #include "harness/families.hpp"
 #include "harness/nearest_name.hpp"
+#include "harness/shipped_data.hpp"
 #include "harness/text_input.hpp"
 
 namespace gcs {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where shipped instances are looked up, in this order.
-std::vector<fs::path> instance_folders() {
-  std::vector<fs::path> folders{"instances", fs::path(GCSBENCH_SOURCE_DIR) / "instances"};
-#ifdef GCSBENCH_DATA_DIR
-  folders.emplace_back(fs::path(GCSBENCH_DATA_DIR) / "instances");
-#endif
-  return folders;
-}
 
 /// schema.json lies beside the instances.
 bool is_instance_file(const fs::path& path) {
@@ -46,10 +38,8 @@ Instance load_standard_input() {
 }
 
 std::string find_shipped(const std::string& id) {
-  for (const fs::path& folder : instance_folders()) {
-    const fs::path file = folder / (id + ".json");
-    if (is_instance_file(file)) return file.string();
-  }
+  const fs::path below = fs::path("instances") / (id + ".json");
+  if (const auto file = shipped_file(below); file && is_instance_file(*file)) return file->string();
   const std::vector<std::string> ids = shipped_instances();
   if (ids.empty()) throw InputError("'" + id + "'", "", "there are no shipped instances here", "name a file");
   throw InputError("'" + id + "'", "", "there is no shipped instance of this id",
@@ -86,9 +76,9 @@ Instance load_instance(const std::string& argument) {
 
 std::vector<std::string> shipped_instances() {
   std::set<std::string> ids;
-  for (const fs::path& folder : instance_folders()) {
+  for (const fs::path& folder : data_folders()) {
     std::error_code absent;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, absent)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "instances", absent)) {
       if (is_instance_file(entry.path())) ids.insert(entry.path().stem().string());
     }
   }

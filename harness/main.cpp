@@ -35,6 +35,20 @@ void add_commands(CLI::App& app, gcs::Invocation& invocation) {
   gcs::add_path_command(app, invocation);
   gcs::add_reference_command(app, invocation);
   gcs::add_report_command(app, invocation);
+  gcs::add_manual_command(app, invocation);
+  gcs::add_complete_command(app, invocation);
+  app.footer(
+      "Exit codes:\n"
+      "  0    done\n"
+      "  1    done, but a check did not hold: a count, a certificate, a comparison\n"
+      "  2    wrong usage, or an input that is not valid; nothing was changed\n"
+      "  3    the strategy cannot do this, gave up or ran out of time; what was found is kept\n"
+      "  130  interrupted; what was found is kept\n"
+      "\nExamples:\n"
+      "  gcsbench list\n"
+      "  gcsbench describe octahedron\n"
+      "  gcsbench solve octahedron --strategy cayley-menger --certify\n"
+      "  gcsbench tables table1 --out results/runs/today\n");
 }
 
 ExitCode fail(const std::string& message) {
@@ -53,7 +67,8 @@ std::string usage(const CLI::App& app) {
 
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (!command->get_group().empty()) names.push_back(command->get_name());
   return names;
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "harness/json_document.hpp"
+#include "harness/shipped_data.hpp"
+#include "harness/text_input.hpp"
 
 namespace gcs {
 namespace {
@@ -90,13 +90,8 @@ Publication parse_publication(const std::string& text, const std::string& file) 
 
 Publication load_publication(const std::string& source) {
   const std::filesystem::path below = std::filesystem::path("results") / "published" / (source + ".json");
-  const std::filesystem::path built = std::filesystem::path(GCSBENCH_SOURCE_DIR) / below;
-  const std::filesystem::path& file = std::filesystem::exists(below) ? below : built;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string(), "", "cannot be read", "run the program in the source folder");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse_publication(text.str(), file.string());
+  const std::string file = shipped_file(below).value_or(below).string();
+  return parse_publication(read_file(file, "run the program in the source folder, or install it"), file);
 }
 
 }  // namespace gcs

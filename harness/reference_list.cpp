@@ -9,6 +9,7 @@
 #include <random>
 
 #include "harness/json_cursor.hpp"
+#include "harness/shipped_data.hpp"
 #include "harness/solve_run.hpp"
 #include "harness/stop_conditions.hpp"
 #include "harness/text_input.hpp"
@@ -65,13 +66,6 @@ KnownSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
   exact.error = cursor.required("error_bound").number().value;
   Figure figure = figure_of(exact);
   return {std::move(exact), std::move(figure)};
-}
-
-std::optional<std::string> shipped_file(const std::string& id) {
-  const std::filesystem::path below = std::filesystem::path("results") / "reference" / (id + ".json");
-  for (const auto& file : {below, std::filesystem::path(GCSBENCH_SOURCE_DIR) / below})
-    if (std::filesystem::is_regular_file(file)) return file.string();
-  return std::nullopt;
 }
 
 ReferenceList read_list(const JsonCursor& root, const Problem& problem, const std::string& file) {
@@ -231,7 +225,7 @@ std::optional<std::vector<bool>> known_on_path(const Scene& scene, const Referen
 }  // namespace
 
 std::optional<ReferenceList> shipped_reference(const Instance& instance) {
-  const auto file = shipped_file(instance.id);
+  const auto file = shipped_file(std::filesystem::path("results") / "reference" / (instance.id + ".json"));
   if (!file) return std::nullopt;
   const JsonValue document = parse_json(read_file(*file, "run scripts/make-references"), *file);
   const JsonCursor root(document, *file);

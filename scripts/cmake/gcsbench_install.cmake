@@ -1,0 +1,35 @@
+# cmake --install: the program with its data, manual and completions, and the library as a CMake package.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gcsbench)
+set(data_dir ${CMAKE_INSTALL_DATADIR}/gcsbench)
+
+install(TARGETS gcsbench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY instances DESTINATION ${data_dir} FILES_MATCHING PATTERN "*.json" PATTERN "README.md")
+install(DIRECTORY results/published results/reference DESTINATION ${data_dir}/results FILES_MATCHING PATTERN "*.json")
+install(FILES LICENSE CITATION.cff README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# The program writes its manual page itself.
+set(manual ${PROJECT_BINARY_DIR}/generated/gcsbench.1)
+install(CODE "execute_process(COMMAND \"$<TARGET_FILE:gcsbench>\" manual OUTPUT_FILE \"${manual}\" COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES harness/shells/gcsbench.bash RENAME gcsbench
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES harness/shells/gcsbench.zsh RENAME _gcsbench
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES harness/shells/gcsbench.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+set_target_properties(gcs_solvers PROPERTIES EXPORT_NAME solvers)
+set_target_properties(gcs_flags PROPERTIES EXPORT_NAME flags)
+install(TARGETS gcs_solvers gcs_flags EXPORT gcsbenchTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY solvers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gcsbench
+        FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE)
+install(EXPORT gcsbenchTargets NAMESPACE gcsbench:: DESTINATION ${package_dir})
+configure_package_config_file(scripts/cmake/gcsbenchConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/generated/gcsbenchConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/generated/gcsbenchConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/generated/gcsbenchConfig.cmake
+              ${PROJECT_BINARY_DIR}/generated/gcsbenchConfigVersion.cmake
+              scripts/cmake/FindFLINT.cmake
+        DESTINATION ${package_dir})

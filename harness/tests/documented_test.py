@@ -1,0 +1,36 @@
+#!/usr/bin/python3
+"""The commands that the documents show can be copied from them.
+
+Usage: documented_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = ""
+SOURCE = Path()
+
+
+class Documented(unittest.TestCase):
+    def test_an_instance_of_ones_own_from_nothing_to_solved(self):
+        text = (SOURCE / "instances" / "README.md").read_text(encoding="utf-8")
+        script = re.search(r"```sh\n(.*?)```", text, re.DOTALL).group(1)
+        path = f"{Path(PROGRAM).resolve().parent}:{os.environ['PATH']}"
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(["bash", "-eu", "-c", script], capture_output=True, text=True, timeout=120, cwd=folder,
+                                  env={**os.environ, "PATH": path}, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        # At most six assembly modes (K. H. Hunt, 1983) for each orientation of the triangle.
+        self.assertIn("12 of 12 solutions exist", done.stdout)
+        self.assertIn("proven: the exact number of 12 is met", done.stdout)
+        self.assertRegex(done.stdout, r"platform, rcp: complete\n +on path +2 solutions")
+
+
+if __name__ == "__main__":
+    PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -31,4 +31,7 @@ struct WorkCounters {
   std::optional<int> max_driving_parameters;
 };
 
+/// Adds the work of another computation. Driving parameters stay those of `work`.
+void add(const WorkCounters& more, WorkCounters& work);
+
 }  // namespace gcs

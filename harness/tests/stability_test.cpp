@@ -265,6 +265,24 @@ TEST_CASE("solutions too far away for doubles are not called missing at infinity
   CHECK(run_strategy(find_strategy("monodromy"), {}, scene, {}).assessment.counts.at_infinity == 0u);
 }
 
+TEST_CASE("octahedra that move but for 1e-8 are solved") {
+  check_right(measured({"bricard@1e-6", "bricard@1e-8", "bricard-two@1e-6", "bricard-two@1e-8"},
+                       {"full-space", "rcp", "monodromy", "polyhedral"}));
+}
+
+// Out and back in steps that grow with the distance: a thousand times as far takes a few times as many.
+TEST_CASE("a detour costs steps like the logarithm of its length") {
+  check_right(measured({"long-detour@1e6"}, {"full-space", "rcp"}));
+  for (const std::string strategy : {"full-space", "rcp"}) {
+    const auto steps = [&](const std::string& id) {
+      const Scene scene(load_member(id).problem);
+      return run_strategy(find_strategy(strategy), {}, scene, {}).work.iterations;
+    };
+    INFO(strategy);
+    CHECK(steps("long-detour@1e6") < 4 * steps("long-detour@1e3"));
+  }
+}
+
 TEST_CASE("an edge of length 1e-8 refuses no path strategy") {
   check_right(measured({"short-edge@1e-6", "short-edge@1e-8"}, {"full-space", "rcp"}));
 }

@@ -33,16 +33,19 @@ constexpr double agreed_end = 1e-8;   // two circles' constant terms
 /// A pole so near σ = 0 is at it, as far as lengths in doubles tell: their rounding moves it by as much.
 constexpr double at_the_end = 1e-15;
 
-/// σ along a straight line.
+/// σ along a straight line. The way is the difference of the rounded ends, exactly where these are near each
+/// other: near a singular end a sum that misses `end` by rounding would be far from it on the path.
 Route segment(const ComplexVectorX& from, const ComplexVectorX& to, Complex first, Complex last) {
   Route route;
   for (std::size_t e = 0; e < to.size(); ++e) {
     const Complex way = from[e] - to[e];
-    route.coefficients[0].push_back(to[e] + first * way);
-    route.coefficients[1].push_back((last - first) * way);
+    const Complex begin = to[e] + first * way;
+    const Complex end = to[e] + last * way;
+    route.coefficients[0].push_back(begin);
+    route.coefficients[1].push_back(end - begin);
     route.coefficients[2].push_back(0);
     route.coefficients[3].push_back(0);
-    route.end.push_back(to[e] + last * way);
+    route.end.push_back(end);
   }
   return route;
 }

@@ -80,7 +80,6 @@ class KernelTracker final : public LaneTracker {
   static constexpr double allowance = 16;      ///< times the expected error: one bad step in a radius
   static constexpr double rounding = 1e-15;    ///< a correction of that size says nothing about the step
   static constexpr double furthest_start = 1e-6;  ///< a start point's or end point's distance from its zero
-  static constexpr int most_rejected = 24;        ///< in a row, or of twice as many: precision is missing
   static constexpr double almost_one = 1 - 1e-14;
 
   enum class Phase { idle, starting, moving, renewing, arriving };
@@ -193,10 +192,11 @@ class KernelTracker final : public LaneTracker {
   }
 
   /// First the series is taken again, with a Jacobian at the point itself; then the step is halved.
-  static void reject(Path& path) {
+  void reject(Path& path) const {
     ++path.rejected_in_a_row;
-    const bool most_fail = path.state.rejected > most_rejected && 2 * path.state.rejected > path.state.steps;
-    if (path.rejected_in_a_row > most_rejected || most_fail)
+    const bool most_fail =
+        path.state.rejected > options_.most_rejected && 2 * path.state.rejected > path.state.steps;
+    if (path.rejected_in_a_row > options_.most_rejected || most_fail)
       finish(path, path.shortest_step > 0 ? LegEnd::short_steps : LegEnd::too_small);
     else if (path.rejected_in_a_row == 1)
       path.phase = Phase::renewing;

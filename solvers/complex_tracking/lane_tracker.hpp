@@ -28,6 +28,7 @@ struct TrackingOptions {
   int order = 12;           ///< of the Taylor predictor, from 4 to highest_order
   double tolerance = 1e-6;  ///< of a prediction, relative to how far the path goes until its series diverges
   int most_steps = 2000;    ///< of a path, rejected ones included
+  int most_rejected = 24;   ///< in a row, or of twice as many: precision is missing
 };
 
 enum class LegEnd {

@@ -106,6 +106,7 @@ TrackingOptions LegTracking::wide(TrackingOptions options) {
   // Of twice the digits a prediction a hundred times as good needs few. A higher order would cost more than
   // the few steps that it saves.
   options.tolerance *= 1e-2;
+  options.most_rejected = 200;  // nothing follows again what is lost here
   return options;
 }
 

@@ -99,16 +99,6 @@ std::vector<PartSolution> part_solutions(const Scene& whole, const PartScene& pa
 
 // ---- putting reports together
 
-void add(const WorkCounters& more, WorkCounters& work) {
-  for (const auto member :
-       {&WorkCounters::iterations, &WorkCounters::rejected_steps, &WorkCounters::newton_iterations,
-        &WorkCounters::evaluations, &WorkCounters::partial_evaluations, &WorkCounters::jacobians,
-        &WorkCounters::factorisations, &WorkCounters::plan_changes})
-    work.*member += more.*member;
-  if (more.smallest_step)
-    work.smallest_step = std::min(*more.smallest_step, work.smallest_step.value_or(*more.smallest_step));
-}
-
 void add(const std::vector<Particular>& more, std::vector<Particular>& particulars) {
   for (const Particular& particular : more) {
     const auto same = std::find_if(particulars.begin(), particulars.end(),

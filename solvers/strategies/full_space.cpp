@@ -53,11 +53,12 @@ class FullSpace final : public Strategy {
       case PathMode::fast:
         break;
     }
-    DistanceCurve curve(request.scene, wide_reference(request.scene), options_.fast.order,
-                        options_.fast.tolerance);
-    SeriesTracker tracker(curve, options_.fast, context);
-    return path_report(request.scene, tracker.run(),
-                       [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+    return report_once_refined(options_.fast, [&](const SeriesTrackerOptions& options) {
+      DistanceCurve curve(request.scene, wide_reference(request.scene), options.order, options.tolerance);
+      SeriesTracker tracker(curve, options, context);
+      return path_report(request.scene, tracker.run(),
+                         [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+    });
   }
 
  private:

@@ -68,9 +68,11 @@ class Rcp final : public Strategy {
       EulerNewtonTracker tracker(homotopy, options_.paper, context);
       return path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
     }
-    PlanCurve curve(scene, plan, sketch, {options_.fast.order, options_.fast.tolerance, swap_, rule_});
-    SeriesTracker tracker(curve, options_.fast, context);
-    return path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+    return report_once_refined(options_.fast, [&](const SeriesTrackerOptions& options) {
+      PlanCurve curve(scene, plan, sketch, {options.order, options.tolerance, swap_, rule_});
+      SeriesTracker tracker(curve, options, context);
+      return path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+    });
   }
 
  private:

@@ -26,10 +26,12 @@ std::vector<OptionSpec> path_option_specs(std::string_view modes, std::string_vi
   return {
       {"mode", "fast", modes, modes == all_modes ? all_modes_in_words : modes_in_words},
       {"step_max", "auto", "auto, or a number from 1e-6 to 1e6",
-       paper_step_max == "0.1"
-           ? "largest step; auto: 1 (fast and certified, in units of the scene), 0.1 (paper, in the file's "
-             "unit)"
-           : "largest step; auto: 1 (fast, in units of the scene), 0.05 (paper, in the file's unit)"},
+       paper_step_max == "0.1" ? "largest step; auto: 1 (fast and certified, in units of the scene; further "
+                                 "than 10 away a tenth of that), 0.1 "
+                                 "(paper, in the file's unit)"
+                               : "largest step; auto: 1 (fast, in units of the scene; further than 10 away a "
+                                 "tenth of that), 0.05 (paper, in the "
+                                 "file's unit)"},
       {"step_min", "1e-10", "a number from 1e-15 to 1", "below this step the tracker gives up"},
       {"max_steps", std::to_string(defaults.max_steps), "a whole number from 1 to 1000000000",
        "the tracker gives up after so many steps"},
@@ -53,10 +55,12 @@ std::vector<OptionMap> path_accuracy_settings() {
 PathOptions read_path_options(const OptionMap& options, std::string_view modes, double paper_step_max) {
   PathOptions path;
   path.mode = read_mode(options, modes);
-  if (options.find("step_max")->second == "auto")
+  if (options.find("step_max")->second == "auto") {
     path.paper.step_max = paper_step_max;
-  else
+    path.fast.step_max_far = 0.1;
+  } else {
     path.fast.step_max = path.paper.step_max = number_option(options, "step_max", 1e-6, 1e6);
+  }
   path.fast.step_min = path.paper.step_min = number_option(options, "step_min", 1e-15, 1);
   path.fast.max_steps = path.paper.max_steps = integer_option(options, "max_steps", 1, 1'000'000'000);
   path.fast.orientation = path.paper.orientation =

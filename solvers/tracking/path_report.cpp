@@ -76,4 +76,16 @@ SolveReport path_report(const Scene& scene, TrackedPath path,
   return report;
 }
 
+SolveReport report_once_refined(SeriesTrackerOptions options,
+                                const std::function<SolveReport(const SeriesTrackerOptions&)>& track) {
+  SolveReport first = track(options);
+  if (first.status != SolveStatus::partial) return first;
+  options.tolerance *= 1e-3;
+  SolveReport second = track(options);
+  add(first.work, second.work);
+  if (second.status == SolveStatus::complete) return second;
+  first.work = second.work;
+  return first;
+}
+
 }  // namespace gcs

@@ -53,6 +53,8 @@ struct SeriesTrackerOptions {
   int order = 12;
   double tolerance = 1e-7;  ///< size of the last terms kept, in the scene's unit
   double step_max = 1;      ///< arc length in (X, t)
+  /// Far away a step may be longer than step_max: this part of the largest coordinate.
+  double step_max_far = 0;
   double step_min = 1e-10;
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
@@ -102,7 +104,8 @@ class SeriesTracker {
  private:
   bool step() {
     WorkCounters& work = curve_.work();
-    step_ = std::min(options_.step_max, here_.step_for(options_.tolerance));
+    const double far = options_.step_max_far * here_.coefficient(0).lpNorm<Eigen::Infinity>();
+    step_ = std::min(std::max(options_.step_max, far), here_.step_for(options_.tolerance));
     for (; step_ >= options_.step_min; step_ /= 2) {
       here_.evaluate(step_, predicted_);
       here_.tangent(step_, tangent_);

@@ -57,6 +57,8 @@ std::vector<Study> saving_studies() {
       study("the same, by mixed cells", "polyhedral", whole, reducible()),
       study("the same, by subdivision", "plan-scan", whole, reducible()),
       study("vector instructions", "monodromy", {{"instructions", "portable"}}, {"octahedron", "disulfide"}),
+      study("twice the precision only where paths need it", "monodromy", {{"precision", "twice"}},
+            {"octahedron", "disulfide"}),
       study("squared norms as unknowns", "polyhedral", {{"formulation", "coordinates"}}, {"octahedron"}),
   };
 }

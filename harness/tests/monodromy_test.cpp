@@ -9,6 +9,7 @@
 #include "harness/strategy_choice.hpp"
 #include "harness/tests/tangent_samples.hpp"
 #include "harness/tests/test_folder.hpp"
+#include "solvers/model/reflection_classes.hpp"
 
 using namespace gcs;
 
@@ -68,6 +69,27 @@ TEST_CASE("threads and instruction sets change no number of a solve") {
   for (std::size_t i = 0; i < ours.size(); ++i) {
     CHECK(ours[i].figure.points == theirs[i].figure.points);
     CHECK(ours[i].figure.imaginary == theirs[i].figure.imaginary);
+  }
+}
+
+TEST_CASE("twice the precision finds the same solutions") {
+  for (const std::string strategy : {"monodromy", "polyhedral"}) {
+    const Scene scene(load_instance("k33").problem);
+    const SolveRun doubles = run_strategy(find_strategy(strategy), {}, scene, {});
+    const SolveRun wide = run_strategy(find_strategy(strategy), {{"precision", "twice"}}, scene, {});
+    INFO(strategy);
+    // The steps are others, of which nothing shows but the work.
+    CHECK(wide.work.iterations != doubles.work.iterations);
+    std::vector<Figure> figures;
+    for (const SolveRun* run : {&doubles, &wide}) {
+      CHECK(run->assessment.solutions.size() == 8);  // 16 in a fixed frame, by the recursion for Laman graphs
+      for (const AssessedSolution& solution : run->assessment.solutions) {
+        figures.push_back(solution.figure);
+        figures.back().points *= std::ldexp(1.0, -scene.unit_exponent());
+        figures.back().imaginary *= std::ldexp(1.0, -scene.unit_exponent());
+      }
+    }
+    CHECK(reflection_classes(scene, figures, 1e-9).count() == 8);
   }
 }
 

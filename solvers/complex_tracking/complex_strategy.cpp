@@ -55,6 +55,8 @@ std::vector<OptionSpec> tracking_option_specs() {
   return {{"order", "12", "whole number from 4 to 40", "of the Taylor predictor"},
           {"tolerance", "1e-6", "number from 1e-12 to 1e-3",
            "error of a prediction, relative to how far the path goes until its series diverges"},
+          {"precision", "auto", "auto|twice",
+           "twice: every path in about 106 bits; auto: where 53 do not suffice"},
           {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them",
            false, false}};
 }
@@ -71,6 +73,7 @@ TrackingSetup tracking_setup(const OptionMap& options) {
   TrackingSetup setup;
   setup.options.order = static_cast<int>(integer_option(options, "order", 4, 40));
   setup.options.tolerance = number_option(options, "tolerance", 1e-12, 1e-3);
+  setup.all_wide = choice_option(options, "precision", "auto|twice") == 1;
   setup.set = read_instruction_set(options);
   return setup;
 }

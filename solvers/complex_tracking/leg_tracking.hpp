@@ -17,6 +17,7 @@ struct TrackingSetup {
   InstructionSet set = InstructionSet::portable;
   int threads = 1;             ///< ≥ 1
   Journal* journal = nullptr;  ///< what it has recorded is not followed again
+  bool all_wide = false;       ///< everything in twice the precision, not only what doubles cannot follow
 };
 
 /// Follows legs of one system.
@@ -27,8 +28,9 @@ class LegTracking {
   LegTracking(const System& system, const Elimination& elimination, const TrackingSetup& setup)
       : unknowns_(system.unknowns), journal_(setup.journal) {
     for (int i = 0; i < setup.threads; ++i) {
-      trackers_.push_back(make_lane_tracker(setup.set, system, elimination, setup.options));
       wide_trackers_.push_back(make_wide_tracker(system, elimination, wide(setup.options)));
+      trackers_.push_back(setup.all_wide ? make_wide_tracker(system, elimination, wide(setup.options))
+                                         : make_lane_tracker(setup.set, system, elimination, setup.options));
     }
   }
 

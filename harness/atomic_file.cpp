@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace gcs {
 
@@ -21,9 +22,12 @@ fs::path through_links(const fs::path& path) {
   return error ? path : real;
 }
 
+/// The name of a new file ends in six characters that mkstemps makes up, and this.
+constexpr std::string_view unfinished = ".unfinished";
+
 int create_beside(const fs::path& target, fs::path& created) {
-  std::string name = target.string() + ".XXXXXX";
-  const int descriptor = mkstemp(name.data());
+  std::string name = target.string() + ".XXXXXX" + std::string(unfinished);
+  const int descriptor = mkstemps(name.data(), static_cast<int>(unfinished.size()));
   created = name;
   if (descriptor < 0) return descriptor;
   // mkstemp makes the file private; a result has the permissions of any new file.
@@ -72,6 +76,14 @@ void AtomicFile::commit(std::string_view text) {
   if (written_ != target_ && rename(written_.c_str(), target_.c_str()) != 0) fail(errno);
   close(descriptor_);
   descriptor_ = -1;
+}
+
+void remove_leftovers(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> leftovers;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().filename().string().ends_with(unfinished)) leftovers.push_back(entry.path());
+  for (const fs::path& leftover : leftovers) fs::remove(leftover, ignored);
 }
 
 void AtomicFile::fail(int error) const {

@@ -41,4 +41,8 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+/// Removes the new files that killed processes left in the folder before they were renamed. Precondition: no
+/// process writes there.
+void remove_leftovers(const std::filesystem::path& folder);
+
 }  // namespace gcs

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "harness/commands.hpp"
 #include "harness/families.hpp"
 #include "harness/measuring.hpp"
 #include "harness/nearest_name.hpp"
@@ -48,11 +48,11 @@ bool has_wrong_claim(const RunRecord& run) {
   });
 }
 
-ExitCode stability(TableRequest request, const std::vector<std::string>& names, bool quiet) {
+ExitCode stability(TableRequest request, const std::vector<std::string>& names,
+                   const Invocation& invocation) {
   request.tables = {std::string(stability_kind().name)};
   request.instances = members_of(names);
-  request.limits = limits;
-  const RunRecord run = measure_and_show(request, quiet);
+  const RunRecord run = measure_and_show(std::move(request), {}, invocation);
   if (interrupted()) return ExitCode::interrupted;
   return has_wrong_claim(run) ? ExitCode::check_failed : ExitCode::done;
 }
@@ -64,7 +64,8 @@ std::string families_help() {
          "\nEvery strategy that can do an instance is held against proven solutions. The exit code is 1 when "
          "one "
          "calls an answer complete that misses a solution or lists one that is none, or infinite where it is "
-         "not.\n"
+         "not.\n" +
+         resume_help +
          "\nExamples:\n"
          "  gcsbench stability flat-tetrahedron\n"
          "  gcsbench stability --out results/runs/stability\n";
@@ -74,15 +75,14 @@ std::string families_help() {
 
 void add_stability_command(CLI::App& app, Invocation& invocation) {
   const auto request = std::make_shared<TableRequest>();
+  request->limits = limits;
   const auto names = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("stability", "Measure the stiff and extreme families");
   command->add_option("FAMILY", *names, "Which families; see below. Default: all");
-  add_measuring_options(*command, "the heat map as SVG", *request);
+  add_measuring_options(*command, "the tables and the heat map", *request);
   command->footer(families_help);
   command->callback([&invocation, request, names] {
-    invocation.action = [&invocation, request, names] {
-      return stability(*request, *names, invocation.quiet);
-    };
+    invocation.action = [&invocation, request, names] { return stability(*request, *names, invocation); };
   });
 }
 

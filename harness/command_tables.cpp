@@ -4,16 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "harness/commands.hpp"
-#include "harness/progress_line.hpp"
+#include "harness/measuring.hpp"
 #include "harness/stop_conditions.hpp"
-#include "harness/table_output.hpp"
-#include "harness/table_run.hpp"
 
 namespace gcs {
 
@@ -65,18 +62,9 @@ ExitCode exit_code(const RunRecord& run) {
   return ExitCode::done;
 }
 
-ExitCode tables(TableRequest request, bool quiet) {
+ExitCode tables(TableRequest request, const Invocation& invocation) {
   expand_names(request.tables);
-  const Publications publications = load_publications();
-  catch_interrupts();
-  const RunRecord run = [&] {
-    ProgressLine progress(!quiet);
-    return run_tables(request, publications, progress);
-  }();
-  const TableSet set = build_tables(run, publications);
-  if (request.out) write_tables(set, *request.out, table_formats());
-  std::cout << shown_on_terminal(set);
-  return exit_code(run);
+  return exit_code(measure_and_show(std::move(request), load_publications(), invocation));
 }
 
 std::string names_help() {
@@ -87,7 +75,8 @@ std::string names_help() {
          "wrong, and 3 "
          "when one has no answer or none can do an instance; other options are experiments. What would take "
          "longer than "
-         "a solve may is not run, and no failure: --full runs it.\n"
+         "a solve may is not run, and no failure: --full runs it.\n" +
+         resume_help +
          "\nExamples:\n"
          "  gcsbench tables table1\n"
          "  gcsbench tables all --out results/runs/today\n"
@@ -98,17 +87,10 @@ void add_options(CLI::App& command, TableRequest& request) {
   std::vector<std::string> names = table_names();
   names.emplace_back(everything);
   command.add_option("NAME", request.tables, "Which tables; see below")->check(CLI::IsMember(names));
-  command
-      .add_option("--repetitions", request.repetitions,
-                  "Runs of every cell; default: as time allows, at least 3")
-      ->check(CLI::Range(1, 1000000));
   command.add_option("--instances", request.instances, "Only these: ids or files, separated by commas")
-      ->delimiter(',');
-  command.add_option("--strategies", request.strategies, "Only these strategies, separated by commas")
-      ->delimiter(',');
-  command.add_option("--out", request.out, "Folder for run.json and the tables as Markdown, CSV and LaTeX");
-  command.add_flag("--full", request.full, "No limits of time (otherwise 60 s a solve, 25 minutes in all)");
-  command.add_flag("--resume", request.resume, "Keep the finished cells of the run in --out");
+      ->delimiter(',')
+      ->type_name("INSTANCE,...");
+  add_measuring_options(command, "the tables as Markdown, CSV and LaTeX", request);
   command.footer(names_help);
 }
 
@@ -119,7 +101,7 @@ void add_tables_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("tables", "Measure and print the published tables beside ours");
   add_options(*command, *request);
   command->callback([&invocation, request] {
-    invocation.action = [&invocation, request] { return tables(*request, invocation.quiet); };
+    invocation.action = [&invocation, request] { return tables(*request, invocation); };
   });
 }
 

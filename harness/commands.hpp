@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -30,6 +32,7 @@ class UsageError : public std::runtime_error {
 /// show. `action`: set while parsing by the subcommand that was given; main runs it afterwards, where
 /// UsageError, InputError, OutputError and OptionError become bad_input.
 struct Invocation {
+  std::vector<std::string> arguments;  ///< the words of the command line, that of the program first
   bool quiet = false;
   std::function<ExitCode()> action;
 };

@@ -114,6 +114,7 @@ ExitCode run(const CLI::App& app, const gcs::Invocation& invocation) {
 ExitCode parse_and_run(int argc, char** argv) {
   CLI::App app("Benchmarks for geometric constraint solving", "gcsbench");
   gcs::Invocation invocation;
+  invocation.arguments.assign(argv, argv + argc);
   add_commands(app, invocation);
   try {
     app.parse(argc, argv);

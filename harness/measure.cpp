@@ -19,7 +19,10 @@ constexpr int most_repetitions = 101;
 
 using Clock = std::chrono::steady_clock;
 
-/// How much time is left for everything.
+/// So much of the repetitions is lost at most when the program is killed.
+constexpr std::chrono::seconds storing_interval{1};
+
+/// How much time is left for everything but references.
 class TimeBudget {
  public:
   explicit TimeBudget(const MeasureSettings& settings)
@@ -27,7 +30,13 @@ class TimeBudget {
         total_s_(settings.limits.total_limit_s),
         cell_s_(settings.limits.cell_limit_s) {}
 
+  /// What has taken so long does not count.
+  void leave_out(Clock::duration time) { start_ += time; }
+
   bool none() const { return total_s_ && remaining_s() <= 0; }
+
+  /// Of one solve, at most.
+  std::optional<double> cell_s() const { return cell_s_; }
 
   /// The limit of the next solve.
   std::optional<double> for_one_solve() const {
@@ -45,19 +54,18 @@ class TimeBudget {
   std::optional<double> cell_s_;
 };
 
-/// A cell on its way: its record, and what one solve costs.
+/// A cell on its way.
 struct Work {
   const MeasureTask* task;
   CellRecord record;
-  double cost_s = 0;
-  int planned = 0;  ///< repetitions
+  int begun = 0;  ///< repetitions, those that were stopped included
 };
 
-/// True when nothing is left to measure of the cell.
-bool is_finished(const MeasureTask& task, const CellRecord& cell) {
+/// True when the cell need not be solved again for its answer; `limit_s` is what a solve may take.
+bool is_decided(const MeasureTask& task, const CellRecord& cell, std::optional<double> limit_s) {
   if (task.keeps_solutions && cell.is_right() && cell.solutions.empty()) return false;
-  if (cell.is_right()) return cell.repetitions.size() >= fewest_repetitions;
-  return cell.status != RunStatus::interrupted && cell.status != RunStatus::timed_out;
+  if (cell.status == RunStatus::timed_out) return cell.limit_s && limit_s && *cell.limit_s >= *limit_s;
+  return cell.status != RunStatus::interrupted;
 }
 
 /// Hears how far a solve has come, for an estimate of what it would take.
@@ -83,11 +91,10 @@ class SolveEstimate final : public Monitor {
 };
 
 /// `limits`: what is asked for beside the settings.
-SolveRun solve_once(const MeasureTask& task, const MeasureSettings& settings, const TimeBudget& left,
-                    RunLimits limits = {}, Monitor* monitor = nullptr) {
+SolveRun solve_once(const MeasureTask& task, const MeasureSettings& settings, RunLimits limits,
+                    Monitor* monitor = nullptr) {
   limits.seed = settings.seed;
   limits.threads = settings.threads;
-  limits.time_limit_s = left.for_one_solve();
   limits.digits = task.spec.digits;
   return run_strategy(*task.entry, task.spec.given, *task.scene, limits, {monitor});
 }
@@ -117,7 +124,7 @@ void take_proofs(const Assessment& assessment, CellRecord& record) {
   record.proofs = RecordedProofs{proofs.classes, proofs.real, proofs.are_complete(), proofs.decide_real()};
 }
 
-CellRecord record_of(const MeasureTask& task, const SolveRun& run) {
+CellRecord record_of(const MeasureTask& task, const SolveRun& run, const AccuracyJudge* judge) {
   CellRecord record;
   record.spec = task.spec;
   record.options = run.options;
@@ -137,7 +144,8 @@ CellRecord record_of(const MeasureTask& task, const SolveRun& run) {
   take_proofs(run.assessment, record);
   record.claim = run.claim;
   const bool is_answer = run.status == RunStatus::complete || run.status == RunStatus::partial;
-  if (task.judge != nullptr && is_answer) record.accuracy = task.judge->judge(run, task.spec.digits);
+  if (judge != nullptr && is_answer) record.accuracy = judge->judge(run, task.spec.digits);
+  record.warm_up_s = run.timing.prepare_s + run.timing.wall_s + run.timing.refine_s;
   return record;
 }
 
@@ -159,22 +167,26 @@ bool has_slow_default(const CellSpec& spec, const std::vector<Work>& earlier) {
 }
 
 /// For a solve that was stopped on its way.
-void set_estimate(const SolveEstimate& estimate, double elapsed_s, CellRecord& record) {
-  if (estimate.total_s() > elapsed_s) record.estimate_s = estimate.total_s();
+void set_estimate(const SolveEstimate& estimate, CellRecord& record) {
+  if (estimate.total_s() > record.warm_up_s) record.estimate_s = estimate.total_s();
   if (!estimate.stage().empty()) record.reason += fmt::format(", at \"{}\"", estimate.stage());
   record.reason += record.estimate_s ? "; the estimate is for the way to the end of that" : "";
   record.reason += "; --full has no limit";
 }
 
-Work warm_up(const MeasureTask& task, const MeasureSettings& settings, const TimeBudget& left) {
-  if (left.none()) return {&task, not_run(task.spec, "the time for the whole measurement is used up")};
+CellRecord warm_up(const MeasureTask& task, const AccuracyJudge* judge, const MeasureSettings& settings,
+                   const TimeBudget& left) {
+  if (left.none()) return not_run(task.spec, "the time for the whole measurement is used up");
   SolveEstimate estimate;
   RunLimits limits;
-  limits.certify = task.judge == nullptr;
-  const SolveRun run = solve_once(task, settings, left, limits, &estimate);
-  Work work{&task, record_of(task, run), run.timing.prepare_s + run.timing.wall_s + run.timing.refine_s};
-  if (run.status == RunStatus::timed_out) set_estimate(estimate, work.cost_s, work.record);
-  return work;
+  limits.certify = judge == nullptr;
+  limits.time_limit_s = left.for_one_solve();
+  const SolveRun run = solve_once(task, settings, limits, &estimate);
+  CellRecord record = record_of(task, run, judge);
+  if (run.status != RunStatus::timed_out) return record;
+  record.limit_s = limits.time_limit_s;
+  set_estimate(estimate, record);
+  return record;
 }
 
 /// Why a repetition is not the same answer as the warm-up; empty: it is.
@@ -191,7 +203,9 @@ std::string changed_answer(const CellRecord& first, const SolveRun& run) {
 void repeat(Work& work, const MeasureSettings& settings, const TimeBudget& left) {
   RunLimits limits;
   limits.checks_counts = false;  // they are those of the warm-up
-  const SolveRun run = solve_once(*work.task, settings, left, limits);
+  limits.time_limit_s = left.for_one_solve();
+  ++work.begun;
+  const SolveRun run = solve_once(*work.task, settings, limits);
   if (run.status == RunStatus::interrupted || run.status == RunStatus::timed_out) return;
   work.record.difference = changed_answer(work.record, run);
   if (work.record.is_right()) {
@@ -202,28 +216,33 @@ void repeat(Work& work, const MeasureSettings& settings, const TimeBudget& left)
   }
 }
 
-/// Shares the budget out equally, cheapest cells first: what they cannot use goes to the dearer ones.
+/// Cells that have no plan yet share the budget equally, cheapest first: what they cannot use goes to the
+/// dearer ones. Where a number was asked for, plans are raised to it.
 void plan_repetitions(std::vector<Work>& cells, const MeasureSettings& settings) {
-  std::vector<Work*> open;
+  std::vector<CellRecord*> open;
   for (Work& work : cells) {
-    if (work.record.is_right() && work.record.repetitions.empty()) open.push_back(&work);
+    if (work.record.is_right() && (work.record.planned == 0 || settings.repetitions))
+      open.push_back(&work.record);
   }
-  std::sort(open.begin(), open.end(), [](const Work* a, const Work* b) { return a->cost_s < b->cost_s; });
+  const auto is_cheaper = [](const CellRecord* a, const CellRecord* b) {
+    return a->warm_up_s < b->warm_up_s;
+  };
+  std::stable_sort(open.begin(), open.end(), is_cheaper);
   double budget_s = settings.limits.budget_s;
   for (std::size_t i = 0; i < open.size(); ++i) {
-    const double affordable =
-        budget_s / static_cast<double>(open.size() - i) / std::max(open[i]->cost_s, 1e-9);
+    CellRecord& cell = *open[i];
+    const double cost_s = std::max(cell.warm_up_s, 1e-9);
+    const double affordable = budget_s / static_cast<double>(open.size() - i) / cost_s;
     const double bounded = std::clamp<double>(affordable, fewest_repetitions, most_repetitions);
-    open[i]->planned = settings.repetitions.value_or(static_cast<int>(bounded));
-    budget_s = std::max(0.0, budget_s - open[i]->planned * open[i]->cost_s);
+    cell.planned = std::max(cell.planned, settings.repetitions.value_or(static_cast<int>(bounded)));
+    budget_s = std::max(0.0, budget_s - cell.planned * cost_s);
   }
 }
 
-/// True when a cell with `planned` of `rounds` repetitions takes its turn: turns are spread evenly over the
-/// rounds.
-bool has_turn(int planned, int round, int rounds) {
-  const auto through = [&](int r) { return static_cast<std::int64_t>(r) * planned / rounds; };
-  return through(round + 1) > through(round);
+/// So many of `planned` repetitions have had their turn after this round, of `rounds`: turns are spread
+/// evenly.
+int due(int planned, int round, int rounds) {
+  return static_cast<int>(static_cast<std::int64_t>(round + 1) * planned / rounds);
 }
 
 std::vector<CellRecord> records_of(const std::vector<Work>& cells) {
@@ -238,17 +257,23 @@ double share(std::size_t done, std::size_t all) {
   return static_cast<double>(done) / static_cast<double>(all);
 }
 
+/// What an earlier session decided of the cell, or nullptr.
+const CellRecord* find_decided(const MeasureTask& task, const std::vector<CellRecord>& known,
+                               const TimeBudget& left) {
+  const auto found = std::find_if(known.begin(), known.end(), [&](const CellRecord& cell) {
+    return cell.spec == task.spec && is_decided(task, cell, left.cell_s());
+  });
+  return found == known.end() ? nullptr : &*found;
+}
+
 std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
-                              const std::vector<CellRecord>& known, const TimeBudget& left, Monitor& progress,
+                              const std::vector<CellRecord>& known, TimeBudget& left, Monitor& progress,
                               const MeasureCheckpoint& checkpoint) {
   std::vector<Work> cells;
   for (const MeasureTask& task : tasks) {
     if (interrupted()) break;
-    const auto earlier = std::find_if(known.begin(), known.end(), [&](const CellRecord& c) {
-      return c.spec == task.spec && is_finished(task, c);
-    });
-    if (earlier != known.end()) {
-      cells.push_back({&task, *earlier});
+    if (const CellRecord* earlier = find_decided(task, known, left)) {
+      cells.push_back({&task, *earlier, static_cast<int>(earlier->repetitions.size())});
       continue;
     }
     if (settings.limits.skips_variants && has_slow_default(task.spec, cells)) {
@@ -256,8 +281,12 @@ std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureS
           {&task, not_run(task.spec, "the strategy's defaults already take too long; --full has no limit")});
       continue;
     }
+    const auto before = Clock::now();
+    const AccuracyJudge* judge = task.judge ? task.judge() : nullptr;
+    if (interrupted()) break;
+    left.leave_out(Clock::now() - before);
     progress.progress(task.spec.instance + ", " + task.spec.strategy, share(cells.size(), tasks.size()));
-    cells.push_back(warm_up(task, settings, left));
+    cells.push_back({&task, warm_up(task, judge, settings, left)});
     checkpoint(records_of(cells));
   }
   return cells;
@@ -267,14 +296,18 @@ void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const
                 Monitor& progress, const MeasureCheckpoint& checkpoint) {
   plan_repetitions(cells, settings);
   int rounds = 0;
-  for (const Work& work : cells) rounds = std::max(rounds, work.planned);
+  for (const Work& work : cells) rounds = std::max(rounds, work.record.planned);
+  auto stored = Clock::now();
   for (int round = 0; round < rounds; ++round) {
     progress.progress("repetitions", share(round, rounds));
     for (Work& work : cells) {
       if (interrupted() || left.none()) return;
-      if (work.record.is_right() && has_turn(work.planned, round, rounds)) repeat(work, settings, left);
+      if (!work.record.is_right() || work.begun >= due(work.record.planned, round, rounds)) continue;
+      repeat(work, settings, left);
+      if (Clock::now() - stored < storing_interval) continue;
+      checkpoint(records_of(cells));
+      stored = Clock::now();
     }
-    checkpoint(records_of(cells));
   }
 }
 
@@ -283,7 +316,7 @@ void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const
 std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
                                 const std::vector<CellRecord>& known, Monitor& progress,
                                 const MeasureCheckpoint& checkpoint) {
-  const TimeBudget left(settings);
+  TimeBudget left(settings);
   std::vector<Work> cells = warm_up_all(tasks, settings, known, left, progress, checkpoint);
   std::vector<CellRecord> judged = records_of(cells);
   note_differences(judged, settings.expected);

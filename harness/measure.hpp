@@ -20,8 +20,10 @@ struct MeasureTask {
   CellSpec spec;
   const StrategyEntry* entry = nullptr;
   const Scene* scene = nullptr;
-  bool keeps_solutions = false;          ///< in the record, for tables that show them
-  const AccuracyJudge* judge = nullptr;  ///< holds the answer against the reference; null: certificates do
+  bool keeps_solutions = false;  ///< in the record, for tables that show them
+  /// Gives what holds the answer against the reference; empty, or null where there is none: certificates do.
+  /// Called before a cell is solved for the first time, so that cells that are known cost nothing.
+  std::function<const AccuracyJudge*()> judge = {};
 };
 
 /// How long a measurement may take.
@@ -40,11 +42,14 @@ struct MeasureSettings {
   ExpectedCounts expected;
 };
 
-/// Receives the cells as they stand, after every warm-up and every round, to be stored.
+/// Receives the cells as they stand, to be stored: after every warm-up and, since storing may cost more than
+/// a repetition, when a second of repetitions has passed.
 using MeasureCheckpoint = std::function<void(const std::vector<CellRecord>& cells)>;
 
-/// Measures all tasks, in their order. `known` holds cells of an earlier run of the same program: those that
-/// are finished are kept as they are. After an interrupt (see stop_conditions.hpp) what is there is returned.
+/// Measures all tasks, in their order. `known` holds cells of an earlier session of the same program: what is
+/// decided is not solved again, repetitions that are there count, and only those that are missing are added.
+/// A solve that was stopped by its time limit is repeated when it may take longer now. After an interrupt
+/// (see stop_conditions.hpp) what is there is returned.
 std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
                                 const std::vector<CellRecord>& known, Monitor& progress,
                                 const MeasureCheckpoint& checkpoint);

@@ -1,8 +1,10 @@
 #include "harness/measuring.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <string>
+#include <utility>
 
 #include "harness/progress_line.hpp"
 #include "harness/stop_conditions.hpp"
@@ -12,25 +14,36 @@ namespace gcs {
 
 void add_measuring_options(CLI::App& command, const char* files, TableRequest& request) {
   command.add_option("--strategies", request.strategies, "Only these strategies, separated by commas")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->type_name("NAME,...");
   command
       .add_option("--repetitions", request.repetitions,
                   "Runs of every cell; default: as time allows, at least 3")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
-  command.add_option("--out", request.out, std::string("Folder for run.json, the tables and ") + files)
+  command
+      .add_option("--out", request.out, fmt::format("Folder for run.json, all measurements, and {}", files))
       ->type_name("DIR");
-  command.add_flag("--full", request.full, "No limits of time (otherwise 10 s a solve, 14 minutes in all)");
-  command.add_flag("--resume", request.resume, "Keep the finished cells of the run in --out");
+  command.add_flag("--full", request.full,
+                   fmt::format("No limits of time (otherwise {:.0f} s a solve, {:.0f} minutes in all)",
+                               *request.limits.cell_limit_s, *request.limits.total_limit_s / 60));
+  command.add_flag("--resume", request.resume, "Go on with the run in --out, if there is one; see below");
 }
 
-RunRecord measure_and_show(const TableRequest& request, bool quiet) {
+const char* const resume_help =
+    "\nA run that was stopped in any way goes on with --resume and the same words: what is in the folder is\n"
+    "not measured again. More may be asked for than before, never less. A run of another commit, compiler,\n"
+    "machine or seed, or of an instance whose content has changed, is refused with what differs.\n";
+
+RunRecord measure_and_show(TableRequest request, const Publications& publications,
+                           const Invocation& invocation) {
+  request.arguments = invocation.arguments;
   catch_interrupts();
   RunRecord run = [&] {
-    ProgressLine progress(!quiet);
-    return run_tables(request, {}, progress);
+    ProgressLine progress(!invocation.quiet);
+    return run_tables(request, publications, progress);
   }();
-  const TableSet set = build_tables(run, {});
+  const TableSet set = build_tables(run, publications);
   if (request.out) write_tables(set, *request.out, table_formats());
   std::cout << shown_on_terminal(set);
   return run;

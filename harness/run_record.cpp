@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 
 #include "harness/json_document.hpp"
 #include "harness/record_fields.hpp"
+#include "harness/text_input.hpp"
 
 namespace gcs {
 namespace {
@@ -82,6 +81,18 @@ template <typename Record, typename Visit>
 void visit_table(Record& table, Visit visit) {
   visit("name", table.name);
   visit("instances", table.instances);
+}
+
+template <typename Record, typename Visit>
+void visit_session(Record& session, Visit visit) {
+  visit("started", session.started);
+  visit("arguments", session.arguments);
+  visit("folder", session.folder);
+  visit("load_average", session.load_average);
+  visit("repetitions", session.repetitions);
+  visit("budget_s", session.budget_s);
+  visit("cell_limit_s", session.cell_limit_s);
+  visit("total_limit_s", session.total_limit_s);
 }
 
 template <typename Record, typename Visit>
@@ -160,6 +171,12 @@ OptionMap options_of(const Json& json) {
   return options;
 }
 
+/// Empty where the member is null, or missing, as in runs from before it was written.
+std::optional<double> number_if_any(const Json& json, const char* name) {
+  const Json number = json.value(name, Json());
+  return number.is_null() ? std::nullopt : std::optional(number.get<double>());
+}
+
 Json cell_json(const CellRecord& cell) {
   Json json{{"instance", cell.spec.instance},
             {"strategy", cell.spec.strategy},
@@ -170,6 +187,8 @@ Json cell_json(const CellRecord& cell) {
             {"reason", cell.reason},
             {"difference", cell.difference},
             {"residual", cell.residual},
+            {"warm_up_s", cell.warm_up_s},
+            {"limit_s", cell.limit_s ? Json(*cell.limit_s) : Json(nullptr)},
             {"estimate_s", cell.estimate_s ? Json(*cell.estimate_s) : Json(nullptr)},
             {"counts", Json::object()},
             {"proofs", nullptr},
@@ -178,6 +197,7 @@ Json cell_json(const CellRecord& cell) {
             {"work", Json::object()},
             {"particulars", Json::object()},
             {"solutions", Json::array()},
+            {"planned", cell.planned},
             {"repetitions", Json::array()}};
   visit_counts(cell.counts, Writer{json["counts"]});
   if (cell.proofs) visit_proofs(*cell.proofs, Writer{json["proofs"]});
@@ -200,8 +220,10 @@ CellRecord cell_of(const Json& json) {
   read("reason", cell.reason);
   read("difference", cell.difference);
   read("residual", cell.residual);
-  if (const Json estimate = json.value("estimate_s", Json()); !estimate.is_null())
-    cell.estimate_s = estimate.get<double>();
+  cell.warm_up_s = json.value("warm_up_s", 0.0);
+  cell.planned = json.value("planned", 0);
+  cell.limit_s = number_if_any(json, "limit_s");
+  cell.estimate_s = number_if_any(json, "estimate_s");
   cell.spec.given = options_of(json.at("given"));
   cell.options = options_of(json.at("options"));
   cell.status = named(all_statuses, json.at("status").get<std::string>());
@@ -252,9 +274,11 @@ MeasuredInstance instance_of(const Json& json) {
 }
 
 Json record_json(const RunRecord& record) {
-  Json json{{"format", format_name},   {"started", record.started},     {"seed", record.seed},
-            {"tables", Json::array()}, {"environment", Json::object()}, {"instances", Json::array()},
-            {"curves", Json::array()}, {"cells", Json::array()}};
+  Json json{{"format", format_name},      {"started", record.started}, {"sessions", Json::array()},
+            {"seed", record.seed},        {"tables", Json::array()},   {"environment", Json::object()},
+            {"instances", Json::array()}, {"curves", Json::array()},   {"cells", Json::array()}};
+  for (const RunSession& session : record.sessions)
+    visit_session(session, Writer{json["sessions"].emplace_back(Json::object())});
   for (const RequestedTable& table : record.tables)
     visit_table(table, Writer{json["tables"].emplace_back(Json::object())});
   visit_environment(record.environment, Writer{json["environment"]});
@@ -271,6 +295,8 @@ RunRecord record_of(const Json& json) {
   const Reader read{json};
   read("started", record.started);
   read("seed", record.seed);
+  for (const Json& entry : json.value("sessions", Json::array()))
+    visit_session(record.sessions.emplace_back(), Reader{entry});
   for (const Json& entry : json.at("tables")) visit_table(record.tables.emplace_back(), Reader{entry});
   visit_environment(record.environment, Reader{json.at("environment")});
   for (const Json& entry : json.at("instances")) record.instances.push_back(instance_of(entry));
@@ -304,25 +330,25 @@ const CellRecord* RunRecord::find(const CellSpec& spec) const {
 std::string to_json_text(const RunRecord& record) { return record_json(record).dump(1) + "\n"; }
 
 RunRecord parse_run_record(const std::string& text, const std::string& file) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(file, "", what, "give a run.json as `gcsbench tables --out` writes it");
+  };
   try {
     const Json json = Json::parse(text);
     require_format(json, file);
     return record_of(json);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(file, "", error.what(), "give a run.json as `gcsbench tables --out` writes it");
+    const std::string what = error.what();
+    refuse(what.substr(what.find("] ") + 2));  // without the library's own number of the error
   } catch (const std::invalid_argument& error) {
-    throw InputError(file, "", error.what(), "give a run.json as `gcsbench tables --out` writes it");
+    refuse(error.what());
   }
+  return {};
 }
 
 RunRecord load_run_record(const std::filesystem::path& run) {
-  const std::filesystem::path file = std::filesystem::is_directory(run) ? run / "run.json" : run;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(file.string(), "", "cannot be read", "give a run.json or the folder that holds it");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse_run_record(text.str(), file.string());
+  const std::string file = (std::filesystem::is_directory(run) ? run / "run.json" : run).string();
+  return parse_run_record(read_file(file, "give a run.json or the folder that holds it"), file);
 }
 
 }  // namespace gcs

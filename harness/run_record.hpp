@@ -14,6 +14,7 @@
 #include "harness/accuracy.hpp"
 #include "harness/counts_view.hpp"
 #include "harness/environment.hpp"
+#include "harness/run_session.hpp"
 #include "harness/solve_run.hpp"
 
 namespace gcs {
@@ -70,7 +71,10 @@ struct CellRecord {
   std::vector<Particular> particulars;
   double residual = 0;                      ///< largest relative residual of the solutions
   std::vector<RecordedSolution> solutions;  ///< one per class; kept only where a table shows them
+  double warm_up_s = 0;                     ///< what the assessed solve took
+  std::optional<double> limit_s;            ///< what a solve that was stopped by its limit was allowed
   std::optional<double> estimate_s;         ///< what a solve that was stopped by its limit would take
+  int planned = 0;                          ///< repetitions; 0: not planned yet
   std::vector<Repetition> repetitions;      ///< empty unless the answer is complete and right
 
   /// Its claim does not hold.
@@ -98,7 +102,7 @@ struct RecordedLimit {
 struct MeasuredInstance {
   std::string id;
   std::string origin;       ///< the file it came from
-  std::string fingerprint;  ///< of the file's values
+  std::string fingerprint;  ///< FNV-1a, 64 bits, of the file's values as JSON on one line
   int equations = 0;        ///< constraints, the papers' m
   int dimension = 3;        ///< of the space
   std::vector<GivenLength> lengths = {};
@@ -123,9 +127,10 @@ struct RecordedCurve {
 };
 
 struct RunRecord {
-  std::string started;  ///< UTC, ISO 8601
+  std::string started;  ///< UTC, ISO 8601; when the first session did
   Environment environment;
   std::uint64_t seed = 1;
+  std::vector<RunSession> sessions;         ///< in their order
   std::vector<RequestedTable> tables;       ///< in the order asked for
   std::vector<MeasuredInstance> instances;  ///< of all tables, in order
   std::vector<RecordedCurve> curves;        ///< what figures show beside solutions

@@ -1,21 +1,17 @@
 #include "harness/table_run.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <deque>
-#include <tuple>
 
-#include "harness/accuracy.hpp"
-#include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
 #include "harness/counts_view.hpp"
 #include "harness/instance_io.hpp"
+#include "harness/instance_judge.hpp"
+#include "harness/run_folder.hpp"
 #include "harness/strategy_choice.hpp"
-#include "harness/table_output.hpp"
 #include "harness/tables.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/pyramid/pyramid_branches.hpp"
@@ -23,12 +19,11 @@
 namespace gcs {
 namespace {
 
-/// Instances made ready. Deques, because tasks point to the scenes and judges.
+/// Instances made ready. Deques, because tasks point to the scenes and judges point to both.
 struct LoadedInstances {
-  std::vector<Instance> instances;
+  std::deque<Instance> instances;
   std::deque<Scene> scenes;
-  std::deque<std::optional<AccuracyJudge>> judges{};  ///< empty: not asked for; nothing: no reference
-  std::vector<std::string> references{};              ///< of each instance, in words
+  std::deque<InstanceJudge> judges;  ///< empty: accuracy is not asked for
 
   /// Precondition: an instance of that id is loaded.
   std::size_t number(const std::string& id) const {
@@ -37,14 +32,10 @@ struct LoadedInstances {
     return static_cast<std::size_t>(found - instances.begin());
   }
   const Scene& scene(const std::string& id) const { return scenes[number(id)]; }
-  const AccuracyJudge* judge(const std::string& id) const {
-    if (judges.empty() || !judges[number(id)]) return nullptr;
-    return &*judges[number(id)];
-  }
 };
 
 LoadedInstances load_all(const std::vector<std::string>& arguments, Instance (*load)(const std::string&)) {
-  LoadedInstances loaded;
+  LoadedInstances loaded{};
   for (const std::string& argument : arguments) {
     Instance instance = load(argument);
     const bool again = std::any_of(loaded.instances.begin(), loaded.instances.end(),
@@ -56,27 +47,6 @@ LoadedInstances load_all(const std::vector<std::string>& arguments, Instance (*l
   return loaded;
 }
 
-/// In seconds: for every strategy where a reference must be made, and for S.
-constexpr double reference_limit_s = 20;
-
-void add_judge(const Instance& instance, const Scene& scene, Monitor& progress, LoadedInstances& loaded) {
-  loaded.judges.emplace_back();
-  loaded.references.emplace_back();
-  std::string& words = loaded.references.back();
-  if (const auto reason = why_not_certified(scene)) {
-    words = "none: " + *reason;
-    return;
-  }
-  progress.progress("reference of " + instance.id, -1);
-  ReferenceList list = reference_for(instance, scene, reference_limit_s, progress);
-  if (list.solutions.empty()) {
-    words = "none: no solution is proven";
-    return;
-  }
-  words = fmt::format("{}, {} solutions", list.source, list.solutions.size());
-  loaded.judges.back().emplace(scene, std::move(list));
-}
-
 void add_judges(const TableRequest& request, Monitor& progress, LoadedInstances& loaded) {
   const bool is_wanted =
       std::any_of(request.tables.begin(), request.tables.end(), [](const std::string& name) {
@@ -84,7 +54,7 @@ void add_judges(const TableRequest& request, Monitor& progress, LoadedInstances&
         return kind != nullptr && kind->measures_accuracy;
       });
   for (std::size_t i = 0; is_wanted && i < loaded.instances.size(); ++i)
-    add_judge(loaded.instances[i], loaded.scenes[i], progress, loaded);
+    loaded.judges.emplace_back(loaded.instances[i], loaded.scenes[i], progress);
 }
 
 const TableKind& table_named(const std::string& name) {
@@ -131,21 +101,23 @@ void add_task(std::vector<MeasureTask>& tasks, MeasureTask task) {
     known->keeps_solutions = known->keeps_solutions || task.keeps_solutions;
 }
 
-/// In the order of the tables; those that this version cannot measure are left out.
-std::vector<MeasureTask> tasks_of(const TableRequest& request, const LoadedInstances& loaded) {
+/// In the order of the tables; those that this version cannot measure are left out. What is measured on one
+/// instance stands together, so that a run that is stopped has needed few references.
+std::vector<MeasureTask> tasks_of(const TableRequest& request, LoadedInstances& loaded) {
   std::vector<MeasureTask> tasks;
   for (const std::string& name : request.tables) {
     const TableKind& kind = table_named(name);
     if (why_unavailable(kind)) continue;
-    const std::vector<std::string> ids = ids_for(kind, request, loaded);
-    for (const Variant& variant : kind.variants()) {
-      if (!is_selected(request, variant)) continue;
-      const StrategyEntry& entry = find_strategy(variant.strategy);
-      for (const std::string& id : ids)
-        if (variant.is_for(id))
-          add_task(tasks, {variant.on(id), &entry, &loaded.scene(id), kind.shows_solutions,
-                           kind.measures_accuracy ? loaded.judge(id) : nullptr});
-    }
+    const std::vector<Variant> variants = kind.variants();
+    for (const std::string& id : ids_for(kind, request, loaded))
+      for (const Variant& variant : variants) {
+        if (!is_selected(request, variant) || !variant.is_for(id)) continue;
+        MeasureTask task{variant.on(id), &find_strategy(variant.strategy), &loaded.scene(id),
+                         kind.shows_solutions};
+        if (kind.measures_accuracy)
+          task.judge = [judge = &loaded.judges[loaded.number(id)]] { return judge->judge(); };
+        add_task(tasks, std::move(task));
+      }
   }
   return tasks;
 }
@@ -224,54 +196,55 @@ std::vector<RecordedCurve> curves_of(const TableRequest& request, const LoadedIn
   return curves;
 }
 
+RunSession new_session(const TableRequest& request, const MeasureSettings& settings) {
+  RunSession session = start_session(request.arguments);
+  session.repetitions = settings.repetitions;
+  session.budget_s = settings.limits.budget_s;
+  session.cell_limit_s = settings.limits.cell_limit_s;
+  session.total_limit_s = settings.limits.total_limit_s;
+  return session;
+}
+
 RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
                      const MeasureSettings& settings) {
   RunRecord record;
-  record.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  record.sessions = {new_session(request, settings)};
+  record.started = record.sessions.front().started;
   record.environment = capture_environment(settings.threads);
   record.seed = settings.seed;
   for (const std::string& name : request.tables)
     record.tables.push_back({name, ids_for(table_named(name), request, loaded)});
   for (const Instance& instance : loaded.instances) {
-    record.instances.push_back(
-        {instance.id, instance.origin, fingerprint(instance),
-         static_cast<int>(instance.problem.constraints.size()), instance.problem.dimension,
-         given_lengths(instance.problem), complex_limit(instance.problem),
-         loaded.scene(instance.id).is_anchored(),
-         loaded.references.empty() ? "" : loaded.references[loaded.number(instance.id)]});
+    record.instances.push_back({instance.id, instance.origin, fingerprint(instance),
+                                static_cast<int>(instance.problem.constraints.size()),
+                                instance.problem.dimension, given_lengths(instance.problem),
+                                complex_limit(instance.problem), loaded.scene(instance.id).is_anchored()});
   }
   record.curves = curves_of(request, loaded);
   return record;
 }
 
-/// Times of two builds or machines, or answers to two problems, must not meet in one run.
-void require_same_origin(const RunRecord& earlier, const RunRecord& now, const std::string& file) {
-  const auto origin = [](const Environment& e) {
-    return std::tie(e.cpu, e.compiler, e.flags, e.commit, e.threads);
-  };
-  const std::string remedy = "choose another --out, or leave --resume out to start again";
-  if (origin(earlier.environment) != origin(now.environment)) {
-    throw InputError(file, "/environment", "the run was made by another build or on another machine", remedy);
-  }
-  for (const MeasuredInstance& instance : earlier.instances) {
-    const bool changed =
-        std::any_of(now.instances.begin(), now.instances.end(), [&](const MeasuredInstance& other) {
-          return other.id == instance.id && other.fingerprint != instance.fingerprint;
-        });
-    if (changed)
-      throw InputError(file, "/instances", "instance '" + instance.id + "' has changed since", remedy);
-  }
+/// What the earlier sessions of the run left. Returns its cells.
+std::vector<CellRecord> go_on_from(RunRecord earlier, RunRecord& record) {
+  record.started = earlier.started;
+  record.sessions.insert(record.sessions.begin(), earlier.sessions.begin(), earlier.sessions.end());
+  for (MeasuredInstance& now : record.instances)
+    for (const MeasuredInstance& then : earlier.instances)
+      if (now.id == then.id) now.reference = then.reference;
+  return std::move(earlier.cells);
 }
 
-/// The cells of the run that is resumed; none when there is no such run yet.
-std::vector<CellRecord> earlier_cells(const TableRequest& request, const RunRecord& record) {
-  if (!request.resume) return {};
-  if (!request.out) throw UsageError("--resume needs --out: the folder of the run to go on with");
-  const std::filesystem::path file = *request.out / "run.json";
-  if (!std::filesystem::exists(file)) return {};
-  RunRecord earlier = load_run_record(file);
-  require_same_origin(earlier, record, file.string());
-  return std::move(earlier.cells);
+std::vector<CellSpec> specs_of(const std::vector<MeasureTask>& tasks) {
+  std::vector<CellSpec> specs;
+  for (const MeasureTask& task : tasks) specs.push_back(task.spec);
+  return specs;
+}
+
+/// Those that have been found by now.
+void note_references(const LoadedInstances& loaded, RunRecord& record) {
+  for (std::size_t i = 0; i < loaded.judges.size(); ++i)
+    if (const std::string& reference = loaded.judges[i].reference(); !reference.empty())
+      record.instances[i].reference = reference;
 }
 
 MeasureSettings settings_of(const TableRequest& request) {
@@ -294,19 +267,27 @@ void require_known_strategies(const TableRequest& request) {
 
 RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress) {
   require_known_strategies(request);
+  if (request.resume && !request.out)
+    throw UsageError("--resume needs --out: the folder of the run to go on with");
   LoadedInstances loaded = load_all(instances_to_load(request), table_named(request.tables.front()).load);
   add_judges(request, progress, loaded);
   const std::vector<MeasureTask> tasks = tasks_of(request, loaded);
   MeasureSettings settings = settings_of(request);
   settings.expected = expected_counts(loaded, publications);
   RunRecord record = new_record(request, loaded, settings);
-  const std::vector<CellRecord> known = earlier_cells(request, record);
+
+  std::optional<RunFolder> folder;
+  if (request.out) folder.emplace(*request.out);
+  std::optional<RunRecord> earlier;
+  if (request.resume) earlier = folder->resumed(record, specs_of(tasks));
+  std::vector<CellRecord> known;
+  if (earlier) known = go_on_from(std::move(*earlier), record);
 
   const auto store = [&](const std::vector<CellRecord>& cells) {
     record.cells = cells;
-    if (request.out) AtomicFile(*request.out / "run.json").commit(to_json_text(record));
+    note_references(loaded, record);
+    if (folder) folder->store(record);
   };
-  if (request.out) make_folder(*request.out);
   store(measure(tasks, settings, known, progress, store));
   return record;
 }

@@ -21,11 +21,12 @@ struct TableRequest {
   MeasureLimits limits;
   bool full = false;                         ///< without limits of time
   std::optional<std::filesystem::path> out;  ///< folder in which run.json is kept up to date
-  bool resume = false;                       ///< take finished cells from the run.json that is there
+  bool resume = false;                       ///< go on with the run that is there, if any
+  std::vector<std::string> arguments;        ///< the words of the command line, for the record
 };
 
-/// Measures on one thread. Throws InputError for an instance that cannot be read, or a run to resume that
-/// another build or machine made; UsageError for names that are unknown or given twice; OutputError.
+/// Measures on one thread. Throws InputError for an instance that cannot be read, or a run that cannot be
+/// resumed (see RunFolder); UsageError for names that are unknown or given twice; OutputError.
 RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress);
 
 }  // namespace gcs

@@ -9,7 +9,12 @@ if(git_program)
     set(commit ${CMAKE_MATCH_1})
     execute_process(COMMAND ${git_program} -C ${SOURCE} diff --quiet HEAD RESULT_VARIABLE dirty)
     if(dirty)
-      string(APPEND commit "+dirty")
+      # Two edits of one commit are two programs.
+      execute_process(COMMAND ${git_program} -C ${SOURCE} diff --binary HEAD
+                      COMMAND ${git_program} hash-object --stdin
+                      OUTPUT_VARIABLE edit OUTPUT_STRIP_TRAILING_WHITESPACE)
+      string(SUBSTRING "${edit}" 0 12 edit)
+      string(APPEND commit "+dirty-${edit}")
     endif()
   endif()
 endif()

@@ -163,14 +163,49 @@ TEST_CASE("cells are not run when the time for everything is used up") {
   CHECK(solve_log.empty());
 }
 
-TEST_CASE("finished cells of an earlier run are kept and others measured again") {
-  const auto earlier = measure_answers({"", "same"}, repetitions(4));
-  auto known = earlier;
+TEST_CASE("of a run that was stopped only the repetitions that are missing are made") {
+  auto known = measure_answers({"", "same"}, repetitions(4));
   known.back().repetitions.resize(2);
-  const auto cells = measure_answers({"", "same"}, repetitions(3), known);
-  CHECK(cells.front().repetitions.size() == 4);
-  CHECK(cells.back().repetitions.size() == 3);
-  CHECK(solve_log == std::vector<std::string>{"same", "same", "same", "same"});
+  const auto cells = measure_answers({"", "same"}, repetitions(4), known);
+  for (const CellRecord& cell : cells) CHECK(cell.repetitions.size() == 4);
+  CHECK(cells.back().repetitions[1].solve_s == known.back().repetitions[1].solve_s);
+  CHECK(solve_log == std::vector<std::string>{"same", "same"});
+}
+
+TEST_CASE("a plan is kept when a run goes on, and raised when more is asked for") {
+  auto known = measure_answers({""}, repetitions(5));
+  known.front().repetitions.resize(1);
+  CHECK(measure_answers({""}, {}, known).front().repetitions.size() == 5);
+  CHECK(measure_answers({""}, repetitions(3), known).front().repetitions.size() == 5);
+  CHECK(measure_answers({""}, repetitions(7), known).front().repetitions.size() == 7);
+  CHECK(solve_log.size() == 6);
+}
+
+TEST_CASE("a cell without an answer is not solved again, one that was interrupted is") {
+  auto known = measure_answers({"", "none"}, repetitions(3));
+  measure_answers({"", "none"}, repetitions(3), known);
+  CHECK(solve_log.empty());
+  known.back().status = RunStatus::interrupted;
+  measure_answers({"", "none"}, repetitions(3), known);
+  CHECK(solve_log == std::vector<std::string>{"none"});
+}
+
+TEST_CASE("what was too slow is solved again only when it may take longer") {
+  auto known = measure_answers({"none"}, repetitions(3));
+  known.front().status = RunStatus::timed_out;
+  known.front().limit_s = 10;
+  MeasureSettings settings = repetitions(3);
+  const auto solves = [&](std::optional<double> cell_limit_s) {
+    settings.limits.cell_limit_s = cell_limit_s;
+    measure_answers({"none"}, settings, known);
+    return solve_log.size();
+  };
+  CHECK(solves(5) == 0);
+  CHECK(solves(10) == 0);
+  CHECK(solves(11) == 1);
+  CHECK(solves({}) == 1);
+  known.front().limit_s.reset();  // it was never run
+  CHECK(solves(5) == 1);
 }
 
 TEST_CASE("strategies whose defaults disagree are all without a time") {

@@ -69,6 +69,38 @@ TEST_CASE("the ring of a bound reads back, and a run from before rings has none"
   CHECK(parse_run_record(json.dump(), "run.json").instances.front().limit->bound.ring.empty());
 }
 
+TEST_CASE("sessions and plans read back, and a run from before them has none") {
+  RunRecord record = toy::run_record();
+  record.cells.front().planned = 7;
+  record.cells.front().warm_up_s = 0.1;
+  record.cells.front().limit_s = 0.3;
+  const RunRecord again = parse_run_record(to_json_text(record), "run.json");
+  REQUIRE(again.sessions.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RunSession &now = again.sessions[i], &then = record.sessions[i];
+    CHECK(now.started == then.started);
+    CHECK(now.arguments == then.arguments);
+    CHECK(now.folder == then.folder);
+    CHECK(now.load_average == then.load_average);
+    CHECK(now.repetitions == then.repetitions);
+    CHECK(now.budget_s == then.budget_s);
+    CHECK(now.cell_limit_s == then.cell_limit_s);
+    CHECK(now.total_limit_s == then.total_limit_s);
+  }
+  CHECK(again.cells.front().planned == 7);
+  CHECK(again.cells.front().warm_up_s == 0.1);
+  CHECK(again.cells.front().limit_s == 0.3);
+
+  nlohmann::json json = nlohmann::json::parse(to_json_text(record));
+  json.erase("sessions");
+  for (nlohmann::json& cell : json["cells"])
+    for (const char* name : {"planned", "warm_up_s", "limit_s"}) cell.erase(name);
+  const RunRecord old = parse_run_record(json.dump(), "run.json");
+  CHECK(old.sessions.empty());
+  CHECK(old.cells.front().planned == 0);
+  CHECK_FALSE(old.cells.front().limit_s);
+}
+
 TEST_CASE("a cell is found by instance, strategy and options") {
   const RunRecord record = toy::run_record();
   CHECK(record.find({"octahedron", "rcp", {}}) != nullptr);

@@ -65,6 +65,10 @@ inline RunRecord run_record() {
   const OptionMap paper{{"mode", "paper"}};
   RunRecord record;
   record.started = "2026-01-02T03:04:05Z";
+  record.sessions = {
+      {record.started, {"gcsbench", "tables", "--full"}, "/tmp", {}, {}, 90, {}, {}},
+      {"2026-01-02T04:00:00Z", {"gcsbench"}, "/tmp", {{0.25, 1, 2}}, 3, 90, 60, 1500},
+  };
   record.environment = {"Toy CPU", "GNU 12", "-O3", "0123abc", 1};
   const std::vector<std::string> both{"octahedron", "icosahedron"};
   record.tables = {

@@ -1,0 +1,43 @@
+#include "harness/instance_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "harness/reference_list.hpp"
+#include "harness/stop_conditions.hpp"
+#include "solvers/certification/scene_equations.hpp"
+
+namespace gcs {
+namespace {
+
+/// In seconds: for every strategy where a reference must be made, and for S.
+constexpr double reference_limit_s = 20;
+
+}  // namespace
+
+InstanceJudge::InstanceJudge(const Instance& instance, const Scene& scene, Monitor& progress)
+    : instance_(instance), scene_(scene), progress_(progress) {}
+
+const AccuracyJudge* InstanceJudge::judge() {
+  if (reference_.empty()) find_reference();
+  return judge_ ? &*judge_ : nullptr;
+}
+
+void InstanceJudge::find_reference() {
+  if (const auto reason = why_not_certified(scene_)) {
+    reference_ = "none: " + *reason;
+    return;
+  }
+  progress_.progress("reference of " + instance_.id, -1);
+  ReferenceList list = reference_for(instance_, scene_, reference_limit_s, progress_);
+  if (interrupted()) return;
+  if (list.solutions.empty()) {
+    reference_ = "none: no solution is proven";
+    return;
+  }
+  reference_ = fmt::format("{}, {} solutions", list.source, list.solutions.size());
+  judge_.emplace(scene_, std::move(list));
+}
+
+}  // namespace gcs

@@ -11,6 +11,10 @@
 
 namespace gcs {
 
+/// An error of up to so many times the condition number times the unit roundoff is explained by the
+/// condition.
+inline constexpr double explained_quotient = 10;
+
 /// Errors are relative to the scene's size; see figure_distance.hpp for what they measure.
 struct Accuracy {
   std::uint64_t met = 0;                ///< reference solutions that the answer has

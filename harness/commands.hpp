@@ -51,5 +51,6 @@ void add_reference_command(CLI::App& app, Invocation& invocation);
 void add_report_command(CLI::App& app, Invocation& invocation);
 void add_manual_command(CLI::App& app, Invocation& invocation);
 void add_complete_command(CLI::App& app, Invocation& invocation);
+void add_compare_command(CLI::App& app, Invocation& invocation);
 
 }  // namespace gcs

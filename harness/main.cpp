@@ -49,6 +49,7 @@ void add_commands(CLI::App& app, gcs::Invocation& invocation) {
       "  gcsbench describe octahedron\n"
       "  gcsbench solve octahedron --strategy cayley-menger --certify\n"
       "  gcsbench tables table1 --out results/runs/today\n");
+  gcs::add_compare_command(app, invocation);
 }
 
 ExitCode fail(const std::string& message) {

@@ -6,8 +6,6 @@
 namespace gcs {
 namespace {
 
-constexpr double wanted_confidence = 0.95;
-
 /// P(at most k of n measurements lie below the median), in logarithms so that large n do not underflow.
 double binomial_tail(int n, int k) {
   double sum = 0;
@@ -28,12 +26,22 @@ double middle(const std::vector<double>& sorted) {
 
 }  // namespace
 
-MedianInterval median_interval(std::vector<double> measurements) {
+MedianInterval median_interval(std::vector<double> measurements, double wanted) {
   std::sort(measurements.begin(), measurements.end());
   const int n = static_cast<int>(measurements.size());
   int k = 0;
-  while (2 * (k + 1) < n && coverage(n, k + 1) >= wanted_confidence) ++k;
+  while (2 * (k + 1) < n && coverage(n, k + 1) >= wanted) ++k;
   return {middle(measurements), measurements[k], measurements[n - 1 - k], std::max(0.0, coverage(n, k))};
+}
+
+MedianRatio median_ratio(const std::vector<double>& before, const std::vector<double>& after, double wanted) {
+  const MedianInterval first = median_interval(before, wanted);
+  const MedianInterval second = median_interval(after, wanted);
+  const double ratio = second.median / first.median;
+  const double down = std::hypot(std::log(second.median / second.low), std::log(first.high / first.median));
+  const double up = std::hypot(std::log(second.high / second.median), std::log(first.median / first.low));
+  return {ratio, ratio * std::exp(-down), ratio * std::exp(up),
+          std::min(first.confidence, second.confidence)};
 }
 
 }  // namespace gcs

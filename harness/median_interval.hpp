@@ -17,9 +17,24 @@ struct MedianInterval {
   double relative_half_width() const { return median > 0 ? (high - low) / (2 * median) : 0; }
 };
 
-/// The narrowest symmetric pair of order statistics that reaches 95 %. Fewer than 6 measurements cannot reach
-/// it: then the interval is their whole range, and `confidence` says what that is worth. Precondition: not
-/// empty.
-MedianInterval median_interval(std::vector<double> measurements);
+/// The narrowest symmetric pair of order statistics that reaches `wanted`, a probability. Too few
+/// measurements cannot reach it (of 95 %, fewer than 6): then the interval is their whole range, and
+/// `confidence` says what that is worth. Precondition: not empty.
+MedianInterval median_interval(std::vector<double> measurements, double wanted = 0.95);
+
+/// How many times as large one median is as another.
+struct MedianRatio {
+  double ratio = 0;
+  double low = 0;
+  double high = 0;
+  double confidence = 0;  ///< that `low` and `high` bound the true ratio
+};
+
+/// The ratio of the medians of `after` and `before`, with an interval that is made of theirs, both for
+/// `wanted`: the logarithms of their distances from the medians add as independent errors do, in squares (G.
+/// Zou, A. Donner: Construction of confidence limits about effect measures, Statistics in Medicine 27 (2008),
+/// eq. 7). It supposes nothing of the distributions but that they are independent. Precondition: neither is
+/// empty, and all are positive.
+MedianRatio median_ratio(const std::vector<double>& before, const std::vector<double>& after, double wanted);
 
 }  // namespace gcs

@@ -6,6 +6,14 @@
 
 namespace gcs {
 
+namespace {
+
+void write_table(const Table& table, const std::filesystem::path& folder, const TableFormat& format) {
+  AtomicFile(folder / (table.name + "." + std::string(format.extension))).commit(format.write(table));
+}
+
+}  // namespace
+
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -16,27 +24,32 @@ void write_tables(const TableSet& set, const std::filesystem::path& folder,
                   std::span<const TableFormat> formats) {
   make_folder(folder);
   for (const TableFormat& format : formats) {
-    const auto write = [&](const Table& table) {
-      AtomicFile(folder / (table.name + "." + std::string(format.extension))).commit(format.write(table));
-    };
-    for (const Table& table : set.tables) write(table);
-    write(set.measurements);
+    for (const Table& table : set.tables) write_table(table, folder, format);
+    write_table(set.measurements, folder, format);
   }
   for (const Drawing& drawing : set.drawings)
     AtomicFile(folder / (drawing.name + ".svg")).commit(drawing.svg);
 }
 
-std::string shown_on_terminal(const TableSet& set) {
+void write_tables(std::span<const Table> tables, const std::filesystem::path& folder) {
+  make_folder(folder);
+  for (const TableFormat& format : table_formats())
+    for (const Table& table : tables) write_table(table, folder, format);
+}
+
+std::string shown_on_terminal(std::span<const Table> tables, std::span<const std::string> lines) {
   std::string text;
-  for (const Table& table : set.tables) {
+  for (const Table& table : tables) {
     text += to_markdown(table);
     text += '\n';
   }
-  for (const std::string& line : set.lines) {
+  for (const std::string& line : lines) {
     text += line;
     text += '\n';
   }
   return text;
 }
+
+std::string shown_on_terminal(const TableSet& set) { return shown_on_terminal(set.tables, set.lines); }
 
 }  // namespace gcs

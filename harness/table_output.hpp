@@ -18,6 +18,12 @@ void make_folder(const std::filesystem::path& folder);
 void write_tables(const TableSet& set, const std::filesystem::path& folder,
                   std::span<const TableFormat> formats);
 
+/// Writes tables alone, likewise, in all formats. Throws OutputError.
+void write_tables(std::span<const Table> tables, const std::filesystem::path& folder);
+
+/// The tables as Markdown, then the lines.
+std::string shown_on_terminal(std::span<const Table> tables, std::span<const std::string> lines);
+
 /// The tables and lines as Markdown; the list of measurements is left to the files.
 std::string shown_on_terminal(const TableSet& set);
 

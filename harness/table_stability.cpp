@@ -16,8 +16,8 @@ namespace {
 /// What a strategy made of a member, from the best to the worst.
 enum class Outcome { sharp, fair, inexact, refused, wrong, not_run };
 
-/// Up to this an error is explained by the condition of the solution.
-constexpr double explained = 10, far_off = 1000;
+/// Beyond this quotient an error has another cause than the condition of the solution.
+constexpr double far_off = 1000;
 
 bool is_refusal(const CellRecord& cell) {
   return cell.status == RunStatus::partial || cell.status == RunStatus::gave_up;
@@ -30,7 +30,7 @@ Outcome outcome_of(const CellRecord& cell) {
   if (cell.status != RunStatus::complete) return Outcome::not_run;
   if (cell.is_flawed()) return Outcome::wrong;
   if (!cell.accuracy || !cell.accuracy->missed) return Outcome::not_run;
-  if (cell.accuracy->largest_quotient <= explained) return Outcome::sharp;
+  if (cell.accuracy->largest_quotient <= explained_quotient) return Outcome::sharp;
   return cell.accuracy->largest_quotient <= far_off ? Outcome::fair : Outcome::inexact;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -128,6 +129,8 @@ ExitCode parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that outgrows the limit is reported as any other that cannot be written.
+  std::signal(SIGXFSZ, SIG_IGN);
   ExitCode code = parse_and_run(argc, argv);
   if (!std::cout.flush()) code = fail("standard output cannot be written");
   return static_cast<int>(code);

@@ -17,6 +17,7 @@
 #include "harness/record_fields.hpp"
 #include "harness/table_entries.hpp"
 #include "harness/table_output.hpp"
+#include "harness/text_input.hpp"
 
 namespace gcs {
 
@@ -86,8 +87,9 @@ RunFolder::~RunFolder() { close(descriptor_); }
 
 std::optional<RunRecord> RunFolder::resumed(const RunRecord& now, const std::vector<CellSpec>& asked) const {
   if (!fs::exists(file_)) return std::nullopt;
-  RunRecord earlier = load_run_record(file_);
-  require_same_run(earlier, now, asked, file_.string());
+  const std::string file = file_.string();
+  RunRecord earlier = parse_run_record(read_file(file, remedy), file);
+  require_same_run(earlier, now, asked, file);
   return earlier;
 }
 

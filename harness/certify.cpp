@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "solvers/certification/coincidences.hpp"
 #include "solvers/certification/scene_equations.hpp"
@@ -14,14 +15,35 @@ namespace {
 
 using Point = std::vector<std::complex<double>>;
 
+/// Reports from any thread how many points are certified.
+class CertificateProgress {
+ public:
+  CertificateProgress(Monitor* monitor, std::size_t points) : monitor_(monitor), points_(points) {}
+
+  void one_more() {
+    if (monitor_ == nullptr) return;
+    const std::lock_guard lock(mutex_);
+    monitor_->progress("proving solutions", static_cast<double>(++done_) / static_cast<double>(points_));
+  }
+
+ private:
+  Monitor* monitor_;
+  std::size_t points_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
 std::vector<Certificate> certificates(const Certifier& certifier, const std::vector<Point>& points,
-                                      int threads) {
+                                      int threads, Monitor* monitor) {
   std::vector<Certificate> results(points.size());
+  CertificateProgress progress(monitor, points.size());
   const auto step = static_cast<std::size_t>(threads);
   run_on_threads(threads, [&](int thread) {
     const ThreadReserves reserves;
-    for (std::size_t i = static_cast<std::size_t>(thread); i < points.size(); i += step)
+    for (std::size_t i = static_cast<std::size_t>(thread); i < points.size(); i += step) {
       results[i] = certifier.certify(points[i]);
+      progress.one_more();
+    }
   });
   return results;
 }
@@ -45,8 +67,9 @@ std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certifi
 }
 
 /// How many classes the points are proven to be, each next to a solution of its own.
-std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point>& points, int threads) {
-  const std::vector<Certificate> all = certificates(certifier, points, threads);
+std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point>& points, int threads,
+                             Monitor* monitor) {
+  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor);
   std::vector<bool> counts;
   for (const Certificate& certificate : all) counts.push_back(certificate.is_proven);
   for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror))
@@ -95,11 +118,12 @@ std::uint64_t proven_real(const Assessment& assessment) {
 }  // namespace
 
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
-                                           const std::vector<Figure>& figures, int threads) {
+                                           const std::vector<Figure>& figures, int threads,
+                                           Monitor* monitor) {
   std::vector<Point> points;
   for (const Figure& figure : figures) points.push_back(equations.coordinates(figure));
   const Certifier certifier(equations.system());
-  const std::vector<Certificate> all = certificates(certifier, points, threads);
+  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor);
   std::vector<SolutionProof> proofs;
   for (std::size_t i = 0; i < all.size(); ++i) {
     proofs.push_back({all[i]});
@@ -126,7 +150,7 @@ void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs)
 }
 
 void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
-             int threads, Assessment& assessment) {
+             int threads, Monitor* monitor, Assessment& assessment) {
   Proofs& proofs = assessment.proofs.emplace();
   if (auto reason = why_not_certified(scene)) {
     proofs.why_none = std::move(*reason);
@@ -136,7 +160,7 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   std::vector<Figure> figures;
   for (const AssessedSolution& solution : assessment.solutions)
     figures.push_back(scene.in_scene_unit(solution.figure));
-  const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads);
+  const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads, monitor);
   for (std::size_t i = 0; i < all.size(); ++i) {
     AssessedSolution& solution = assessment.solutions[i];
     const std::string what = objection(solution, all[i], std::ldexp(1.0, scene.unit_exponent()));
@@ -157,8 +181,8 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   proofs.real = proven_real(assessment);
   assessment.counts.certified = proofs.classes;
   if (generic)
-    proofs.generic =
-        proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions, threads);
+    proofs.generic = proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions,
+                                    threads, monitor);
   set_limit(limits, proofs);
 }
 

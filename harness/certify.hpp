@@ -24,17 +24,17 @@ struct SolutionProof {
 void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs);
 
 /// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). The same for
-/// any number of threads.
+/// any number of threads. `monitor` may be null.
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
-                                           const std::vector<Figure>& figures, int threads);
+                                           const std::vector<Figure>& figures, int threads, Monitor* monitor);
 
 /// Sets what no list is longer than.
 void set_limit(const TheoreticalCounts& limits, Proofs& proofs);
 
 /// Fills in `certified`, `error_bound`, counts.certified and `proofs` of an assessment; what cannot be proven
 /// becomes a failed check by the name of "certificate", or "singular" where it is listed as multiple. Where
-/// certificates do not reach the scene proofs.why_none says why.
+/// certificates do not reach the scene proofs.why_none says why. `monitor` may be null.
 void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
-             int threads, Assessment& assessment);
+             int threads, Monitor* monitor, Assessment& assessment);
 
 }  // namespace gcs

@@ -7,6 +7,7 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
+#include "harness/progress_line.hpp"
 #include "harness/reference_io.hpp"
 #include "harness/text_input.hpp"
 #include "solvers/certification/scene_equations.hpp"
@@ -21,7 +22,7 @@ struct ReferenceArguments {
   ReferenceSettings settings;
 };
 
-ExitCode write_reference(const ReferenceArguments& arguments) {
+ExitCode write_reference(const ReferenceArguments& arguments, bool quiet) {
   const StoredResult result = parse_result(
       read_file(arguments.result, "give a file that `gcsbench solve --out` has written"), arguments.result);
   if (const auto reason = why_not_certified(Scene(result.instance.problem))) {
@@ -29,7 +30,11 @@ ExitCode write_reference(const ReferenceArguments& arguments) {
     return ExitCode::not_solved;
   }
   AtomicFile file(arguments.out);
-  file.commit(reference_text(result, arguments.settings));
+  const std::string text = [&] {
+    ProgressLine progress(!quiet);
+    return reference_text(result, arguments.settings, progress);
+  }();
+  file.commit(text);
   return ExitCode::done;
 }
 
@@ -54,8 +59,9 @@ void add_reference_command(CLI::App& app, Invocation& invocation) {
       "\nExample:\n"
       "  gcsbench solve octahedron --strategy cayley-menger --out result.json\n"
       "  gcsbench reference result.json --out octahedron.json\n");
-  command->callback(
-      [&invocation, arguments] { invocation.action = [arguments] { return write_reference(*arguments); }; });
+  command->callback([&invocation, arguments] {
+    invocation.action = [&invocation, arguments] { return write_reference(*arguments, invocation.quiet); };
+  });
 }
 
 }  // namespace gcs

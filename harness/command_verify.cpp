@@ -9,6 +9,7 @@
 
 #include "harness/certificates_view.hpp"
 #include "harness/commands.hpp"
+#include "harness/progress_line.hpp"
 #include "harness/text_input.hpp"
 #include "harness/verify.hpp"
 #include "solvers/certification/scene_equations.hpp"
@@ -31,7 +32,7 @@ std::string summary(const StoredResult& result, const Verification& verification
                            result.claim == "all complex");
 }
 
-ExitCode verify(const VerifyArguments& arguments) {
+ExitCode verify(const VerifyArguments& arguments, bool quiet) {
   const bool from_standard_input = arguments.result == "-";
   const std::string text = from_standard_input ? read_all(std::cin, "-")
                                                : read_file(arguments.result,
@@ -42,7 +43,10 @@ ExitCode verify(const VerifyArguments& arguments) {
     std::cerr << "gcsbench: " << *reason << '\n';
     return ExitCode::not_solved;
   }
-  const Verification verification = verify(result, arguments.threads);
+  const Verification verification = [&] {
+    ProgressLine progress(!quiet);
+    return verify(result, arguments.threads, &progress);
+  }();
   std::cout << summary(result, verification);
   std::cout.flush();
   for (const FailedCheck& mismatch : verification.mismatches)
@@ -69,8 +73,9 @@ void add_verify_command(CLI::App& app, Invocation& invocation) {
       "\nExample:\n"
       "  gcsbench solve disulfide --strategy rcp --out result.json\n"
       "  gcsbench verify result.json\n");
-  command->callback(
-      [&invocation, arguments] { invocation.action = [arguments] { return verify(*arguments); }; });
+  command->callback([&invocation, arguments] {
+    invocation.action = [&invocation, arguments] { return verify(*arguments, invocation.quiet); };
+  });
 }
 
 }  // namespace gcs

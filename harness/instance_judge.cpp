@@ -16,21 +16,21 @@ constexpr double reference_limit_s = 20;
 
 }  // namespace
 
-InstanceJudge::InstanceJudge(const Instance& instance, const Scene& scene, Monitor& progress)
-    : instance_(instance), scene_(scene), progress_(progress) {}
+InstanceJudge::InstanceJudge(const Instance& instance, const Scene& scene)
+    : instance_(instance), scene_(scene) {}
 
-const AccuracyJudge* InstanceJudge::judge() {
-  if (reference_.empty()) find_reference();
+const AccuracyJudge* InstanceJudge::judge(Monitor& progress) {
+  if (reference_.empty()) find_reference(progress);
   return judge_ ? &*judge_ : nullptr;
 }
 
-void InstanceJudge::find_reference() {
+void InstanceJudge::find_reference(Monitor& progress) {
   if (const auto reason = why_not_certified(scene_)) {
     reference_ = "none: " + *reason;
     return;
   }
-  progress_.progress("reference of " + instance_.id, -1);
-  ReferenceList list = reference_for(instance_, scene_, reference_limit_s, progress_);
+  progress.progress("reference", -1);
+  ReferenceList list = reference_for(instance_, scene_, reference_limit_s, progress);
   if (interrupted()) return;
   if (list.solutions.empty()) {
     reference_ = "none: no solution is proven";

@@ -12,21 +12,20 @@ namespace gcs {
 
 class InstanceJudge {
  public:
-  /// Keeps references to all three.
-  InstanceJudge(const Instance& instance, const Scene& scene, Monitor& progress);
+  /// Keeps references to both.
+  InstanceJudge(const Instance& instance, const Scene& scene);
 
   /// Null where there is no reference, or an interrupt came before there was one. Throws InputError as
   /// shipped_reference does.
-  const AccuracyJudge* judge();
+  const AccuracyJudge* judge(Monitor& progress);
   /// What errors are measured against, or why they are not, for a person. Empty before judge() was asked.
   const std::string& reference() const { return reference_; }
 
  private:
-  void find_reference();
+  void find_reference(Monitor& progress);
 
   const Instance& instance_;
   const Scene& scene_;
-  Monitor& progress_;
   std::string reference_;
   std::optional<AccuracyJudge> judge_;
 };

@@ -68,14 +68,39 @@ bool is_decided(const MeasureTask& task, const CellRecord& cell, std::optional<d
   return cell.status != RunStatus::interrupted;
 }
 
-/// Hears how far a solve has come, for an estimate of what it would take.
+/// Passes on what is done for one cell, as a part of what is done for all of them.
+class CellProgress final : public Monitor {
+ public:
+  CellProgress(Monitor& all, const CellSpec& spec, std::size_t number, std::size_t cells)
+      : all_(all),
+        name_(fmt::format("answers: {}, {}", spec.instance, spec.strategy)),
+        before_(static_cast<double>(number)),
+        cells_(static_cast<double>(cells)) {
+    all_.progress(name_, before_ / cells_);
+  }
+
+  void progress(std::string_view stage, double fraction) override {
+    all_.progress(fmt::format("{}: {}", name_, stage), (before_ + std::clamp(fraction, 0.0, 1.0)) / cells_);
+  }
+
+ private:
+  Monitor& all_;
+  std::string name_;
+  double before_;
+  double cells_;
+};
+
+/// Hears how far a solve has come, for an estimate of what it would take, and passes it on.
 class SolveEstimate final : public Monitor {
  public:
+  explicit SolveEstimate(Monitor& shown) : shown_(shown) {}
+
   void progress(std::string_view stage, double fraction) override {
     const double now_s = std::chrono::duration<double>(Clock::now() - start_).count();
     const std::optional<double> left_s = time_left_.estimate(stage, fraction, now_s);
     if (left_s || stage != stage_) total_s_ = left_s ? std::optional(now_s + *left_s) : std::nullopt;
     stage_ = stage;
+    shown_.progress(stage, fraction);
   }
 
   /// What the solve is at.
@@ -84,6 +109,7 @@ class SolveEstimate final : public Monitor {
   std::optional<double> total_s() const { return total_s_; }
 
  private:
+  Monitor& shown_;
   Clock::time_point start_ = Clock::now();
   TimeLeft time_left_;
   std::string stage_;
@@ -175,9 +201,9 @@ void set_estimate(const SolveEstimate& estimate, CellRecord& record) {
 }
 
 CellRecord warm_up(const MeasureTask& task, const AccuracyJudge* judge, const MeasureSettings& settings,
-                   const TimeBudget& left) {
+                   const TimeBudget& left, Monitor& progress) {
   if (left.none()) return not_run(task.spec, "the time for the whole measurement is used up");
-  SolveEstimate estimate;
+  SolveEstimate estimate(progress);
   RunLimits limits;
   limits.certify = judge == nullptr;
   limits.time_limit_s = left.for_one_solve();
@@ -252,11 +278,6 @@ std::vector<CellRecord> records_of(const std::vector<Work>& cells) {
   return records;
 }
 
-/// Progress as ProgressLine wants it.
-double share(std::size_t done, std::size_t all) {
-  return static_cast<double>(done) / static_cast<double>(all);
-}
-
 /// What an earlier session decided of the cell, or nullptr.
 const CellRecord* find_decided(const MeasureTask& task, const std::vector<CellRecord>& known,
                                const TimeBudget& left) {
@@ -281,15 +302,27 @@ std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureS
           {&task, not_run(task.spec, "the strategy's defaults already take too long; --full has no limit")});
       continue;
     }
+    CellProgress cell_progress(progress, task.spec, cells.size(), tasks.size());
     const auto before = Clock::now();
-    const AccuracyJudge* judge = task.judge ? task.judge() : nullptr;
+    const AccuracyJudge* judge = task.judge ? task.judge(cell_progress) : nullptr;
     if (interrupted()) break;
     left.leave_out(Clock::now() - before);
-    progress.progress(task.spec.instance + ", " + task.spec.strategy, share(cells.size(), tasks.size()));
-    cells.push_back({&task, warm_up(task, judge, settings, left)});
+    cells.push_back({&task, warm_up(task, judge, settings, left, cell_progress)});
     checkpoint(records_of(cells));
   }
   return cells;
+}
+
+/// What so many repetitions of the cell take, as far as its first solve tells.
+double cost_s(const Work& work, int repetitions) {
+  return work.record.is_right() ? repetitions * work.record.warm_up_s : 0;
+}
+
+/// What is still to be repeated of all cells.
+double cost_left_s(const std::vector<Work>& cells) {
+  double cost = 0;
+  for (const Work& work : cells) cost += cost_s(work, std::max(0, work.record.planned - work.begun));
+  return cost;
 }
 
 void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const TimeBudget& left,
@@ -298,11 +331,14 @@ void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const
   int rounds = 0;
   for (const Work& work : cells) rounds = std::max(rounds, work.record.planned);
   auto stored = Clock::now();
+  const double all_s = cost_left_s(cells);
+  double done_s = 0;
   for (int round = 0; round < rounds; ++round) {
-    progress.progress("repetitions", share(round, rounds));
     for (Work& work : cells) {
       if (interrupted() || left.none()) return;
       if (!work.record.is_right() || work.begun >= due(work.record.planned, round, rounds)) continue;
+      progress.progress("repetitions", all_s > 0 ? done_s / all_s : -1);
+      done_s += cost_s(work, 1);
       repeat(work, settings, left);
       if (Clock::now() - stored < storing_interval) continue;
       checkpoint(records_of(cells));

@@ -23,7 +23,7 @@ struct MeasureTask {
   bool keeps_solutions = false;  ///< in the record, for tables that show them
   /// Gives what holds the answer against the reference; empty, or null where there is none: certificates do.
   /// Called before a cell is solved for the first time, so that cells that are known cost nothing.
-  std::function<const AccuracyJudge*()> judge = {};
+  std::function<const AccuracyJudge*(Monitor& progress)> judge = {};
 };
 
 /// How long a measurement may take.

@@ -65,9 +65,10 @@ std::vector<std::string> solution_texts(const StoredResult& result, const Refere
 
 }  // namespace
 
-std::string reference_text(const StoredResult& result, const ReferenceSettings& settings) {
-  const Verification verification = verify(result, settings.threads);
+std::string reference_text(const StoredResult& result, const ReferenceSettings& settings, Monitor& progress) {
+  const Verification verification = verify(result, settings.threads, &progress);
   require_proven(result, verification);
+  progress.progress(fmt::format("proving {} digits", settings.digits), -1);
   const std::vector<std::string> solutions = solution_texts(result, settings);
   const std::size_t wanted = settings.only_real ? verification.proofs.real : result.listed.solutions.size();
   if (solutions.size() != wanted)

@@ -16,6 +16,6 @@ struct ReferenceSettings {
 /// The solutions that a result lists, each proven anew to be a solution of its own class and written in
 /// decimals with a bound on their error, and what is proven of the whole list. Throws InputError where one of
 /// them is not proven. Precondition: certificates reach the scene (see why_not_certified).
-std::string reference_text(const StoredResult& result, const ReferenceSettings& settings);
+std::string reference_text(const StoredResult& result, const ReferenceSettings& settings, Monitor& progress);
 
 }  // namespace gcs

@@ -118,9 +118,9 @@ void note_unlisted(SolveRun& run) {
 }
 
 void certify_solutions(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report,
-                       SolveRun& run) {
+                       Monitor* monitor, SolveRun& run) {
   const auto start = std::chrono::steady_clock::now();
-  certify(scene, counts, report.generic_member, run.threads, run.assessment);
+  certify(scene, counts, report.generic_member, run.threads, monitor, run.assessment);
   run.timing.certify_s = seconds_since(start);
 }
 
@@ -210,7 +210,10 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   if (limits.checks_counts || limits.certify) {
     const TheoreticalCounts counts = theoretical_counts(scene.problem());
     if (limits.checks_counts) check_counts(counts, run);
-    if (limits.certify) certify_solutions(scene, counts, report, run);
+    // What a solve was at when its time was up is the last that its monitor hears.
+    const bool was_stopped = watch.cause() != StopWatch::Cause::none;
+    if (limits.certify)
+      certify_solutions(scene, counts, report, was_stopped ? nullptr : services.monitor, run);
   }
   if (limits.only_real) leave_out_complex(run);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);

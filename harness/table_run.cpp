@@ -47,14 +47,14 @@ LoadedInstances load_all(const std::vector<std::string>& arguments, Instance (*l
   return loaded;
 }
 
-void add_judges(const TableRequest& request, Monitor& progress, LoadedInstances& loaded) {
+void add_judges(const TableRequest& request, LoadedInstances& loaded) {
   const bool is_wanted =
       std::any_of(request.tables.begin(), request.tables.end(), [](const std::string& name) {
         const TableKind* kind = find_table(name);
         return kind != nullptr && kind->measures_accuracy;
       });
   for (std::size_t i = 0; is_wanted && i < loaded.instances.size(); ++i)
-    loaded.judges.emplace_back(loaded.instances[i], loaded.scenes[i], progress);
+    loaded.judges.emplace_back(loaded.instances[i], loaded.scenes[i]);
 }
 
 const TableKind& table_named(const std::string& name) {
@@ -115,7 +115,9 @@ std::vector<MeasureTask> tasks_of(const TableRequest& request, LoadedInstances& 
         MeasureTask task{variant.on(id), &find_strategy(variant.strategy), &loaded.scene(id),
                          kind.shows_solutions};
         if (kind.measures_accuracy)
-          task.judge = [judge = &loaded.judges[loaded.number(id)]] { return judge->judge(); };
+          task.judge = [judge = &loaded.judges[loaded.number(id)]](Monitor& monitor) {
+            return judge->judge(monitor);
+          };
         add_task(tasks, std::move(task));
       }
   }
@@ -270,7 +272,7 @@ RunRecord run_tables(const TableRequest& request, const Publications& publicatio
   if (request.resume && !request.out)
     throw UsageError("--resume needs --out: the folder of the run to go on with");
   LoadedInstances loaded = load_all(instances_to_load(request), table_named(request.tables.front()).load);
-  add_judges(request, progress, loaded);
+  add_judges(request, loaded);
   const std::vector<MeasureTask> tasks = tasks_of(request, loaded);
   MeasureSettings settings = settings_of(request);
   settings.expected = expected_counts(loaded, publications);

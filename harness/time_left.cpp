@@ -13,6 +13,7 @@ constexpr double shortest_s = 2;
 }  // namespace
 
 std::optional<double> TimeLeft::estimate(std::string_view stage, double fraction, double now_s) {
+  stage = stage.substr(0, stage.find(':'));
   if (stage != stage_) reports_.clear();
   stage_ = stage;
   if (fraction < 0) return std::nullopt;

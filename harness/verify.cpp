@@ -21,11 +21,11 @@ constexpr int precise_bits = 128;
 
 class Verifier {
  public:
-  Verifier(const StoredResult& result, int threads)
+  Verifier(const StoredResult& result, int threads, Monitor* monitor)
       : result_(result), scene_(result.instance.problem), equations_(scene_) {
     for (const AssessedSolution& solution : result.listed.solutions)
       figures_.push_back(scene_.in_scene_unit(solution.figure));
-    proofs_ = prove_solutions(equations_, figures_, threads);
+    proofs_ = prove_solutions(equations_, figures_, threads, monitor);
   }
 
   Verification run() {
@@ -162,6 +162,8 @@ class Verifier {
 
 }  // namespace
 
-Verification verify(const StoredResult& result, int threads) { return Verifier(result, threads).run(); }
+Verification verify(const StoredResult& result, int threads, Monitor* monitor) {
+  return Verifier(result, threads, monitor).run();
+}
 
 }  // namespace gcs

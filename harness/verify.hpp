@@ -18,7 +18,7 @@ struct Verification {
 /// its multiplicity says; no two are the same class; a list that claims to hold all
 /// complex solutions of a complete run holds their conjugates; every count equals what the list gives.
 /// Completeness that is only found is no mismatch. Precondition: certificates reach the scene (see
-/// why_not_certified). The same for any number of threads.
-Verification verify(const StoredResult& result, int threads);
+/// why_not_certified). The same for any number of threads. `monitor` may be null.
+Verification verify(const StoredResult& result, int threads, Monitor* monitor = nullptr);
 
 }  // namespace gcs

@@ -27,6 +27,13 @@ TEST_CASE("seldom reports are judged by the last two") {
   CHECK(left.estimate("paths", 0.3, 600).value() == Approx(1050));
 }
 
+TEST_CASE("what follows a colon makes no new stage") {
+  TimeLeft left;
+  left.estimate("answers: one", 0, 0);
+  CHECK(left.estimate("answers: two: part", 0.5, 10).value() == Approx(10));
+  CHECK_FALSE(left.estimate("repetitions", 0.6, 20));
+}
+
 TEST_CASE("nothing is said where nothing is known") {
   TimeLeft left;
   CHECK_FALSE(left.estimate("points", -1, 0));

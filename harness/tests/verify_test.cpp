@@ -108,7 +108,7 @@ TEST_CASE("touching spheres have clusters of four tangents, which are all there 
     run.assessment.failed_checks.clear();
     run.assessment.solutions[0].multiplicity = 3;
     run.assessment.solutions.push_back(run.assessment.solutions[1]);
-    certify(scene, theoretical_counts(scene.problem()), {}, 1, run.assessment);
+    certify(scene, theoretical_counts(scene.problem()), {}, 1, nullptr, run.assessment);
     CHECK(run.assessment.failed_checks[0].name == "certificate");
     CHECK(run.assessment.proofs->in_clusters == 12);
   }

@@ -36,6 +36,7 @@ void add_commands(CLI::App& app, gcs::Invocation& invocation) {
   gcs::add_path_command(app, invocation);
   gcs::add_reference_command(app, invocation);
   gcs::add_report_command(app, invocation);
+  gcs::add_compare_command(app, invocation);
   gcs::add_manual_command(app, invocation);
   gcs::add_complete_command(app, invocation);
   app.footer(
@@ -50,7 +51,6 @@ void add_commands(CLI::App& app, gcs::Invocation& invocation) {
       "  gcsbench describe octahedron\n"
       "  gcsbench solve octahedron --strategy cayley-menger --certify\n"
       "  gcsbench tables table1 --out results/runs/today\n");
-  gcs::add_compare_command(app, invocation);
 }
 
 ExitCode fail(const std::string& message) {

@@ -135,10 +135,13 @@ std::string quality(const std::vector<AssessedSolution>& solutions) {
                                      [](const AssessedSolution& s) { return s.error_bound.has_value(); });
   std::string text;
   if (certified)
-    text = summary_line(
-        "error", range(solutions, [](const AssessedSolution& s) { return *s.error_bound; }) + ", proven");
-  return text + summary_line("residual", range(solutions, &AssessedSolution::residual)) +
-         summary_line("condition", range(solutions, &AssessedSolution::condition));
+    text = summary_line("error", range(solutions, [](const AssessedSolution& s) { return *s.error_bound; }) +
+                                     ", proven, in the file's unit of length");
+  return text +
+         summary_line("residual",
+                      range(solutions, &AssessedSolution::residual) + ", relative to the lengths") +
+         summary_line("condition",
+                      range(solutions, &AssessedSolution::condition) + ", of the scaled Jacobian");
 }
 
 /// The counters that are not zero, in the order of the result file.
@@ -157,7 +160,8 @@ std::string work(const WorkCounters& counters) {
   append(counters.plan_changes, "plan changes");
   std::string lines = text.empty() ? "" : summary_line("work", text);
   if (counters.smallest_step)
-    lines += summary_line("smallest step", fmt::format("{:.3g}", *counters.smallest_step));
+    lines += summary_line("smallest step",
+                          fmt::format("{:.3g}, in the unit of step_max", *counters.smallest_step));
   if (counters.mean_driving_parameters && counters.max_driving_parameters)
     lines += summary_line(
         "driving", fmt::format("{:.3g} parameters on average, {} at most", *counters.mean_driving_parameters,

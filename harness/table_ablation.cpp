@@ -103,7 +103,9 @@ Table build_paths(const RunRecord& run) {
   }
   table.remarks = {
       defaults_remark,
-      "rel.: time relative to the first row of the group. An answer that differs from the strategies' "
+      "Times: preparing and solving once on one thread, median of interleaved repetitions; ± half of its 95% "
+      "interval. rel.: time relative to the first row of the group. An answer that differs from the "
+      "strategies' "
       "defaults has no time."};
   return table;
 }
@@ -145,7 +147,8 @@ Table build_savings(const RunRecord& run) {
   }
   table.remarks = {
       "Solutions up to reflection, all complex ones, of plan-scan the real ones. Each row names the option "
-      "that switches the saving off."};
+      "that switches the saving off. Times: preparing and solving once on one thread, median of interleaved "
+      "repetitions; ± half of its 95% interval."};
   return table;
 }
 

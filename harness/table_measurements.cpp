@@ -52,6 +52,7 @@ Table build_measurements(const RunRecord& run) {
     table.rows.push_back(std::move(row));
   }
   table.remarks = {
+      "On S: solutions on the path, up to reflection. Largest residual: of a length, relative to it.",
       fmt::format(
           "Interval of the median by order statistics, whatever the distribution; with fewer than 6 runs "
           "their whole range. Seed {}, {} thread(s).",

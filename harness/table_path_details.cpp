@@ -116,6 +116,8 @@ class Builder {
         "Ratio: "
         "ours / published.",
         defaults_remark,
+        "δ: the length of a step along S in (X, t), X in the file's unit with mode=paper, otherwise in the "
+        "scene's.",
         "Times: preparing and solving once on one thread, median of interleaved repetitions; ± half of its "
         "95% "
         "interval. Published times: " +

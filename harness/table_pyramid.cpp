@@ -75,7 +75,8 @@ Table build_lengths(const MeasuredInstance& instance, const Publication& paper) 
                            printed_entry(table, figure), std::move(ours)},
                           {}});
   }
-  table.remarks = {"Published: " + paper.citation + ", Table 1."};
+  table.remarks = {"All lengths in one unit, which the paper does not name.",
+                   "Published: " + paper.citation + ", Table 1."};
   return table;
 }
 

@@ -27,19 +27,20 @@ std::vector<OptionSpec> path_option_specs(std::string_view modes, std::string_vi
       {"mode", "fast", modes, modes == all_modes ? all_modes_in_words : modes_in_words},
       {"step_max", "auto", "auto, or a number from 1e-6 to 1e6",
        paper_step_max == "0.1" ? "largest step; auto: 1 (fast and certified, in units of the scene; further "
-                                 "than 10 away a tenth of that), 0.1 "
-                                 "(paper, in the file's unit)"
+                                 "than 10 away a tenth of "
+                                 "that), 0.1 (paper, in the file's unit)"
                                : "largest step; auto: 1 (fast, in units of the scene; further than 10 away a "
-                                 "tenth of that), 0.05 (paper, in the "
-                                 "file's unit)"},
-      {"step_min", "1e-10", "a number from 1e-15 to 1", "below this step the tracker gives up"},
+                                 "tenth of that), 0.05 "
+                                 "(paper, in the file's unit)"},
+      {"step_min", "1e-10", "a number from 1e-15 to 1",
+       "below this step, in the unit of step_max, the tracker gives up"},
       {"max_steps", std::to_string(defaults.max_steps), "a whole number from 1 to 1000000000",
        "the tracker gives up after so many steps"},
       {"orientation", "forward", "forward|backward", "leave the sketch towards growing or falling t"},
       {"order", std::to_string(defaults.order), "a whole number from 4 to 40",
        "order of the series (fast, certified)"},
       {"tolerance", "1e-7", "a number from 1e-14 to 1e-5",
-       "size of the last terms of the series (fast, certified)"},
+       "size of the last terms of the series, in units of the scene (fast, certified)"},
   };
 }
 

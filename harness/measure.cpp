@@ -347,18 +347,31 @@ void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const
   }
 }
 
+/// The records, and what is known of cells that have none yet.
+std::vector<CellRecord> with_known(std::vector<CellRecord> records, const std::vector<CellRecord>& known) {
+  const std::size_t measured = records.size();
+  for (const CellRecord& cell : known) {
+    const auto end = records.begin() + static_cast<std::ptrdiff_t>(measured);
+    const bool is_there =
+        std::any_of(records.begin(), end, [&](const CellRecord& other) { return other.spec == cell.spec; });
+    if (!is_there) records.push_back(cell);
+  }
+  return records;
+}
+
 }  // namespace
 
 std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
                                 const std::vector<CellRecord>& known, Monitor& progress,
                                 const MeasureCheckpoint& checkpoint) {
   TimeBudget left(settings);
-  std::vector<Work> cells = warm_up_all(tasks, settings, known, left, progress, checkpoint);
+  const auto keep = [&](const std::vector<CellRecord>& cells) { checkpoint(with_known(cells, known)); };
+  std::vector<Work> cells = warm_up_all(tasks, settings, known, left, progress, keep);
   std::vector<CellRecord> judged = records_of(cells);
   note_differences(judged, settings.expected);
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i].record = judged[i];
-  repeat_all(cells, settings, left, progress, checkpoint);
-  return records_of(cells);
+  repeat_all(cells, settings, left, progress, keep);
+  return with_known(records_of(cells), known);
 }
 
 }  // namespace gcs

@@ -38,6 +38,7 @@ class ToyStrategy final : public Strategy {
 };
 
 std::vector<std::string> solve_log;
+std::vector<std::vector<CellRecord>> checkpoints;
 
 StrategyEntry toy_entry(std::string_view name) {
   StrategyEntry entry;
@@ -68,7 +69,8 @@ std::vector<CellRecord> measure_answers(const std::vector<std::string>& answers,
   }
   Silence silence;
   solve_log.clear();
-  return measure(tasks, settings, known, silence, [](const auto&) {});
+  checkpoints.clear();
+  return measure(tasks, settings, known, silence, [](const auto& cells) { checkpoints.push_back(cells); });
 }
 
 MeasureSettings repetitions(int count) {
@@ -170,6 +172,21 @@ TEST_CASE("of a run that was stopped only the repetitions that are missing are m
   for (const CellRecord& cell : cells) CHECK(cell.repetitions.size() == 4);
   CHECK(cells.back().repetitions[1].solve_s == known.back().repetitions[1].solve_s);
   CHECK(solve_log == std::vector<std::string>{"same", "same"});
+}
+
+TEST_CASE("what is known of later cells is never missing from what is stored") {
+  const auto known = measure_answers({"same"}, repetitions(2));
+  const auto cells = measure_answers({"", "same"}, repetitions(2), known);
+  CHECK(solve_log == std::vector<std::string>{"right", "right", "right"});
+  REQUIRE_FALSE(checkpoints.empty());
+  checkpoints.push_back(cells);
+  for (const auto& stored : checkpoints) {
+    const auto found = std::find_if(stored.begin(), stored.end(),
+                                    [&](const CellRecord& cell) { return cell.spec == known[0].spec; });
+    REQUIRE(found != stored.end());
+    CHECK(found->repetitions.size() == 2);
+    CHECK(stored.size() == 2);
+  }
 }
 
 TEST_CASE("a plan is kept when a run goes on, and raised when more is asked for") {

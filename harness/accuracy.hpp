@@ -18,7 +18,8 @@ inline constexpr double explained_quotient = 10;
 /// Errors are relative to the scene's size; see figure_distance.hpp for what they measure.
 struct Accuracy {
   std::uint64_t met = 0;                ///< reference solutions that the answer has
-  std::optional<std::uint64_t> missed;  ///< those that its claim covers and that it has not; empty: not known
+  std::optional<std::uint64_t> missed;  ///< those that its claim covers (some real: all real ones) and that
+                                        ///< it has not; empty: not known
   std::uint64_t spurious = 0;           ///< listed solutions that are none, or that stand there twice
   double largest_error = 0;             ///< over the solutions met
   double median_error = 0;
@@ -26,7 +27,11 @@ struct Accuracy {
   double largest_quotient =
       0;  ///< of an error over the condition number (1 at least) times the unit roundoff
 
-  bool is_flawed() const { return spurious > 0 || missed.value_or(0) > 0; }
+  /// It lists what is none, or has not what it claims to find; who claims some real solutions promises none
+  /// in particular.
+  bool contradicts(Claim claim) const {
+    return spurious > 0 || (claim != Claim::some_real && missed.value_or(0) > 0);
+  }
   bool operator==(const Accuracy&) const = default;
 };
 

@@ -78,7 +78,9 @@ struct CellRecord {
   std::vector<Repetition> repetitions;      ///< empty unless the answer is complete and right
 
   /// Its claim does not hold.
-  bool is_flawed() const { return !difference.empty() || (accuracy && accuracy->is_flawed()); }
+  bool is_flawed() const {
+    return !difference.empty() || (accuracy && claim && accuracy->contradicts(*claim));
+  }
   bool is_right() const { return status == RunStatus::complete && difference.empty(); }
   /// The particular of that name, if the strategy counts it.
   std::optional<std::int64_t> particular(std::string_view name) const;

@@ -78,7 +78,8 @@ Table build_instance(const RunRecord& run, const MeasuredInstance& instance) {
       "Errors: largest distance of a point from its place in the proven solution, divided by the scene's "
       "size; "
       "largest and median over the solutions met.",
-      "missed: of what the strategy claims to find. spurious: listed, but further than a thousandth of the "
+      "missed: of what the strategy claims to find, of all real ones where it claims some. spurious: listed, "
+      "but further than a thousandth of the "
       "size from every proven solution, or listed twice. – where the reference cannot tell.",
       "Reference: " + instance.reference + ".",
       fmt::format("Times: preparing, solving and refining once on one thread, median of interleaved "

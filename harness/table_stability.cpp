@@ -109,7 +109,8 @@ Table build_family(const RunRecord& run, const Family& family) {
   append_number("largest condition number", &Accuracy::largest_condition);
   append("time / time of the tame member", relative_time_entry);
   table.remarks = {"Columns: the parameter; the first is the tame member.",
-                   "missed: of what the strategy claims to find; spurious: listed, and no proven solution. "
+                   "missed: of what the strategy claims to find, of all real ones where it claims some; "
+                   "spurious: listed, and no proven solution. "
                    "The numbers are the "
                    "largest over the solutions met.",
                    "infinite: right where the scene moves, wrong elsewhere."};

@@ -81,6 +81,12 @@ DoubleDouble DistanceSystem::squared_length(const Eigen::Matrix3Xd& points, int 
   return squared_distance(p, q, dimension_);
 }
 
+void DistanceSystem::residual(const Eigen::Matrix3Xd& points, const std::vector<DoubleDouble>& squares,
+                              Eigen::Ref<Eigen::VectorXd> f) const {
+  for (int e = 0; e < equations(); ++e)
+    f[e] = (squared_length(points, e) - squares[static_cast<std::size_t>(e)]).value() / 2;
+}
+
 void DistanceSystem::jacobian(const Eigen::Matrix3Xd& points, Eigen::Ref<Eigen::MatrixXd> jacobian) const {
   jacobian.leftCols(unknowns_).setZero();
   for (int e = 0; e < equations(); ++e) {
@@ -114,8 +120,7 @@ Refinement refine(const DistanceSystem& system, const std::vector<DoubleDouble>&
   double previous = std::numeric_limits<double>::infinity();
   while (result.iterations < max_iterations) {
     system.place(x, figure.points);
-    for (int e = 0; e < m; ++e)
-      residual[e] = (system.squared_length(figure.points, e) - squares[e]).value() / 2;
+    system.residual(figure.points, squares, residual);
     system.jacobian(figure.points, jacobian);
     const Eigen::VectorXd correction = jacobian.partialPivLu().solve(residual);
     x -= correction;

@@ -48,6 +48,9 @@ class DistanceSystem {
 
   /// The squared distance of edge `e` in double-double.
   DoubleDouble squared_length(const Eigen::Matrix3Xd& points, int e) const;
+  /// f_i at the squared lengths a_i² in `squares`, one per equation, rounded after the subtraction.
+  void residual(const Eigen::Matrix3Xd& points, const std::vector<DoubleDouble>& squares,
+                Eigen::Ref<Eigen::VectorXd> f) const;
   /// df_i/dx: row i of `jacobian` (equations × at least unknowns; columns beyond are left alone).
   void jacobian(const Eigen::Matrix3Xd& points, Eigen::Ref<Eigen::MatrixXd> jacobian) const;
 

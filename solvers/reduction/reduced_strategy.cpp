@@ -252,6 +252,7 @@ class ReducedStrategy final : public Strategy {
     if (!only_real && (!totals.real || totals.complex != totals.real) && whole.candidates.size() < limit)
       for (Candidate& candidate : product.list(false, limit - whole.candidates.size()))
         whole.candidates.push_back(std::move(candidate));
+    if (!claims_all(whole.claim)) totals.real.reset();  // it is the number of those that were found
     for (const std::string& sentence : product.undecided())
       whole.reason += (whole.reason.empty() ? "" : "; ") + sentence;
     if (!product.undecided().empty() && whole.status == SolveStatus::complete)

@@ -188,6 +188,20 @@ TEST_CASE("on the core's path hung points stay on the sketch's side") {
   CHECK(placed > 0);
 }
 
+TEST_CASE("the number of some solutions is no total") {
+  RandomNumbers random(17);
+  Graph graph = samples::octahedron_graph();
+  samples::hang_at_random(graph, 2, 0, random);
+  const Scene scene(samples::placed_at_random(graph, random));
+  const SolveReport report = solve("newton-multistart", scene, "on");
+  REQUIRE(report.status == SolveStatus::complete);
+  CHECK(report.claim == Claim::some_real);
+  CHECK(report.candidates.size() >= 4);  // the figure of the lengths, with two sides for each hung point
+  REQUIRE(report.totals);
+  CHECK_FALSE(report.totals->real);
+  CHECK_FALSE(report.totals->complex);
+}
+
 TEST_CASE("a flat point counts once, as a double solution") {
   // p3 off the segment p1–p2, p4 on it, and p5 and p6 hang on both.
   Problem problem =

@@ -1,0 +1,248 @@
+/// Newton's method, damped, from many random starts: the baseline that every other strategy has to beat.
+///
+/// A start places every point at random in a box, minimises Σ f_i² over the free coordinates, with
+/// f_i = (|p_j − p_k|² − a_i²)/2, by the Levenberg-Marquardt method (Moré, The Levenberg-Marquardt algorithm:
+/// implementation and theory, 1978: MINPACK's lmder, which Eigen has in C++), and ends with undamped steps
+/// whose residuals are taken in double-double. An end that satisfies all distances to rounding is a solution,
+/// unless the Jacobian there is singular or nearly so; any other is a local minimum.
+///
+/// Nothing tells how many solutions there are. But if n ends at solutions are of w classes, and nothing was
+/// known of the sizes of their basins beforehand, w (w + 1) / (n − w − 2) more classes are to be expected
+/// (Boender, Rinnooy Kan, Bayesian stopping rules for multistart global optimization methods, 1987), and no
+/// more starts are made when that is below `unseen`. It is an estimate and proves nothing: a solution in
+/// whose basin hardly a start lies is missed, however small it is.
+///
+/// Hence it claims some real solutions. It fails, and says so, where no start ends at a solution, which does
+/// not prove that there is none, and at multiple solutions and scenes that move, whose ends it counts only.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include "solvers/model/distance_system.hpp"
+#include "solvers/model/quality.hpp"
+#include "solvers/model/solution_classes.hpp"
+#include "solvers/numeric/digest.hpp"
+#include "solvers/options.hpp"
+#include "solvers/run_on_threads.hpp"
+#include "solvers/strategy.hpp"
+
+namespace gcs {
+namespace {
+
+/// Starts between two looks at `unseen`: no fewer are made, and their number does not depend on the threads.
+constexpr int batch = 64;
+
+/// One over the square root of the unit roundoff: at this condition number a fold is so near that the
+/// rounding of the lengths can make the solution meet another one and vanish.
+constexpr double singular_condition = 9.5e7;
+
+/// In roundings: Newton's method settles at a regular solution to a few times condition · unit roundoff.
+constexpr double settled_correction = 64;
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+
+/// The equations as Eigen's Levenberg-Marquardt method asks for them.
+class Equations {
+ public:
+  explicit Equations(const Scene& scene)
+      : system(scene),
+        squares(target_squares(scene)),
+        figure_(system.figure(Eigen::VectorXd::Zero(inputs()))) {}
+
+  int inputs() const { return system.unknowns(); }
+  int values() const { return system.equations(); }
+  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& f) {
+    system.place(x, figure_.points);
+    system.residual(figure_.points, squares, f);
+    return 0;
+  }
+  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) {
+    system.place(x, figure_.points);
+    system.jacobian(figure_.points, jacobian);
+    return 0;
+  }
+
+  const DistanceSystem system;
+  const std::vector<DoubleDouble> squares;
+
+ private:
+  Figure figure_;
+};
+
+/// What became of one start. The figure is a representative of its class.
+struct End {
+  bool is_solution = false;
+  bool is_singular = false;
+  Figure figure;
+  SolutionQuality quality;
+  WorkCounters work;
+};
+
+class NewtonMultistart final : public Strategy {
+ public:
+  explicit NewtonMultistart(const OptionMap& options)
+      : most_starts_(static_cast<int>(integer_option(options, "starts", 1, 100'000'000))),
+        unseen_(number_option(options, "unseen", 0, 1e9)),
+        spread_(number_option(options, "spread", 1e-3, 1e3)),
+        tolerance_(number_option(options, "tolerance", 1e-15, 1e-2)) {}
+
+  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+    if (scene.is_anchored()) return "it places points and a line in a frame, and the file fixes positions";
+    if (scene.problem().lines.size() > 1) return "it places at most one line, and the instance has more";
+    return std::nullopt;
+  }
+
+  SolveReport solve(const SolveRequest& request) override {
+    Tally tally;
+    int started = 0;
+    do {
+      if (request.monitor != nullptr)
+        request.monitor->progress("random starts", static_cast<double>(started) / most_starts_);
+      const int next = std::min(started + batch, most_starts_);
+      for (End& end : ends_of(request, started, next)) tally.take(std::move(end));
+      tally.classes = solution_classes(request.scene, tally.figures, tally.qualities);
+      started = next;
+    } while (started < most_starts_ && !request.stop.stop_requested() && tally.expects(unseen_));
+    return report(request, started, tally);
+  }
+
+ private:
+  /// The ends at solutions so far, and their classes.
+  struct Tally {
+    std::vector<Figure> figures;
+    std::vector<SolutionQuality> qualities;
+    ReflectionClasses classes;
+    int singular = 0;  ///< ends
+    WorkCounters work;
+
+    void take(End end) {
+      work.iterations += end.work.iterations;
+      work.newton_iterations += end.work.newton_iterations;
+      work.evaluations += end.work.evaluations;
+      work.jacobians += end.work.jacobians;
+      work.factorisations += end.work.factorisations;
+      singular += end.is_singular ? 1 : 0;
+      if (!end.is_solution) return;
+      figures.push_back(std::move(end.figure));
+      qualities.push_back(end.quality);
+    }
+
+    /// How many classes are unseen, by Boender and Rinnooy Kan; nothing where the ends are too few to tell.
+    std::optional<double> unseen() const {
+      const double n = static_cast<double>(figures.size()), w = classes.count();
+      return n > w + 2 ? std::optional(w * (w + 1) / (n - w - 2)) : std::nullopt;
+    }
+    bool expects(double more) const { return !unseen() || *unseen() >= more; }
+  };
+
+  /// The ends of the starts from `first` to before `last`, in their order, whatever the number of threads.
+  std::vector<End> ends_of(const SolveRequest& request, int first, int last) const {
+    std::vector<End> ends(static_cast<std::size_t>(last - first));
+    run_on_threads(request.threads, [&](int thread) {
+      Equations equations(request.scene);
+      for (int i = first + thread; i < last && !request.stop.stop_requested(); i += request.threads)
+        ends[static_cast<std::size_t>(i - first)] = end_of(request, equations, i);
+    });
+    return ends;
+  }
+
+  /// The seed and its number alone say where a start lies.
+  Eigen::VectorXd random_start(const SolveRequest& request, int unknowns, int number) const {
+    Digest seed;
+    seed.add(request.seed);
+    seed.add(static_cast<std::uint64_t>(number));
+    std::mt19937_64 random(seed.value());
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    const double reach = spread_ * request.scene.size();
+    return Eigen::VectorXd::NullaryExpr(unknowns, [&] { return reach * coordinate(random); });
+  }
+
+  End end_of(const SolveRequest& request, Equations& equations, int number) const {
+    Eigen::VectorXd x = random_start(request, equations.inputs(), number);
+    Eigen::LevenbergMarquardt<Equations> method(equations);
+    method.parameters.xtol = method.parameters.ftol = tolerance_;
+    method.minimizeInit(x);
+    while (method.minimizeOneStep(x) == Eigen::LevenbergMarquardtSpace::Running &&
+           !request.stop.stop_requested()) {
+    }
+    const Refinement refinement = refine(equations.system, equations.squares, x);
+
+    End end;
+    end.work.iterations = method.njev;
+    end.work.newton_iterations = refinement.iterations;
+    end.work.evaluations = method.nfev + refinement.iterations;
+    end.work.jacobians = end.work.factorisations = method.njev + refinement.iterations;
+    end.figure = request.scene.representative(equations.system.figure(x));
+    if (!refinement.converged || relative_residual(request.scene, end.figure) > double_root_residual)
+      return end;
+    end.quality.condition = jacobian_condition(request.scene, end.figure);
+    const double rounding = end.quality.condition * unit_roundoff * x.cwiseAbs().maxCoeff();
+    end.is_solution = end.quality.condition <= singular_condition &&
+                      refinement.last_correction <= settled_correction * rounding;
+    end.is_singular = !end.is_solution;
+    return end;
+  }
+
+  static SolveReport report(const SolveRequest& request, int started, const Tally& tally) {
+    SolveReport report;
+    report.claim = Claim::some_real;
+    for (const int first : tally.classes.first)
+      report.candidates.push_back({tally.figures[static_cast<std::size_t>(first)]});
+    report.work = tally.work;
+    report.particulars = {{"starts", started},
+                          {"ends_at_solutions", static_cast<std::int64_t>(tally.figures.size())},
+                          {"singular_ends", tally.singular}};
+    if (const auto unseen = tally.unseen()) {
+      Particular& estimate = report.particulars.emplace_back();
+      estimate.name = "estimated_unseen_classes";
+      estimate.value = std::llround(*unseen);
+    }
+    const std::string of_all = " of " + std::to_string(started) + " random starts ";
+    if (request.stop.stop_requested()) {
+      report.status = SolveStatus::stopped;
+      report.reason = "stopped on request";
+    } else if (tally.singular > static_cast<int>(tally.figures.size())) {  // fewer are accidents
+      report.status = report.candidates.empty() ? SolveStatus::gave_up : SolveStatus::partial;
+      report.reason =
+          std::to_string(tally.singular) + of_all +
+          "end where the Jacobian is singular: at solutions that are multiple or not isolated, or "
+          "near none";
+    } else if (report.candidates.empty()) {
+      report.status = SolveStatus::gave_up;
+      report.reason = "none" + of_all + "ends at a solution";
+    } else {
+      report.status = SolveStatus::complete;
+    }
+    return report;
+  }
+
+  int most_starts_;
+  double unseen_;
+  double spread_;
+  double tolerance_;
+};
+
+}  // namespace
+
+StrategyEntry newton_multistart_entry() {
+  StrategyEntry entry;
+  entry.name = "newton-multistart";
+  entry.summary = "Levenberg-Marquardt from random starts: some real solutions, the baseline";
+  entry.citation = "Moré 1978; Boender, Rinnooy Kan 1987 for when to stop";
+  entry.options = {
+      {"starts", "1000", "a whole number from 1 to 100000000", "starts at most"},
+      {"unseen", "0.5", "number from 0 to 1e9",
+       "stop when fewer classes than this are expected to be unseen, by estimate; 0: make all starts"},
+      {"spread", "2", "number from 0.001 to 1000", "half of the starts' box, in longest lengths"},
+      {"tolerance", "1e-8", "number from 1e-15 to 0.01",
+       "of the steps, relative, before the last undamped ones"}};
+  entry.accuracy_settings = {{{"starts", "64"}}};
+  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
+    return std::make_unique<NewtonMultistart>(options);
+  };
+  return entry;
+}
+
+}  // namespace gcs

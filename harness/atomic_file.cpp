@@ -55,7 +55,7 @@ AtomicFile::AtomicFile(const fs::path& target) : named_(target), target_(through
   const bool is_special = fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored);
   if (is_special) {
     written_ = target_;
-    descriptor_ = open(target_.c_str(), O_WRONLY);
+    descriptor_ = open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
     if (fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0) fail(errno);
     descriptor_ = create_beside(target_, written_);

@@ -40,13 +40,6 @@ struct SolveArguments {
   RunLimits limits;
 };
 
-/// What the contract of the command line names and this version cannot do: said, never ignored.
-std::optional<std::string> why_unavailable(const SolveArguments& arguments) {
-  if (arguments.strategy.starts_with("exec:"))
-    return "external programs as strategies are not available in this version";
-  return std::nullopt;
-}
-
 void complain(const std::string& message) {
   std::cout.flush();
   std::cerr << "gcsbench: " << message << '\n';
@@ -110,11 +103,7 @@ std::unique_ptr<FileJournal> open_journal(const SolveArguments& arguments, const
 }
 
 ExitCode solve(const SolveArguments& arguments, bool quiet) {
-  if (const auto reason = why_unavailable(arguments)) {
-    complain(*reason);
-    return ExitCode::not_solved;
-  }
-  const StrategyEntry& entry = find_strategy(arguments.strategy);
+  const StrategyEntry entry = find_strategy_or_program(arguments.strategy);
   const OptionMap options = parse_settings(entry, arguments.settings);
   const Instance instance = load_instance(arguments.instance);
   std::optional<AtomicFile> file;
@@ -150,9 +139,15 @@ std::string settings_help() {
          "  gcsbench solve ./my.json --strategy full-space --time-limit 60 --out result.json\n"
          "  gcsbench solve octahedron --strategy rcp --out - | python3 -m json.tool\n"
          "  gcsbench solve icosahedron --strategy monodromy --resume icosahedron.journal\n"
-         "\nThe last one may be stopped in any way and started again with the same words: nothing that was\n"
+         "  gcsbench solve k33 --strategy exec:scripts/phcpack-solve\n"
+         "\nThe one with --resume may be stopped in any way and started again with the same words: nothing "
+         "that was\n"
          "done is computed again. Threads, instruction set, --time-limit and --out may change; a journal of\n"
-         "anything else is refused.\n";
+         "anything else is refused.\n"
+         "\nexec:COMMAND is run by /bin/sh -c: it reads the instance as gcsbench-instance/1 on standard "
+         "input and\n"
+         "writes {\"solutions\": [{\"points\": {...}}]} or any other gcsbench-result/1 to standard output\n"
+         "(solvers/strategies/README.md).\n";
 }
 
 /// CLI11 takes -1 and what is beyond 64 bits for the largest number there is.
@@ -176,7 +171,9 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
                   "A file, - for standard input, or the id of a shipped instance")
       ->required();
   command
-      .add_option("--strategy", arguments.strategy, "Name of the strategy (see `gcsbench list strategies`)")
+      .add_option(
+          "--strategy", arguments.strategy,
+          "Name of the strategy (see `gcsbench list strategies`), or exec:COMMAND, an external program")
       ->type_name("NAME")
       ->required();
   command.add_option("--set", arguments.settings, "An option of the strategy; may be repeated")

@@ -13,7 +13,9 @@
 namespace gcs {
 
 void add_measuring_options(CLI::App& command, const char* files, TableRequest& request) {
-  command.add_option("--strategies", request.strategies, "Only these strategies, separated by commas")
+  command
+      .add_option("--strategies", request.strategies,
+                  "Only these strategies, or external programs exec:COMMAND, separated by commas")
       ->delimiter(',')
       ->type_name("NAME,...");
   command

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "harness/instance_names.hpp"
 #include "harness/json_cursor.hpp"
+#include "harness/nearest_name.hpp"
 #include "harness/record_fields.hpp"
 
 namespace gcs {
@@ -41,9 +44,24 @@ void read_count(const JsonCursor& cursor, std::uint64_t& count) {
 }
 
 int read_number(const JsonCursor& cursor) {
+  constexpr int most = std::numeric_limits<int>::max();
   std::uint64_t count = 0;
   read_count(cursor, count);
+  if (count > most)
+    cursor.fail("'" + cursor.number().text + "' is too large", fmt::format("give a number up to {}", most));
   return static_cast<int>(count);
+}
+
+/// The one of `all` whose word the value is.
+template <typename Named, std::size_t count>
+Named read_word(const JsonCursor& cursor, const std::array<Named, count>& all) {
+  const std::string text = cursor.text();
+  const auto* const found =
+      std::find_if(all.begin(), all.end(), [&](Named one) { return word(one) == text; });
+  if (found != all.end()) return *found;
+  std::vector<std::string> words;
+  for (const Named one : all) words.emplace_back(word(one));
+  cursor.fail("'" + text + "' is no known word", "give one of " + quoted_list(words));
 }
 
 /// A vector of numbers, or of pairs [re, im].
@@ -90,10 +108,18 @@ void read_lines(const JsonCursor& lines, const Problem& problem, bool is_real, F
   }
 }
 
+/// Whether the coordinates of the first point are numbers.
+bool has_real_points(const JsonCursor& points, const Problem& problem) {
+  const auto coordinates = points.required(problem.points.front()).elements();
+  return coordinates.empty() || coordinates.front().value().kind != JsonValue::Kind::array;
+}
+
 AssessedSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
   AssessedSolution solution;
-  const bool is_real = read_boolean(cursor.required("real"));
-  read_points(cursor.required("points"), problem, is_real, solution.figure);
+  const JsonCursor points = cursor.required("points");
+  const auto real = cursor.optional("real");
+  const bool is_real = real ? read_boolean(*real) : has_real_points(points, problem);
+  read_points(points, problem, is_real, solution.figure);
   if (!problem.lines.empty()) read_lines(cursor.required("lines"), problem, is_real, solution.figure);
   if (const auto multiplicity = cursor.optional("multiplicity"))
     solution.multiplicity = read_number(*multiplicity);
@@ -139,6 +165,22 @@ void require_format(const JsonCursor& root) {
 }
 
 }  // namespace
+
+ProgramAnswer parse_answer(const std::string& text, const Problem& problem, const std::string& source) {
+  const JsonValue document = parse_json(text, source);
+  const JsonCursor root(document, source);
+  if (root.optional("format")) require_format(root);
+  ProgramAnswer answer;
+  if (const auto status = root.optional("status")) answer.status = read_word(*status, all_statuses);
+  if (const auto reason = root.optional("reason")) answer.reason = reason->text();
+  const auto claim = root.optional("claim");
+  if (claim && !is_null(*claim)) answer.claim = read_word(*claim, all_claims);
+  for (const JsonCursor& solution : root.required("solutions").elements())
+    answer.solutions.push_back(read_solution(solution, problem));
+  if (const auto path = root.optional("path"))
+    answer.crossings = read_crossings(*path, answer.solutions.size());
+  return answer;
+}
 
 StoredResult parse_result(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);

@@ -2,9 +2,11 @@
 /// Reads gcsbench-result/1, as far as it speaks of the solutions, whoever wrote it.
 
 #include <string>
+#include <vector>
 
 #include "harness/assess.hpp"
 #include "harness/instance_io.hpp"
+#include "harness/solve_run.hpp"
 
 namespace gcs {
 
@@ -15,6 +17,19 @@ struct StoredResult {
   std::string claim;   ///< a word of gcsbench-result/1; empty where the file has null
   Assessment listed;   ///< solutions, crossings and counts as listed; nothing else
 };
+
+/// What an external program answers: a result of which nothing but `solutions` has to be there.
+struct ProgramAnswer {
+  RunStatus status = RunStatus::complete;
+  std::string reason;
+  Claim claim = Claim::some_real;
+  std::vector<AssessedSolution> solutions;  ///< figures in the file's unit, and multiplicities
+  std::vector<AssessedCrossing> crossings;
+};
+
+/// The answer in `text` about `problem`; `source` is for messages. A solution without the member `real` is
+/// real unless its coordinates are pairs. Members that it does not know are passed over. Throws InputError.
+ProgramAnswer parse_answer(const std::string& text, const Problem& problem, const std::string& source);
 
 /// The result in `text`; `file` is for messages. Members that it does not know are passed over. Throws
 /// InputError.

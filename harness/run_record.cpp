@@ -18,13 +18,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view format_name = "gcsbench-run/1";
 
-constexpr std::array all_statuses{RunStatus::complete,    RunStatus::partial, RunStatus::infinite,
-                                  RunStatus::unsupported, RunStatus::gave_up, RunStatus::interrupted,
-                                  RunStatus::timed_out};
-
-constexpr std::array all_claims{Claim::some_real, Claim::on_path, Claim::on_path_of_core, Claim::all_real,
-                                Claim::all_complex};
-
 /// The one of `all` whose word is `text`.
 template <typename Named, std::size_t count>
 Named named(const std::array<Named, count>& all, const std::string& text) {

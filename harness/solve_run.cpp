@@ -1,6 +1,7 @@
 #include "harness/solve_run.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <time.h>
 
 #include <array>
@@ -20,10 +21,18 @@ namespace gcs {
 
 namespace {
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Of this process and of external programs that have ended.
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  rusage programs{};
+  getrusage(RUSAGE_CHILDREN, &programs);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) +
+         seconds(programs.ru_utime) + seconds(programs.ru_stime);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {

@@ -1,6 +1,7 @@
 #pragma once
 /// One strategy on one scene, timed and assessed: the only way in which the program solves.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,12 @@ enum class RunStatus { complete, partial, infinite, unsupported, gave_up, interr
 std::string_view word(RunStatus status);
 /// The word of gcsbench-result/1: "some real", "on path", …
 std::string_view word(Claim claim);
+
+inline constexpr std::array all_statuses{RunStatus::complete,    RunStatus::partial, RunStatus::infinite,
+                                         RunStatus::unsupported, RunStatus::gave_up, RunStatus::interrupted,
+                                         RunStatus::timed_out};
+inline constexpr std::array all_claims{Claim::some_real, Claim::on_path, Claim::on_path_of_core,
+                                       Claim::all_real, Claim::all_complex};
 
 /// Of prepare and solve alone; assessing is not timed.
 struct Timing {

@@ -10,6 +10,7 @@
 
 #include "harness/certificates_view.hpp"
 #include "harness/counts_view.hpp"
+#include "harness/exec_strategy.hpp"
 
 namespace gcs {
 
@@ -53,6 +54,12 @@ std::string solution_counts(const Problem& problem, const Counts& counts, const 
   if (counts.singular.value_or(0) > 0)
     append("singular", counts.singular, "multiple or too ill-conditioned to tell");
   return text;
+}
+
+/// Whose claim the counts rest on, where it is not one of ours.
+std::string foreign_claim(const SolveRun& run) {
+  if (!exec_command(run.strategy) || !run.claim) return "";
+  return summary_line("claim", fmt::format("{}, as the program claims", word(*run.claim)));
 }
 
 std::string path_counts(const Counts& counts) {
@@ -222,10 +229,11 @@ std::string summary_line(std::string_view label, std::string_view text) {
 
 std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run.assessment;
-  return headline(instance, run) + solution_counts(instance.problem, assessment.counts, run.claim) +
-         path_counts(assessment.counts) + proofs_text(assessment) + growths(assessment.ends) +
-         path_proofs(assessment.ends) + crossings_table(assessment) + quality(assessment.solutions) +
-         particulars(run.particulars) + work(run.work) + time(run) + failed_checks(assessment.failed_checks);
+  return headline(instance, run) + foreign_claim(run) +
+         solution_counts(instance.problem, assessment.counts, run.claim) + path_counts(assessment.counts) +
+         proofs_text(assessment) + growths(assessment.ends) + path_proofs(assessment.ends) +
+         crossings_table(assessment) + quality(assessment.solutions) + particulars(run.particulars) +
+         work(run.work) + time(run) + failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

@@ -1,5 +1,6 @@
 #include "harness/stop_conditions.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <unistd.h>
@@ -45,7 +46,8 @@ std::optional<Clock::time_point> deadline_after(std::optional<double> seconds) {
 
 void catch_interrupts() {
   if (interrupt_pipe[0] >= 0) return;
-  if (pipe(interrupt_pipe.data()) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  if (pipe2(interrupt_pipe.data(), O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), "pipe");
   struct sigaction action = {};
   action.sa_handler = remember_interrupt;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
@@ -59,7 +61,7 @@ bool interrupted() {
 }
 
 StopWatch::StopWatch(std::optional<double> time_limit_s) {
-  if (pipe(end_of_watch_) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  if (pipe2(end_of_watch_, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   thread_ = std::thread([this, time_limit_s] { watch(time_limit_s); });
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/commands.hpp"
+#include "harness/exec_strategy.hpp"
 #include "harness/nearest_name.hpp"
 
 namespace gcs {
@@ -44,6 +45,10 @@ const StrategyEntry& find_strategy(std::string_view name) {
   const auto names = names_of(all_strategies());
   throw UsageError(fmt::format("there is no strategy '{}'; did you mean '{}'? The strategies are {}", name,
                                nearest_name(name, names), quoted_list(names)));
+}
+
+StrategyEntry find_strategy_or_program(const std::string& name) {
+  return exec_command(name) ? exec_entry(name) : find_strategy(name);
 }
 
 OptionMap parse_settings(const StrategyEntry& entry, std::span<const std::string> settings) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "harness/exec_strategy.hpp"
 #include "harness/table_entries.hpp"
 #include "harness/tables.hpp"
 
@@ -173,6 +174,16 @@ std::vector<Variant> path_variants() {
 
 const Variant algebraic{"cayley-menger", {}};
 
+/// Those that the run has measured, in its order.
+std::vector<std::string> external_programs(const RunRecord& run) {
+  std::vector<std::string> programs;
+  for (const CellRecord& cell : run.cells)
+    if (exec_command(cell.spec.strategy) &&
+        std::find(programs.begin(), programs.end(), cell.spec.strategy) == programs.end())
+      programs.push_back(cell.spec.strategy);
+  return programs;
+}
+
 }  // namespace
 
 std::vector<Variant> table1_variants() {
@@ -201,6 +212,7 @@ std::vector<Table> build_table1(const RunRecord& run, const Publication& paper) 
     builder.times(variant.strategy == "rcp" ? "Algorithm 1" : "tracking S", variant);
   }
   builder.times("all solutions", algebraic);
+  for (const std::string& program : external_programs(run)) builder.times("external", {program, {}});
   return {builder.take()};
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "harness/exec_strategy.hpp"
 #include "harness/time_left.hpp"
 
 namespace gcs {
@@ -84,7 +85,7 @@ TableCell ratio_entry(std::optional<double> ours, const PrintedFigure* figure) {
 }
 
 std::string label_of(const CellSpec& spec) {
-  std::string label = spec.strategy;
+  std::string label = short_name(spec.strategy);
   for (const auto& [name, value] : spec.given) label += fmt::format(" {}={}", name, value);
   if (spec.digits > 0) label += fmt::format(", {} digits", spec.digits);
   return label;

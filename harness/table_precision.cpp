@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "harness/exec_strategy.hpp"
 #include "harness/svg_plot.hpp"
 #include "harness/table_entries.hpp"
 #include "harness/tables.hpp"
@@ -125,7 +126,7 @@ std::vector<PlotSeries> series_of(const std::vector<const CellRecord*>& cells,
   std::vector<PlotSeries> series{pareto_front(cells, Job::path), pareto_front(cells, Job::all)};
   series[series[0].points.empty() ? 1 : 0].label = "Pareto front";
   for (const auto& [strategy, style] : styles) {
-    PlotSeries one{strategy, PlotMark::symbol, {}, style};
+    PlotSeries one{short_name(strategy), PlotMark::symbol, {}, style};
     for (const CellRecord* cell : cells)
       if (const auto place = place_of(*cell); place && cell->spec.strategy == strategy)
         one.points.push_back(*place);
@@ -211,7 +212,7 @@ std::optional<Drawing> draw_profile(const RunRecord& run, Job job, const std::st
   plot.y = axis_over(fmt::format("fraction of {} problems", problems), 0, 1);
   for (auto& [strategy, values] : ratios) {
     std::sort(values.begin(), values.end());
-    PlotSeries steps{strategy, PlotMark::steps, {{0, 0}}, styles.at(strategy)};
+    PlotSeries steps{short_name(strategy), PlotMark::steps, {{0, 0}}, styles.at(strategy)};
     for (std::size_t i = 0; i < values.size(); ++i)
       steps.points.push_back({values[i], static_cast<double>(i + 1) / problems});
     steps.points.push_back({plot.x.high, steps.points.back()[1]});

@@ -8,6 +8,7 @@
 
 #include "harness/commands.hpp"
 #include "harness/counts_view.hpp"
+#include "harness/exec_strategy.hpp"
 #include "harness/instance_io.hpp"
 #include "harness/instance_judge.hpp"
 #include "harness/run_folder.hpp"
@@ -101,19 +102,43 @@ void add_task(std::vector<MeasureTask>& tasks, MeasureTask task) {
     known->keeps_solutions = known->keeps_solutions || task.keeps_solutions;
 }
 
+/// The external programs that were asked for, which no table names. Their entries refer to the request.
+std::deque<StrategyEntry> programs_of(const TableRequest& request) {
+  std::deque<StrategyEntry> programs;
+  for (const std::string& name : request.strategies)
+    if (exec_command(name)) programs.push_back(exec_entry(name));
+  return programs;
+}
+
+struct Measured {
+  Variant variant;
+  const StrategyEntry* entry;
+};
+
+/// What of a table is asked for, external programs last.
+std::vector<Measured> measured_in(const TableKind& kind, const TableRequest& request,
+                                  const std::deque<StrategyEntry>& programs) {
+  std::vector<Measured> measured;
+  for (const Variant& variant : kind.variants())
+    if (is_selected(request, variant)) measured.push_back({variant, &find_strategy(variant.strategy)});
+  for (const StrategyEntry& program : programs)
+    measured.push_back({{std::string(program.name), {}}, &program});
+  return measured;
+}
+
 /// In the order of the tables; those that this version cannot measure are left out. What is measured on one
 /// instance stands together, so that a run that is stopped has needed few references.
-std::vector<MeasureTask> tasks_of(const TableRequest& request, LoadedInstances& loaded) {
+std::vector<MeasureTask> tasks_of(const TableRequest& request, LoadedInstances& loaded,
+                                  const std::deque<StrategyEntry>& programs) {
   std::vector<MeasureTask> tasks;
   for (const std::string& name : request.tables) {
     const TableKind& kind = table_named(name);
     if (why_unavailable(kind)) continue;
-    const std::vector<Variant> variants = kind.variants();
+    const std::vector<Measured> measured = measured_in(kind, request, programs);
     for (const std::string& id : ids_for(kind, request, loaded))
-      for (const Variant& variant : variants) {
-        if (!is_selected(request, variant) || !variant.is_for(id)) continue;
-        MeasureTask task{variant.on(id), &find_strategy(variant.strategy), &loaded.scene(id),
-                         kind.shows_solutions};
+      for (const auto& [variant, entry] : measured) {
+        if (!variant.is_for(id)) continue;
+        MeasureTask task{variant.on(id), entry, &loaded.scene(id), kind.shows_solutions};
         if (kind.measures_accuracy)
           task.judge = [judge = &loaded.judges[loaded.number(id)]](Monitor& monitor) {
             return judge->judge(monitor);
@@ -262,7 +287,8 @@ MeasureSettings settings_of(const TableRequest& request) {
 }
 
 void require_known_strategies(const TableRequest& request) {
-  for (const std::string& name : request.strategies) find_strategy(name);
+  for (const std::string& name : request.strategies)
+    if (!exec_command(name)) find_strategy(name);
 }
 
 }  // namespace
@@ -271,9 +297,10 @@ RunRecord run_tables(const TableRequest& request, const Publications& publicatio
   require_known_strategies(request);
   if (request.resume && !request.out)
     throw UsageError("--resume needs --out: the folder of the run to go on with");
+  const std::deque<StrategyEntry> programs = programs_of(request);
   LoadedInstances loaded = load_all(instances_to_load(request), table_named(request.tables.front()).load);
   add_judges(request, loaded);
-  const std::vector<MeasureTask> tasks = tasks_of(request, loaded);
+  const std::vector<MeasureTask> tasks = tasks_of(request, loaded, programs);
   MeasureSettings settings = settings_of(request);
   settings.expected = expected_counts(loaded, publications);
   RunRecord record = new_record(request, loaded, settings);

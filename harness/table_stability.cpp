@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "harness/exec_strategy.hpp"
 #include "harness/families.hpp"
 #include "harness/heat_map.hpp"
 #include "harness/table_entries.hpp"
@@ -94,7 +95,7 @@ Table build_family(const RunRecord& run, const Family& family) {
     table.rows.push_back({std::move(heading), {}, {}});
     for (const std::string& strategy : strategies_of(run, family)) {
       const auto cells = cells_of(run, family, strategy);
-      TableRow row{strategy, {}, {}};
+      TableRow row{short_name(strategy), {}, {}};
       for (const CellRecord* cell : cells) row.cells.push_back(entry(cell, cells.front()));
       table.rows.push_back(std::move(row));
     }
@@ -127,7 +128,8 @@ Table build_refusals(const RunRecord& run) {
     for (const std::string& strategy : strategies_of(run, *family))
       if (std::find(strategies.begin(), strategies.end(), strategy) == strategies.end())
         strategies.push_back(strategy);
-  table.groups = {{"", strategies}};
+  table.groups = {{"", {}}};
+  for (const std::string& strategy : strategies) table.groups.back().columns.push_back(short_name(strategy));
   for (const Family* family : shown) {
     TableRow row{std::string(family->name), {}, {}};
     const auto able = strategies_of(run, *family);
@@ -173,7 +175,7 @@ std::vector<Drawing> draw_stability(const RunRecord& run) {
   for (const Family* family : families_of(run)) {
     map.rows.push_back({std::string(family->name), {}});
     for (const std::string& strategy : strategies_of(run, *family)) {
-      HeatMapRow row{strategy, {}};
+      HeatMapRow row{short_name(strategy), {}};
       for (const CellRecord* cell : cells_of(run, *family, strategy))
         row.fields.push_back(cell == nullptr ? -1 : static_cast<int>(outcome_of(*cell)));
       map.rows.push_back(std::move(row));

@@ -310,10 +310,6 @@ class Solve(CommandLine):
         self.assertEqual(done.returncode, DONE)
         self.assertTrue(json.loads(done.stdout))
 
-    def test_what_this_version_cannot_do_is_said(self):
-        done = run("solve", "octahedron", "--strategy", "exec:true")
-        self.assert_one_message(done, NOT_SOLVED, "not available in this version")
-
     def test_only_real_solutions(self):
         solve = ["solve", "octahedron", "--strategy", "cayley-menger", "--certify", "--out", "-"]
         result = {kind: json.loads(run(*solve, "--solutions", kind).stdout) for kind in ("real", "all")}

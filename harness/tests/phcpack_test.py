@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+"""PHCpack as an external program: scripts/phcpack-solve writes its systems and reads its solutions.
+
+The counts are those of the tables in the literature and of `gcsbench count`, which know nothing of PHCpack.
+
+Usage: phcpack_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = ""
+SOURCE = Path()
+
+# Eight up to reflection, four of them real (octahedron) and two (K3,3): theory, and `cayley-menger` by another way.
+KNOWN = {"k33": (8, 2), "octahedron": (8, 4)}
+
+
+class Phcpack(unittest.TestCase):
+    def solve(self, instance, *more):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "result.json"
+            done = subprocess.run([PROGRAM, "--quiet", "solve", instance, "--strategy", "exec:scripts/phcpack-solve",
+                                   "--out", out, *more], capture_output=True, text=True, timeout=200, cwd=SOURCE,
+                                  check=False)
+            return done, json.loads(out.read_text())
+
+    def test_all_complex_solutions_are_found_and_certified(self):
+        if shutil.which("phc") is None:
+            self.skipTest("phc is not installed (Debian: phcpack)")
+        for instance, (classes, real) in KNOWN.items():
+            done, result = self.solve(instance, "--certify")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(result["status"], "complete")
+            counts = result["counts"]
+            self.assertEqual((counts["complex_up_to_reflection"], counts["real_up_to_reflection"]), (classes, real))
+            self.assertEqual(counts["certified"], classes)
+            self.assertTrue(result["proofs"]["complete"])
+
+    def test_the_same_seed_gives_the_same_answer(self):
+        if shutil.which("phc") is None:
+            self.skipTest("phc is not installed (Debian: phcpack)")
+        first, again = (self.solve("octahedron", "--seed", "5")[1] for _ in range(2))
+        self.assertEqual(first["solutions"], again["solutions"])
+
+    def test_the_frame_is_numbers_where_its_distances_are_given(self):
+        """With the stub in place of phc, which shows its input and fails."""
+        with tempfile.TemporaryDirectory() as folder:
+            stub = Path(folder) / "phc"
+            stub.write_text("#!/bin/sh\ntr '\\n' ' ' < system >&2\nexit 9\n")
+            stub.chmod(0o755)
+            text = (SOURCE / "instances" / "octahedron.json").read_text()
+            done = subprocess.run([SOURCE / "scripts/phcpack-solve", "--formulation", "coordinates"], input=text,
+                                  capture_output=True, text=True, timeout=60, check=True,
+                                  env={"PATH": folder + ":/usr/bin:/bin"})
+        answer = json.loads(done.stdout)
+        self.assertEqual(answer["status"], "gave up")
+        self.assertIn("status 9", answer["reason"])
+        self.assertIn("z5", answer["reason"])
+
+    def test_without_phc_it_says_what_is_missing(self):
+        text = (SOURCE / "instances" / "k33.json").read_text()
+        done = subprocess.run(["/usr/bin/python3", SOURCE / "scripts/phcpack-solve"], input=text, capture_output=True,
+                              text=True, timeout=60, check=True, env={"PATH": "/nowhere"})
+        answer = json.loads(done.stdout)
+        self.assertEqual(answer["status"], "gave up")
+        self.assertIn("phcpack", answer["reason"])
+
+    def test_lines_are_refused(self):
+        done, result = self.solve("hoffmann-yuan")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("points only", result["reason"])
+
+
+if __name__ == "__main__":
+    PROGRAM, SOURCE = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
+    if shutil.which("phc") is None:
+        print("phc is not installed (Debian: phcpack): what needs it is skipped")
+    ended = unittest.main(argv=[sys.argv[0], *sys.argv[3:]], exit=False)
+    if not ended.result.wasSuccessful():
+        sys.exit(1)
+    sys.exit(77 if ended.result.skipped else 0)

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solvers/construction/plan_use.hpp"
 #include "solvers/journal.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/natural.hpp"
@@ -69,6 +70,8 @@ struct PathRecord {
   int winding_number = 0;  ///< w: near its end the path is a series in (1 − t)^(1/w); 0: not determined
   int pole_order = 0;      ///< k: at infinity like (1 − t)^(−k/w); 0: finite, or not determined
   bool proven = false;     ///< its closing, and the order and number of its crossings, are proven
+  /// The construction plans it was followed with, in order, the first from the sketch on; empty: with none.
+  std::vector<PlanUse> plans{};
 };
 
 /// A count that only this strategy knows, such as the candidates of a scan.

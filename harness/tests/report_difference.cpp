@@ -95,7 +95,7 @@ class Fields {
   }
 
   void add(const std::string& name, const PathRecord& path) {
-    const auto& [end, cause, length, crossings, winding_number, pole_order, proven] = path;
+    const auto& [end, cause, length, crossings, winding_number, pole_order, proven, plans] = path;
     add(name + ".end", end);
     add(name + ".cause", cause);
     add(name + ".length", length);
@@ -106,6 +106,13 @@ class Fields {
     for (const auto& [candidate, direction] : crossings) {
       add(name + ".crossing.candidate", candidate);
       add(name + ".crossing.direction", direction);
+    }
+    add(name + ".plans.size()", plans.size());
+    for (const auto& [figure, t, removed] : plans) {
+      add(name + ".plan.points", figure.points);
+      add(name + ".plan.t", t);
+      add(name + ".plan.removed.size()", removed.size());
+      for (const int constraint : removed) add(name + ".plan.removed", constraint);
     }
   }
 

@@ -78,6 +78,7 @@ SolveReport with_hung_points(const Scene& scene, const std::vector<Part>& parts,
   for (PathRecord& path : report.paths) {
     for (Crossing& crossing : path.crossings) crossing.candidate = number[crossing.candidate];
     std::erase_if(path.crossings, [](const Crossing& crossing) { return crossing.candidate < 0; });
+    path.plans.clear();
   }
   for (const auto& [cause, numbers] : causes)
     report.reason += (report.reason.empty() ? "" : "; ") + cause + " " + at_solutions(numbers);

@@ -66,16 +66,24 @@ class Rcp final : public Strategy {
     if (options_.mode == PathMode::paper) {
       PaperPlanHomotopy homotopy(scene, plan, sketch, rule_, swap_);
       EulerNewtonTracker tracker(homotopy, options_.paper, context);
-      return path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
+      return report_of(scene, tracker.run(), homotopy);
     }
     return report_once_refined(options_.fast, [&](const SeriesTrackerOptions& options) {
       PlanCurve curve(scene, plan, sketch, {options.order, options.tolerance, swap_, rule_});
       SeriesTracker tracker(curve, options, context);
-      return path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+      return report_of(scene, tracker.run(), curve);
     });
   }
 
  private:
+  template <class Curve>
+  static SolveReport report_of(const Scene& scene, TrackedPath path, const Curve& curve) {
+    SolveReport report =
+        path_report(scene, std::move(path), [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+    report.paths.front().plans = curve.plans();
+    return report;
+  }
+
   PathOptions options_;
   ExchangeRule rule_;
   bool swap_ = true;

@@ -66,6 +66,10 @@ void PaperPlanHomotopy::find_branch(const Eigen::Matrix3Xd& points) {
   for (Instruction& instruction : plan_.instructions()) instruction.side = side_of(instruction, points);
 }
 
+void PaperPlanHomotopy::note_plan(const Eigen::Matrix3Xd& points, double t) {
+  plans_.push_back({Figure{points / unit_, {}}, t, plan_.removed()});
+}
+
 Eigen::VectorXd PaperPlanHomotopy::parameters(const Eigen::Matrix3Xd& points, double t) const {
   Eigen::VectorXd y(plan_.driving_parameters() + 1);
   Eigen::Index j = 0;
@@ -81,6 +85,7 @@ Eigen::VectorXd PaperPlanHomotopy::start() {
   if (swap_ && needs_change(plan_, rule_, sketch_) && change_plan(plan_, rule_, sketch_))
     ++work_.plan_changes;
   find_branch(sketch_);
+  note_plan(sketch_, 0);
   return parameters(sketch_, 0);
 }
 
@@ -169,6 +174,7 @@ bool PaperPlanHomotopy::after_step(const Eigen::VectorXd& before, Eigen::VectorX
   if (!change_plan(plan_, rule_, points_)) return false;
   ++work_.plan_changes;
   find_branch(points_);
+  note_plan(points_, y[y.size() - 1]);
   const double t_before = before[before.size() - 1];
   y = parameters(points_, y[y.size() - 1]);
   tangent = (y - parameters(shifted_points_, t_before)).normalized();

@@ -3,6 +3,7 @@
 /// coordinates, and H_R of §3.2 in the driving parameters of a plan. Both differentiate numerically.
 
 #include "solvers/construction/exchange.hpp"
+#include "solvers/construction/plan_use.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/tracking/euler_newton_tracker.hpp"
 
@@ -53,6 +54,8 @@ class PaperPlanHomotopy {
   bool try_other_branch(const Eigen::VectorXd& y);
   void take_back_branch();
   WorkCounters& work() { return work_; }
+  /// The plans of the accepted points, as in PathRecord.
+  const std::vector<PlanUse>& plans() const { return plans_; }
   Figure figure(const Eigen::VectorXd& coordinates) const;
 
  private:
@@ -61,6 +64,7 @@ class PaperPlanHomotopy {
   /// ϕ': the driving parameters and t of a figure.
   Eigen::VectorXd parameters(const Eigen::Matrix3Xd& points, double t) const;
   void find_branch(const Eigen::Matrix3Xd& points);
+  void note_plan(const Eigen::Matrix3Xd& points, double t);
 
   double unit_;
   int dimension_;
@@ -74,6 +78,7 @@ class PaperPlanHomotopy {
   std::size_t flipped_ = 0;  ///< the instruction whose branch was changed last
   WorkCounters work_;
   double driving_sum_ = 0;
+  std::vector<PlanUse> plans_;
 };
 
 }  // namespace gcs

@@ -148,7 +148,11 @@ bool PlanCurve::too_near() const {
   return !options_.swap && boundary_distance(plan_, options_.exchange, points_) < nearest_boundary;
 }
 
+/// The plan is new at points().
+void PlanCurve::note_plan() { plans_.push_back({Figure{points_, {}}, parameters_[0], plan_.removed()}); }
+
 void PlanCurve::accept() {
+  if (previous_plan_) note_plan();
   previous_plan_.reset();
   const int d = plan_.driving_parameters();
   driving_sum_ += d;
@@ -168,6 +172,7 @@ bool PlanCurve::start(int orientation, ArcSeries& series) {
   maintain(0);
   previous_plan_.reset();
   if (!evaluate()) return false;
+  note_plan();
   differentiate();
   const Eigen::Index d = plan_.driving_parameters();
   Eigen::VectorXd direction = Eigen::VectorXd::Unit(1, 0);

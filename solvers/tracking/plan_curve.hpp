@@ -13,6 +13,7 @@
 
 #include "solvers/construction/exchange.hpp"
 #include "solvers/construction/plan_sweep.hpp"
+#include "solvers/construction/plan_use.hpp"
 #include "solvers/tracking/arc_series.hpp"
 #include "solvers/tracking/edge_series.hpp"
 #include "solvers/work.hpp"
@@ -39,6 +40,8 @@ class PlanCurve {
   WorkCounters& work() { return work_; }
 
   const Plan& plan() const { return plan_; }
+  /// The plans of the accepted points, as in PathRecord.
+  const std::vector<PlanUse>& plans() const { return plans_; }
   /// The figure of a tracker's point, in the plan's frame.
   Figure figure(const Eigen::VectorXd& y) const;
 
@@ -61,6 +64,7 @@ class PlanCurve {
  private:
   void configure();
   void maintain(double t);
+  void note_plan();
   bool too_near() const;
   void border_and_invert(const Eigen::VectorXd& tangent);
   void expand(const Eigen::VectorXd& y, ArcSeries& series);
@@ -81,6 +85,7 @@ class PlanCurve {
   std::vector<int> driven_;  ///< the point that the sphere of each driving parameter places
   Plan plan_;
   std::optional<Plan> previous_plan_;  ///< what reject() goes back to
+  std::vector<PlanUse> plans_;
   Figure sketch_;
 
   Eigen::Matrix3Xd points_;

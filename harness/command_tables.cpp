@@ -90,7 +90,7 @@ void add_options(CLI::App& command, TableRequest& request) {
   command.add_option("--instances", request.instances, "Only these: ids or files, separated by commas")
       ->delimiter(',')
       ->type_name("INSTANCE,...");
-  add_measuring_options(command, "the tables as Markdown, CSV and LaTeX", request);
+  add_measuring_options(command, "the tables as Markdown, CSV and LaTeX, and what the page shows", request);
   command.footer(names_help);
 }
 

@@ -12,6 +12,8 @@
 #include "harness/instance_io.hpp"
 #include "harness/instance_judge.hpp"
 #include "harness/run_folder.hpp"
+#include "harness/scene_store.hpp"
+#include "harness/stop_conditions.hpp"
 #include "harness/strategy_choice.hpp"
 #include "harness/tables.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
@@ -286,6 +288,14 @@ MeasureSettings settings_of(const TableRequest& request) {
   return settings;
 }
 
+/// What the page shows of the instances beside the measurements.
+void store_scenes(const LoadedInstances& loaded, const RunRecord& record, const std::filesystem::path& folder,
+                  Monitor& progress) {
+  for (const Instance& instance : loaded.instances)
+    if (is_drawn(record, instance.id) && !interrupted())
+      store_scene(make_scene(instance, loaded.scene(instance.id), record, progress), folder);
+}
+
 void require_known_strategies(const TableRequest& request) {
   for (const std::string& name : request.strategies)
     if (!exec_command(name)) find_strategy(name);
@@ -318,6 +328,7 @@ RunRecord run_tables(const TableRequest& request, const Publications& publicatio
     if (folder) folder->store(record);
   };
   store(measure(tasks, settings, known, progress, store));
+  if (request.out) store_scenes(loaded, record, *request.out, progress);
   return record;
 }
 

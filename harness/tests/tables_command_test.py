@@ -19,6 +19,7 @@ PROGRAM = ""
 SOURCE = Path()
 
 DONE, BAD_INPUT, NOT_SOLVED, INTERRUPTED = 0, 2, 3, 130
+SCENE_FOLDERS = {"scenes", "paths"}
 TABLE_FILES = {f"{name}.{ext}" for name in ("table1", "measurements") for ext in ("md", "csv", "tex")}
 
 
@@ -54,7 +55,9 @@ class Tables(WithFolder):
         self.assertIn("72 [1]", done.stdout)
         self.assertRegex(done.stdout, r"complex, at most +\| +– \| +64 \[2\]")
         self.assertIn("not measured", done.stdout, "the strategy that was not selected")
-        self.assertEqual({path.name for path in self.folder.iterdir()}, TABLE_FILES | {"run.json"})
+        self.assertEqual({path.name for path in self.folder.iterdir()}, TABLE_FILES | {"run.json"} | SCENE_FOLDERS)
+        for folder in SCENE_FOLDERS:
+            self.assertEqual([path.name for path in (self.folder / folder).iterdir()], ["octahedron.json"])
         record = json.loads((self.folder / "run.json").read_text())
         self.assertEqual(record["format"], "gcsbench-run/1")
         default = next(cell for cell in record["cells"] if not cell["given"])
@@ -111,7 +114,7 @@ class Tables(WithFolder):
         self.assertEqual(done.returncode, DONE, done.stderr)
         tables = ("lengths", "solutions", "scans", "6p")
         files = {f"hoffmann-yuan-{name}.{ext}" for name in tables for ext in ("md", "csv", "tex")}
-        files |= {"hoffmann-yuan-curve.svg", "run.json"} | {f"measurements.{ext}" for ext in ("md", "csv", "tex")}
+        files |= {"hoffmann-yuan-curve.svg", "run.json"} | SCENE_FOLDERS | {f"measurements.{ext}" for ext in ("md", "csv", "tex")}
         self.assertEqual({path.name for path in self.folder.iterdir()}, files)
         scans = (self.folder / "hoffmann-yuan-scans.csv").read_text()
         self.assertIn("108,108,20,20", scans)

@@ -46,7 +46,10 @@ RunRecord measure_and_show(TableRequest request, const Publications& publication
     return run_tables(request, publications, progress);
   }();
   const TableSet set = build_tables(run, publications);
-  if (request.out) write_tables(set, *request.out, table_formats());
+  if (request.out) {
+    write_tables(set, *request.out, table_formats());
+    write_drawings(set.drawings, *request.out);
+  }
   std::cout << shown_on_terminal(set);
   return run;
 }

@@ -8,6 +8,9 @@
 #include <string_view>
 #include <tuple>
 
+#include "harness/html_text.hpp"
+#include "harness/text_width.hpp"
+
 namespace gcs {
 namespace {
 
@@ -34,24 +37,12 @@ std::string_view colour_of(const PlotSeries& series) {
       return vermillion;
     case PlotMark::line:
       return black;
+    case PlotMark::curve:
     case PlotMark::symbol:
     case PlotMark::steps:
       break;
   }
   return style_colours[static_cast<std::size_t>(series.style) % style_colours.size()];
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 /// Those that the legend names.
@@ -66,7 +57,8 @@ std::vector<const PlotSeries*> labelled(const Plot& plot) {
 int legend_columns(const Plot& plot, double room) {
   double widest = 1;
   for (const PlotSeries* series : labelled(plot))
-    widest = std::max(widest, legend_mark_width + mean_letter * static_cast<double>(series->label.size()));
+    widest =
+        std::max(widest, legend_mark_width + mean_letter * static_cast<double>(display_width(series->label)));
   return std::clamp(static_cast<int>(room / widest), 1, std::max(1, static_cast<int>(labelled(plot).size())));
 }
 
@@ -99,7 +91,7 @@ struct Canvas {
 std::string text_at(double x, double y, std::string_view anchor, std::string_view text,
                     std::string_view more = "") {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, more,
-                     escaped(text));
+                     html_escaped(text));
 }
 
 std::string segment(double x1, double y1, double x2, double y2) {
@@ -163,7 +155,9 @@ constexpr std::array<std::string_view, 8> style_shapes{"m-2 0a2 2 0 1 0 4 0a2 2 
                                                        "m0 2.4l2.2 -3.9h-4.4z",
                                                        "m-1.8 -1.8h3.6l-3.6 3.6h3.6z"};
 
-bool is_connected(PlotMark mark) { return mark == PlotMark::line || mark == PlotMark::steps; }
+bool is_connected(PlotMark mark) {
+  return mark == PlotMark::line || mark == PlotMark::curve || mark == PlotMark::steps;
+}
 
 /// What a mark's path has beside its shape.
 std::string pen_of(const PlotSeries& series) {
@@ -176,6 +170,8 @@ std::string pen_of(const PlotSeries& series) {
       return "fill=\"none\" stroke-width=\"1\" " + stroke;
     case PlotMark::line:
       return "fill=\"none\" stroke-width=\"0.8\" stroke-dasharray=\"4 2\" " + stroke;
+    case PlotMark::curve:
+      return "fill=\"none\" stroke-width=\"0.9\" stroke-linejoin=\"round\" " + stroke;
     case PlotMark::steps:
       return fmt::format("fill=\"none\" stroke-width=\"1\" stroke-dasharray=\"{}\" {}", dashes, stroke);
     case PlotMark::symbol:
@@ -213,6 +209,34 @@ std::string marks(const Canvas& canvas, const PlotSeries& series) {
       path += fmt::format("M{:.1f} {:.1f}{}", x, y, is_connected(series.mark) ? "" : shape_of(series));
   }
   return fmt::format("<path {} d=\"{}\"/>\n", pen_of(series), path);
+}
+
+/// Beside their places, where none lies over another, as far as that is possible around one place.
+std::string labels(const Canvas& canvas) {
+  constexpr double line = 8;
+  constexpr std::array<PlotPoint, 8> offsets{
+      {{4, -3}, {-4, -3}, {4, 9}, {-4, 9}, {15, 3}, {-15, 3}, {15, -9}, {-15, -9}}};
+  std::vector<PlotPoint> taken;
+  std::string text;
+  for (const PlotLabel& label : canvas.plot.labels) {
+    const double length = mean_letter * static_cast<double>(display_width(label.text));
+    const auto place = [&](const PlotPoint& offset) {
+      const double left = offset[0] < 0 ? offset[0] - length : offset[0];
+      return PlotPoint{canvas.x(label.at[0]) + left, canvas.y(label.at[1]) + offset[1]};
+    };
+    const auto is_free = [&](const PlotPoint& offset) {
+      const PlotPoint p = place(offset);
+      return p[0] > canvas.left && p[0] + length < width - right && p[1] - line > canvas.top &&
+             std::none_of(taken.begin(), taken.end(), [&](const PlotPoint& other) {
+               return std::abs(p[0] - other[0]) < length && std::abs(p[1] - other[1]) < line;
+             });
+    };
+    const auto* const found = std::find_if(offsets.begin(), offsets.end(), is_free);
+    taken.push_back(place(found == offsets.end() ? offsets.front() : *found));
+    text += text_at(taken.back()[0], taken.back()[1], "start", label.text,
+                    " paint-order=\"stroke\" stroke=\"#FFFFFF\" stroke-width=\"2\"");
+  }
+  return text;
 }
 
 /// The mark of a series on its own: 14 points wide, around (x, y).
@@ -264,10 +288,10 @@ std::string to_svg(const Plot& plot) {
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"85mm\" height=\"{:.1f}mm\" viewBox=\"0 0 {} {}\" "
       "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{}\" role=\"img\">\n<title>{}</title>\n",
-      85 * canvas.height / width, width, canvas.height, font, escaped(plot.description));
+      85 * canvas.height / width, width, canvas.height, font, html_escaped(plot.description));
   text += fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"#FFFFFF\"/>\n", width, canvas.height);
   for (const PlotSeries& series : plot.series) text += marks(canvas, series);
-  return text + frame_of(canvas) + axis_labels(canvas) + legend(canvas) + "</svg>\n";
+  return text + labels(canvas) + frame_of(canvas) + axis_labels(canvas) + legend(canvas) + "</svg>\n";
 }
 
 }  // namespace gcs

@@ -10,15 +10,21 @@ namespace gcs {
 
 using PlotPoint = std::array<double, 2>;  ///< in the units of the axes
 
-/// How a series is drawn. `line` connects its points by dashes and `steps` by a staircase; `symbol` is one of
-/// eight shapes.
-enum class PlotMark { dot, circle, line, symbol, steps };
+/// How a series is drawn. `line` connects its points by dashes, `curve` without gaps and `steps` by a
+/// staircase; `symbol` is one of eight shapes.
+enum class PlotMark { dot, circle, line, curve, symbol, steps };
 
 struct PlotSeries {
   std::string label;  ///< empty: not in the legend
   PlotMark mark = PlotMark::dot;
   std::vector<PlotPoint> points;
-  int style = 0;  ///< of symbols and steps: the number of the colour, and of the shape or the dashes
+  int style = 0;  ///< of symbols, curves and steps: the number of the colour, and of the shape or the dashes
+};
+
+/// A word beside a place.
+struct PlotLabel {
+  PlotPoint at;
+  std::string text;
 };
 
 struct PlotAxis {
@@ -33,6 +39,7 @@ struct Plot {
   std::string description;  ///< for readers who cannot see it
   PlotAxis x, y;
   std::vector<PlotSeries> series;  ///< later ones are drawn over earlier ones
+  std::vector<PlotLabel> labels{};
 };
 
 /// An axis that covers [low, high] from tick to tick, with about five ticks at multiples of 1, 2 or 5 times a

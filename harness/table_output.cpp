@@ -27,8 +27,10 @@ void write_tables(const TableSet& set, const std::filesystem::path& folder,
     for (const Table& table : set.tables) write_table(table, folder, format);
     write_table(set.measurements, folder, format);
   }
-  for (const Drawing& drawing : set.drawings)
-    AtomicFile(folder / (drawing.name + ".svg")).commit(drawing.svg);
+}
+
+void write_drawings(const std::vector<Drawing>& drawings, const std::filesystem::path& folder) {
+  for (const Drawing& drawing : drawings) AtomicFile(folder / (drawing.name + ".svg")).commit(drawing.svg);
 }
 
 void write_tables(std::span<const Table> tables, const std::filesystem::path& folder) {

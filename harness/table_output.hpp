@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "harness/table_writer.hpp"
 #include "harness/tables.hpp"
@@ -13,8 +14,8 @@ namespace gcs {
 /// Creates the folder with its parents unless it is there. Throws OutputError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes every table as <name>.<extension> in every format, and every drawing, each file at once or not at
-/// all. Throws OutputError.
+/// Writes every table as <name>.<extension> in every format, each file at once or not at all. Throws
+/// OutputError.
 void write_tables(const TableSet& set, const std::filesystem::path& folder,
                   std::span<const TableFormat> formats);
 
@@ -23,6 +24,10 @@ void write_tables(std::span<const Table> tables, const std::filesystem::path& fo
 
 /// The tables as Markdown, then the lines.
 std::string shown_on_terminal(std::span<const Table> tables, std::span<const std::string> lines);
+
+/// Writes every drawing as <name>.svg into the folder, which is there, each file at once or not at all.
+/// Throws OutputError.
+void write_drawings(const std::vector<Drawing>& drawings, const std::filesystem::path& folder);
 
 /// The tables and lines as Markdown; the list of measurements is left to the files.
 std::string shown_on_terminal(const TableSet& set);

@@ -158,7 +158,7 @@ std::optional<Drawing> draw_instance(const RunRecord& run, const MeasuredInstanc
   if (times[0] > times[1]) return std::nullopt;
   plot.x = decades_over("time (s)", times[0], times[1]);
   plot.y = decades_over("largest error / size", errors[0], errors[1]);
-  return Drawing{"precision-" + instance.id, to_svg(plot)};
+  return Drawing{"precision-" + instance.id, to_svg(plot), plot.description};
 }
 
 /// The shortest time in which the strategy solves the instance with any setting, flawlessly and in doubles.
@@ -218,7 +218,7 @@ std::optional<Drawing> draw_profile(const RunRecord& run, Job job, const std::st
     steps.points.push_back({plot.x.high, steps.points.back()[1]});
     plot.series.push_back(std::move(steps));
   }
-  return Drawing{name, to_svg(plot)};
+  return Drawing{name, to_svg(plot), plot.description};
 }
 
 }  // namespace

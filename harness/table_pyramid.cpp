@@ -223,7 +223,8 @@ std::vector<Drawing> draw_pyramid(const RunRecord& run) {
   for (const RecordedCurve& curve : run.curves) {
     if (!shows(run, curve.instance) || curve.gap.empty()) continue;
     const std::vector<RecordedSolution> solutions = fixed_frame_solutions(richest_cell(run, curve.instance));
-    drawings.push_back({curve.instance + "-curve", to_svg(curve_plot(curve, solutions))});
+    const Plot plot = curve_plot(curve, solutions);
+    drawings.push_back({curve.instance + "-curve", to_svg(plot), plot.description});
   }
   return drawings;
 }

@@ -181,7 +181,7 @@ std::vector<Drawing> draw_stability(const RunRecord& run) {
       map.rows.push_back(std::move(row));
     }
   }
-  return {{"stability", to_svg(map)}};
+  return {{"stability", to_svg(map), map.description}};
 }
 
 }  // namespace gcs

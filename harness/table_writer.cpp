@@ -9,16 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "harness/text_width.hpp"
+
 namespace gcs {
 namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
-
-/// Number of code points: the width on a terminal of the characters that tables use.
-std::size_t display_width(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 /// What is replaced, and by what.
 using Replacement = std::pair<std::string_view, std::string_view>;

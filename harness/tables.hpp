@@ -32,6 +32,7 @@ struct Variant {
 struct Drawing {
   std::string name;
   std::string svg;
+  std::string caption;
 };
 
 /// A table that can be asked for by name.

@@ -6,6 +6,7 @@ Usage: tables_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import csv
 import json
+import shutil
 import signal
 import subprocess
 import sys
@@ -181,6 +182,65 @@ class Report(WithFolder):
         self.assertEqual(run("report", self.folder).returncode, DONE)
         self.assertEqual(figure.read_bytes(), before)
 
+    def test_figures_of_instances(self):
+        self.measure()
+        self.assertEqual(run("report", self.folder, "--format", "svg").returncode, DONE)
+        figures = {path.stem for path in self.folder.glob("*.svg")}
+        self.assertEqual(figures, {"graph-octahedron", "path-octahedron"})
+        for figure in self.folder.glob("*.svg"):
+            xml.etree.ElementTree.parse(figure)
+
+    @unittest.skipUnless(shutil.which("rsvg-convert"), "rsvg-convert (librsvg2-bin) is not installed")
+    def test_pdf(self):
+        self.measure()
+        self.assertEqual(run("report", self.folder, "--format", "pdf").returncode, DONE)
+        figures = sorted(self.folder.glob("*.pdf"))
+        self.assertEqual([path.stem for path in figures], ["graph-octahedron", "path-octahedron"])
+        first = [path.read_bytes() for path in figures]
+        self.assertTrue(all(content.startswith(b"%PDF-") for content in first))
+        self.assertEqual(run("report", self.folder, "--format", "pdf").returncode, DONE)
+        self.assertEqual([path.read_bytes() for path in figures], first, "the same drawing is the same file")
+
+    def test_without_a_converter_all_but_pdf_is_written(self):
+        self.measure()
+        done = subprocess.run(command("report", self.folder), capture_output=True, text=True, timeout=300, cwd=SOURCE,
+                              check=False, env={"PATH": "/nowhere"})
+        self.assertEqual(done.returncode, DONE)
+        self.assertIn("librsvg2-bin", done.stderr)
+        self.assertTrue((self.folder / "report.html").exists())
+        self.assertEqual(list(self.folder.glob("*.pdf")), [])
+
+    def test_page_of_several_runs(self):
+        self.measure()
+        other = self.folder / "other"
+        run("tables", "table1", "--instances", "k33", "--strategies", "full-space", "--repetitions", 3, "--out", other)
+        page = self.folder / "new" / "report.html"
+        done = run("report", self.folder, other, "--format", "html", "--out", page.parent)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertEqual([path.name for path in page.parent.iterdir()], ["report.html"])
+        text = page.read_text()
+        for instance in ("octahedron", "k33"):
+            self.assertEqual(text.count(f'id="scene-{instance}"'), 1)
+
+    def test_broken_scenes_change_nothing(self):
+        self.measure()
+        before = {path.name for path in self.folder.iterdir()}
+        scene, path = self.folder / "scenes/octahedron.json", self.folder / "paths/octahedron.json"
+        for file, old, new in ((scene, '"crossings": [', '"crossings": 7, "was": ['), (scene, '"solution": 0', '"solution": 99'),
+                               (scene, "gcsbench-scene/1", "gcsbench-scene/9"), (scene, '{"format"', '{"format'),
+                               (path, '"radius"', '"radium"'), (path, '"p4.x"', '"p9.x"'),
+                               (path, '"id": "octahedron"', '"id": "another"'), (path, '"crossings": [', '"crossings": [], "was": [')):
+            with self.subTest(file=file.name, new=new):
+                good = file.read_text()
+                self.assertIn(old, good)
+                file.write_text(good.replace(old, new, 1))
+                done = run("report", self.folder)
+                file.write_text(good)
+                self.assertEqual(done.returncode, BAD_INPUT, done.stderr)
+                self.assertEqual(done.stdout, "")
+                self.assertTrue(done.stderr.startswith(f"gcsbench: {file}"), done.stderr)
+                self.assertEqual({entry.name for entry in self.folder.iterdir()}, before)
+
     def test_formats_and_folder(self):
         self.measure()
         out = self.folder / "new" / "folder"
@@ -189,7 +249,7 @@ class Report(WithFolder):
 
     def test_bad_input(self):
         self.measure()
-        for arguments in ([self.folder, "--format", "html"], [self.folder / "nothing"],
+        for arguments in ([self.folder, "--format", "docx"], [self.folder / "nothing"],
                           [self.folder, self.folder, "--out", self.folder], []):
             with self.subTest(arguments):
                 done = run("report", *arguments)

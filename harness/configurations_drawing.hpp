@@ -1,0 +1,29 @@
+#pragma once
+/// Small figures of a plane scene side by side, as SVG for one column of a paper.
+
+#include <Eigen/Core>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "solvers/model/problem.hpp"
+
+namespace gcs {
+
+struct DrawnCircle {
+  Eigen::Vector2d centre;
+  double radius = 0;
+};
+
+struct Configuration {
+  std::string label;  ///< "(a) t = 1.2"
+  Figure figure;
+  std::set<int> arrows;              ///< constraints drawn as dashed double arrows
+  std::vector<DrawnCircle> circles;  ///< dashed
+};
+
+/// The whole SVG document, three figures to a row, all to one scale.
+std::string configurations_svg(const Problem& problem, const std::vector<Configuration>& configurations,
+                               const std::string& title);
+
+}  // namespace gcs

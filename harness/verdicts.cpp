@@ -1,0 +1,165 @@
+#include "harness/verdicts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "harness/table_entries.hpp"
+
+namespace gcs {
+namespace {
+
+/// A number of classes, and what is known of it.
+struct Known {
+  std::uint64_t classes = 0;
+  bool is_proven = false;
+  std::string reason;
+};
+
+using Count = std::optional<Natural> Counts::*;
+
+std::vector<const CellRecord*> right_cells(const RunRecord& run, const std::string& id) {
+  std::vector<const CellRecord*> cells;
+  for (const CellRecord& cell : run.cells)
+    if (cell.spec.instance == id && cell.is_right() && !cell.is_flawed()) cells.push_back(&cell);
+  return cells;
+}
+
+std::string found_by(const CellRecord& cell, std::uint64_t certified) {
+  return fmt::format("found by {}, {} certified; that there are no more is not proven", label_of(cell.spec),
+                     certified);
+}
+
+/// The proven number where a cell proves it, otherwise the one found with most certificates.
+std::optional<Known> best(const std::vector<const CellRecord*>& cells,
+                          std::optional<std::uint64_t> (*found)(const CellRecord&),
+                          std::uint64_t RecordedProofs::*certified, bool RecordedProofs::*is_decided,
+                          const std::string& proof) {
+  std::optional<Known> known;
+  std::uint64_t most = 0;
+  for (const CellRecord* cell : cells) {
+    const auto number = found(*cell);
+    if (!number) continue;
+    const std::uint64_t proven = cell->proofs ? (*cell->proofs).*certified : 0;
+    if (cell->proofs && (*cell->proofs).*is_decided)
+      return Known{proven, true, fmt::format("{} ({})", proof, label_of(cell->spec))};
+    if (known && proven <= most) continue;
+    most = proven;
+    known = {*number, false, found_by(*cell, proven)};
+  }
+  return known;
+}
+
+std::optional<std::uint64_t> small(const std::optional<Natural>& count) {
+  if (!count || *count > Natural::power_of_two(53)) return std::nullopt;
+  return std::stoull(count->decimal());
+}
+
+std::optional<Known> complex_solutions(const std::vector<const CellRecord*>& cells) {
+  return best(
+      cells, [](const CellRecord& cell) { return small(cell.counts.complex_up_to_reflection); },
+      &RecordedProofs::classes, &RecordedProofs::is_complete, "each certified, and no lengths have more");
+}
+
+std::optional<Known> real_solutions(const std::vector<const CellRecord*>& cells, const StoredScene* scene) {
+  auto known = best(
+      cells, [](const CellRecord& cell) { return small(cell.counts.real_up_to_reflection); },
+      &RecordedProofs::real, &RecordedProofs::decides_real,
+      "each certified, and all complex solutions are known");
+  if (known || scene == nullptr || scene->record.solutions.empty()) return known;
+  const SceneRecord& record = scene->record;
+  return Known{record.solutions.size(), false,
+               (record.are_proven ? "each certified, from " : "") + record.source +
+                   "; that there are no more is not proven here"};
+}
+
+std::optional<Known> solutions_on_path(const std::vector<const CellRecord*>& cells,
+                                       const StoredScene* scene) {
+  if (scene != nullptr && scene->path &&
+      std::all_of(scene->record.crossings.begin(), scene->record.crossings.end(),
+                  [](const auto& met) { return met.has_value(); })) {
+    std::set<int> met;
+    for (const auto& crossing : scene->record.crossings) met.insert(crossing->solution);
+    return Known{met.size(), true,
+                 fmt::format("S is followed in proven tubes until it closes, with {} crossings of t = 1",
+                             scene->record.crossings.size())};
+  }
+  for (const CellRecord* cell : cells)
+    if (const auto count = on_path(cell))
+      return Known{static_cast<std::uint64_t>(*count), false,
+                   fmt::format("found by {}, which proves no closing", label_of(cell->spec))};
+  return std::nullopt;
+}
+
+const PrintedFigure* printed_figure(const Publications& publications, const std::string& row,
+                                    const std::string& id) {
+  for (const auto& [name, publication] : publications)
+    for (const PrintedFigure& figure : publication.figures)
+      if (figure.row == row && figure.instance == id) return &figure;
+  return nullptr;
+}
+
+/// How many printed solutions make one class; nothing for another convention.
+std::optional<std::uint64_t> per_class(const PrintedFigure& figure, const MeasuredInstance& instance) {
+  if (figure.convention == "all signs") return instance.has_given_positions ? 1U : 1U << instance.dimension;
+  if (figure.convention == "up to reflection" || figure.convention == "lines") return 1;
+  return std::nullopt;
+}
+
+Standing standing_of(const PrintedFigure& figure, const std::optional<Known>& ours,
+                     const MeasuredInstance& instance) {
+  if (figure.correction) return Standing::refuted;
+  const auto factor = per_class(figure, instance);
+  if (!ours || !ours->is_proven || !factor) return Standing::open;
+  return figure.value == static_cast<double>(ours->classes * *factor) ? Standing::proven : Standing::refuted;
+}
+
+std::optional<Verdict> verdict(const std::string& quantity, const std::string& row,
+                               const std::optional<Known>& ours, const MeasuredInstance& instance,
+                               const Publications& publications) {
+  const PrintedFigure* figure = printed_figure(publications, row, instance.id);
+  if (!ours && figure == nullptr) return std::nullopt;
+  Verdict result{quantity, "", std::nullopt, ours ? std::to_string(ours->classes) : "not measured",
+                 Standing::open};
+  if (figure != nullptr) {
+    result.printed = figure->printed + " (" + figure->convention + ")";
+    result.printed_standing = standing_of(*figure, ours, instance);
+    if (figure->correction)
+      result.reason = "Printed: " + figure->correction->reason + " (" + figure->correction->source + ") ";
+  }
+  if (!ours) return result;
+  result.our_standing = ours->is_proven ? Standing::proven : Standing::open;
+  result.reason += "Ours: " + ours->reason + ".";
+  return result;
+}
+
+}  // namespace
+
+std::string_view word(Standing standing) {
+  switch (standing) {
+    case Standing::proven:
+      return "proven";
+    case Standing::refuted:
+      return "refuted";
+    case Standing::open:
+      break;
+  }
+  return "open";
+}
+
+std::vector<Verdict> verdicts(const RunRecord& run, const MeasuredInstance& instance,
+                              const StoredScene* scene, const Publications& publications) {
+  const auto cells = right_cells(run, instance.id);
+  std::vector<Verdict> all;
+  const auto add = [&](const std::string& quantity, const std::string& row,
+                       const std::optional<Known>& ours) {
+    if (auto one = verdict(quantity, row, ours, instance, publications)) all.push_back(std::move(*one));
+  };
+  add("complex", "complex", complex_solutions(cells));
+  add("real", "real", real_solutions(cells, scene));
+  add("on S", "on path", solutions_on_path(cells, scene));
+  return all;
+}
+
+}  // namespace gcs

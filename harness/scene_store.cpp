@@ -112,7 +112,8 @@ std::string fitting_path(const Instance& instance, const Scene& scene, const std
 
 /// Solves again.
 std::vector<PlanUse> plans_used(const CellRecord& cell, const Scene& scene) {
-  const auto strategy = find_strategy(cell.spec.strategy).make(cell.options);
+  const StrategyEntry& entry = find_strategy(cell.spec.strategy);
+  const auto strategy = entry.make(complete_options(entry, cell.spec.given));
   const StopWatch watch(limit_s);
   const SolveRequest request{.scene = scene, .stop = watch.token()};
   const SolveReport report = strategy->solve(request);

@@ -226,11 +226,19 @@ class Report(WithFolder):
         self.measure()
         before = {path.name for path in self.folder.iterdir()}
         scene, path = self.folder / "scenes/octahedron.json", self.folder / "paths/octahedron.json"
-        for file, old, new in ((scene, '"crossings": [', '"crossings": 7, "was": ['), (scene, '"solution": 0', '"solution": 99'),
-                               (scene, "gcsbench-scene/1", "gcsbench-scene/9"), (scene, '{"format"', '{"format'),
-                               (path, '"radius"', '"radium"'), (path, '"p4.x"', '"p9.x"'),
-                               (path, '"id": "octahedron"', '"id": "another"'), (path, '"crossings": [', '"crossings": [], "was": [')):
-            with self.subTest(file=file.name, new=new):
+        backwards = '"rows": [\n[0, 9e9' + ", 0" * 13 + "],\n"  # t, length, radius and 12 moving coordinates
+        for file, old, new in (
+                (scene, '{"format"', '{"format'),
+                (scene, "gcsbench-scene/1", "gcsbench-scene/9"),
+                (scene, '"crossings": [', '"crossings": 7, "was": ['),
+                (scene, '"solution": 0', '"solution": 99'),
+                (scene, '"signs": [1', '"signs": [0'),
+                (path, '"id": "octahedron"', '"id": "another"'),
+                (path, '"crossings": [', '"crossings": [], "was": ['),
+                (path, '"radius"', '"radium"'),
+                (path, '"p4.x"', '"p9.x"'),
+                (path, '"rows": [\n', backwards)):
+            with self.subTest(file=file.parent.name, new=new):
                 good = file.read_text()
                 self.assertIn(old, good)
                 file.write_text(good.replace(old, new, 1))
@@ -239,6 +247,7 @@ class Report(WithFolder):
                 self.assertEqual(done.returncode, BAD_INPUT, done.stderr)
                 self.assertEqual(done.stdout, "")
                 self.assertTrue(done.stderr.startswith(f"gcsbench: {file}"), done.stderr)
+                self.assertEqual(len(done.stderr.splitlines()), 1)
                 self.assertEqual({entry.name for entry in self.folder.iterdir()}, before)
 
     def test_formats_and_folder(self):

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "solvers/construction/derive.hpp"
+#include "solvers/strategy.hpp"
 #include "solvers/tests/sample_problems.hpp"
 
 using namespace gcs;
@@ -254,4 +255,30 @@ TEST_CASE("a step taken back leaves the plan as it was") {
     std::swap(series, next);
   }
   CHECK(taken_back == 3);
+}
+
+TEST_CASE("the plans of a path are noted where they change, on the path") {
+  for (const Problem& problem : {samples::octahedron(), samples::k33()}) {
+    const Scene scene(problem);
+    const auto strategies = all_strategies();
+    const StrategyEntry& entry = *std::find_if(strategies.begin(), strategies.end(),
+                                               [](const StrategyEntry& one) { return one.name == "rcp"; });
+    for (const std::string mode : {"fast", "paper"}) {
+      CAPTURE(mode);
+      const SolveReport report =
+          entry.make(complete_options(entry, {{"mode", mode}}))->solve({.scene = scene, .stop = {}});
+      REQUIRE(report.status == SolveStatus::complete);
+      const std::vector<PlanUse>& plans = report.paths.front().plans;
+      CHECK(plans.size() == static_cast<std::size_t>(report.work.plan_changes) + 1);
+      CHECK(plans.front().t == 0);
+      for (const PlanUse& use : plans) {
+        CHECK(use.removed.size() <= static_cast<std::size_t>(*report.work.max_driving_parameters));
+        for (int c = 0; c < scene.constraint_count(); ++c) {
+          const auto [a, b] = scene.problem().constraints[static_cast<std::size_t>(c)].between;
+          const double length = scene.length_paths()[static_cast<std::size_t>(c)].value(use.t);
+          CHECK((use.figure.points.col(a) - use.figure.points.col(b)).norm() == Approx(length).margin(1e-6));
+        }
+      }
+    }
+  }
 }

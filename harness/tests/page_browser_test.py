@@ -1,0 +1,236 @@
+#!/usr/bin/python3
+"""The page of `gcsbench report` as a person meets it: in a browser, with mouse and keyboard.
+
+Usage: page_browser_test.py PROGRAM SOURCE_DIR [unittest arguments]; exit code 77 where there is no Chromium.
+"""
+
+import itertools
+import json
+import math
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import devtools
+
+PROGRAM = ""
+SOURCE = Path()
+BROWSER = devtools.find_browser()
+
+DONE, SKIPPED = 0, 77
+HOME, END, RIGHT = ("Home", 36), ("End", 35), ("ArrowRight", 39)
+
+# Beside two shipped ones: every text that comes from the file tries to be more than text.
+HOSTILE = {
+    "format": "gcsbench-instance/1", "id": "hostile",
+    "title": "</script><img src='http://localhost/x' onerror='spoiled=1'>",
+    "dimension": 2, "points": ["<b>", "q\"'&", "p</g>"],
+    "constraints": [{"id": "<i>", "type": "distance", "between": ["<b>", "q\"'&"], "length": 1},
+                    {"id": "]]>", "type": "distance", "between": ["<b>", "p</g>"], "length": 0.7},
+                    {"id": "<!--", "type": "distance", "between": ["q\"'&", "p</g>"], "length": 0.6}],
+    "sketch": {"<b>": [0, 0], "q\"'&": [1, 0], "p</g>": [0.5, 0.4]},
+    "notes": "<!-- <script>spoiled=1</script>",
+}
+
+
+def run(*arguments):
+    done = subprocess.run([PROGRAM, "--quiet", *map(str, arguments)], capture_output=True, text=True, timeout=120,
+                          cwd=SOURCE, check=False)
+    if done.returncode != DONE:
+        raise RuntimeError(done.stderr)
+
+
+def length(constraint):
+    return constraint["length"] if "length" in constraint else math.sqrt(constraint["squared"])
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        hostile = cls.folder / "hostile.json"
+        hostile.write_text(json.dumps(HOSTILE))
+        run("tables", "table1", "--instances", f"octahedron,k33,{hostile}", "--strategies", "full-space,rcp",
+            "--repetitions", 3, "--out", cls.folder / "run")
+        run("tables", "tangents", "--repetitions", 3, "--out", cls.folder / "lines")
+        run("report", cls.folder / "run", cls.folder / "lines", "--format", "html")
+        cls.page = cls.folder / "run" / "report.html"
+        cls.browser = devtools.Browser(BROWSER)
+        cls.addClassCleanup(cls.browser.close)
+        cls.browser.open(cls.page.as_uri())
+        cls.instances = {}
+        for file in [*cls.folder.glob("run/scenes/*.json"), *cls.folder.glob("lines/scenes/*.json")]:
+            cls.instances[file.stem] = json.loads(file.read_text())
+
+    def part(self, instance, name):
+        return f"document.querySelector('#scene-{instance} [data-part={name}]')"
+
+    def evaluate(self, expression):
+        return self.browser.evaluate(expression)
+
+    def drawn_points(self, instance):
+        circles = f"[...{self.part(instance, 'view')}.querySelectorAll('circle')]"
+        return self.evaluate(f"{circles}.map(c => [Number(c.getAttribute('cx')), Number(c.getAttribute('cy'))])")
+
+    def middle(self, instance, name):
+        element = self.part(instance, name)
+        self.evaluate(f"{element}.scrollIntoView({{block: 'center'}})")
+        return self.evaluate(f"(b => [b.x + b.width / 2, b.y + b.height / 2])({element}.getBoundingClientRect())")
+
+    def choose(self, instance, name, value):
+        self.evaluate(f"(e => {{ e.value = {json.dumps(value)}; e.dispatchEvent(new Event('change')); return 0; }})"
+                      f"({self.part(instance, name)})")
+
+    def move_slider(self, instance, key):
+        self.evaluate(f"{self.part(instance, 'slider')}.focus()")
+        self.browser.press(*key)
+
+    def coordinates(self, instance):
+        """{point: (shown, listed)}; listed is None where no solution is chosen."""
+        rows = self.evaluate(f"[...{self.part(instance, 'coordinates')}.rows]"
+                             ".map(row => [...row.cells].map(cell => cell.textContent.replace('−', '-')))")
+        result = {}
+        for name, *cells in rows:
+            half = len(cells) // 2
+            listed = None if "–" in cells[half:] else [float(text) for text in cells[half:]]
+            result[name] = ([float(text) for text in cells[:half]], listed)
+        return result
+
+    def test_nothing_fails_and_nothing_is_fetched(self):
+        self.evaluate("1")
+        errors = [e for e in self.browser.events if e["method"] == "Runtime.exceptionThrown"
+                  or (e["method"] == "Runtime.consoleAPICalled" and e["params"]["type"] in ("error", "warning"))
+                  or (e["method"] == "Log.entryAdded" and e["params"]["entry"]["level"] == "error")]
+        self.assertEqual(errors, [])
+        requests = {e["params"]["request"]["url"] for e in self.browser.events
+                    if e["method"] == "Network.requestWillBeSent"}
+        self.assertEqual(requests, {self.page.as_uri()})
+
+    def test_texts_of_files_are_only_texts(self):
+        self.assertEqual(self.evaluate("typeof spoiled"), "undefined")
+        self.assertEqual(self.evaluate("document.querySelectorAll('img').length"), 0)
+        title = self.evaluate("document.querySelector('#scene-hostile h3').textContent")
+        self.assertEqual(title, "hostile: " + HOSTILE["title"])
+        labels = self.evaluate(f"[...{self.part('hostile', 'view')}.querySelectorAll('text')].map(t => t.textContent)")
+        self.assertEqual(sorted(labels), sorted(HOSTILE["points"]))
+
+    def test_every_instance_is_drawn(self):
+        shown = self.evaluate("[...document.querySelectorAll('.scene')].map(s => s.id)")
+        self.assertEqual(sorted(shown), sorted("scene-" + name for name in self.instances))
+        for name, scene in self.instances.items():
+            with self.subTest(name):
+                instance = scene["instance"]
+                self.assertEqual(len(self.drawn_points(name)), len(instance["points"]))
+                lines = self.evaluate(f"[...{self.part(name, 'view')}.querySelectorAll('line')]"
+                                      ".map(line => line.classList[0])")
+                self.assertEqual(lines.count("edge"), len(instance["constraints"]))
+                self.assertEqual(lines.count("line"), len(instance.get("lines", [])))
+                thumbnails = self.evaluate(f"{self.part(name, 'gallery')}.querySelectorAll('button').length")
+                self.assertEqual(thumbnails, len(scene["solutions"]))
+
+    def test_dragging_and_arrow_keys_turn_the_figure(self):
+        for name in self.instances:
+            with self.subTest(name):
+                before = self.drawn_points(name)
+                x, y = self.middle(name, "view")
+                self.browser.drag((x, y), (x + 80, y + 30))
+                dragged = self.drawn_points(name)
+                self.assertGreater(max(map(math.dist, before, dragged)), 10)
+                self.evaluate(f"{self.part(name, 'view')}.focus()")
+                self.browser.press(*RIGHT)
+                self.assertGreater(max(map(math.dist, dragged, self.drawn_points(name))), 1)
+                small = self.evaluate(f"{self.part(name, 'gallery')}.querySelector('circle').getAttribute('cx')")
+                self.middle(name, "view")
+                self.browser.press(*RIGHT)
+                self.assertNotEqual(small, self.evaluate(
+                    f"{self.part(name, 'gallery')}.querySelector('circle').getAttribute('cx')"), "thumbnails turn too")
+
+    def test_the_slider_leads_from_the_sketch_to_each_solution(self):
+        for name in ("octahedron", "k33", "hostile"):
+            scene = self.instances[name]
+            instance = scene["instance"]
+            self.assertGreater(len(scene["crossings"]), 0)
+            for number, crossing in enumerate(scene["crossings"]):
+                with self.subTest(instance=name, crossing=number):
+                    self.choose(name, "goal", number)
+                    self.move_slider(name, HOME)
+                    sketch = {point: shown for point, (shown, _) in self.coordinates(name).items()}
+                    for a, b in itertools.combinations(instance["points"], 2):
+                        expected = math.dist(instance["sketch"][a], instance["sketch"][b])
+                        self.assertAlmostEqual(math.dist(sketch[a], sketch[b]), expected, delta=2e-3 * expected)
+                    self.move_slider(name, END)
+                    listed = scene["solutions"][crossing["solution"]]["points"]
+                    for point, (shown, beside) in self.coordinates(name).items():
+                        self.assertEqual(shown, beside)
+                        for value, sign, exact in zip(shown, crossing["signs"], listed[point]):
+                            self.assertAlmostEqual(value, sign * exact, delta=1e-5)
+                    there = {point: shown for point, (shown, _) in self.coordinates(name).items()}
+                    for constraint in instance["constraints"]:
+                        a, b = constraint["between"]
+                        self.assertAlmostEqual(math.dist(there[a], there[b]), length(constraint), delta=1e-5)
+
+    def test_lengths_on_the_way_are_those_of_the_interpolation(self):
+        instance = self.instances["k33"]["instance"]
+        self.choose("k33", "goal", 0)
+        self.evaluate("(s => { s.value = 5000; s.dispatchEvent(new Event('input')); return 0; })"
+                      f"({self.part('k33', 'slider')})")
+        words = self.evaluate(f"{self.part('k33', 'where')}.textContent")
+        t = float(words.split("t = ")[1].split(",")[0].replace("−", "-"))
+        points = {point: shown for point, (shown, _) in self.coordinates("k33").items()}
+        for constraint in instance["constraints"][:-1]:  # the last one is bent
+            a, b = constraint["between"]
+            expected = (1 - t) * math.dist(instance["sketch"][a], instance["sketch"][b]) + t * length(constraint)
+            self.assertAlmostEqual(math.dist(points[a], points[b]), expected, delta=2e-2)
+
+    def test_the_plot_of_the_path(self):
+        for name in ("octahedron", "k33", "hostile"):
+            with self.subTest(name):
+                scene = self.instances[name]
+                points, constraints = len(scene["instance"]["points"]), len(scene["instance"]["constraints"])
+                options = self.evaluate(f"[...{self.part(name, 'coordinate')}.options].map(o => o.text)")
+                distances = [text for text in options if text.startswith("|")]
+                self.assertEqual(len(distances), points * (points - 1) // 2 - constraints)
+                self.assertIn("arc length", options)
+                marks = self.evaluate(f"{self.part(name, 'plot')}.querySelectorAll('.solution').length")
+                self.assertEqual(marks, len(scene["crossings"]))
+                curve = f"{self.part(name, 'plot')}.querySelector('.curve').getAttribute('d')"
+                before = self.evaluate(curve)
+                self.choose(name, "coordinate", 0)
+                self.assertNotEqual(self.evaluate(curve), before)
+
+    def test_plan_changes_are_marked(self):
+        for name in ("octahedron", "k33"):
+            scene = self.instances[name]
+            trails = [trail for trail in scene["trails"] if trail["places"]]
+            self.assertGreater(len(trails), 0)
+            for number, trail in enumerate(scene["trails"]):
+                with self.subTest(instance=name, trail=trail["label"]):
+                    self.choose(name, "trail", str(number))
+                    marks = self.evaluate(f"{self.part(name, 'plot')}.querySelectorAll('.change').length")
+                    self.assertEqual(marks, len(trail["places"]) - 1)
+
+    def test_a_click_on_the_plot_moves_along_the_path(self):
+        self.choose("k33", "goal", 2)  # all of S
+        before = self.drawn_points("k33")
+        x, y = self.middle("k33", "plot")
+        self.browser.click((x + 40, y))
+        self.assertGreater(max(map(math.dist, before, self.drawn_points("k33"))), 1)
+
+    def test_narrow_screens_show_all_of_it(self):
+        self.browser.send("Emulation.setDeviceMetricsOverride", width=380, height=800, deviceScaleFactor=1,
+                          mobile=False)
+        self.addCleanup(self.browser.send, "Emulation.clearDeviceMetricsOverride")
+        self.assertLessEqual(self.evaluate("document.scrollingElement.scrollWidth"), 380)
+
+
+if __name__ == "__main__":
+    PROGRAM = str(Path(sys.argv.pop(1)).resolve())
+    SOURCE = Path(sys.argv.pop(1)).resolve()
+    if BROWSER is None:
+        print("skipped: there is no Chromium (Debian package chromium)")
+        sys.exit(SKIPPED)
+    unittest.main()

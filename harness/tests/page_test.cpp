@@ -1,0 +1,131 @@
+#include "harness/page.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "harness/html_table.hpp"
+#include "harness/html_text.hpp"
+#include "harness/tests/occurrences.hpp"
+#include "harness/tests/stored_scenes.hpp"
+#include "harness/tests/toy_run.hpp"
+#include "harness/verdicts.hpp"
+
+using namespace gcs;
+
+namespace {
+
+PageRun toy_page_run() {
+  RunRecord record = toy::run_record();
+  TableSet tables = build_tables(record, load_publications());
+  PageRun run{"toy & co", std::move(record), std::move(tables), {}};
+  run.scenes.emplace("octahedron", stored_scene(load_instance("octahedron")));
+  return run;
+}
+
+nlohmann::json data_of(const std::string& page) {
+  const std::string_view start = "id=\"page-data\">";
+  const std::size_t first = page.find(start) + start.size();
+  return nlohmann::json::parse(page.substr(first, page.find("</script>", first) - first));
+}
+
+const Verdict& verdict_on(const std::vector<Verdict>& all, const std::string& quantity) {
+  return *std::find_if(all.begin(), all.end(), [&](const Verdict& one) { return one.quantity == quantity; });
+}
+
+}  // namespace
+
+TEST_CASE("texts stay texts in HTML and in scripts") {
+  CHECK(html_escaped("a<b>&\"c\"") == "a&lt;b&gt;&amp;&quot;c&quot;");
+  const std::string hostile = nlohmann::json("</script><!-- <b>").dump();
+  const std::string escaped = script_escaped(hostile);
+  CHECK(escaped.find('<') == std::string::npos);
+  CHECK(nlohmann::json::parse(escaped) == "</script><!-- <b>");
+  CHECK(html_anchor("flat@1e-8 <") == "flat-1e-8--");
+}
+
+TEST_CASE("a table in HTML has its entries, and a footnote for every link") {
+  const TableSet set = build_tables(toy::run_record(), load_publications());
+  for (const Table& table : set.tables) {
+    CAPTURE(table.name);
+    const std::string html = to_html(table, "run7-");
+    std::size_t entries = 0, links = 0;
+    for (const TableRow& row : table.rows) {
+      entries += row.cells.size();
+      links += row.notes.size();
+      for (const TableCell& cell : row.cells) links += cell.notes.size();
+    }
+    CHECK(occurrences(html, "<td>") == entries);
+    CHECK(occurrences(html, "href=\"#run7-") == links);
+    for (std::size_t i = 1; i <= table.footnotes.size(); ++i)
+      CHECK(occurrences(html, "id=\"run7-" + table.name + "-note-" + std::to_string(i) + "\"") == 1);
+  }
+}
+
+TEST_CASE("headers of tables have a title for every column") {
+  Table table;
+  table.name = "t";
+  table.groups = {{"a", {"1", "2"}}, {"", {"3"}}};
+  table.rows = {{"row", {{"x", {}}, {"y", {}}, {"z", {}}}, {}}};
+  const std::string both = to_html(table);
+  CHECK(occurrences(both, "scope=\"colgroup\"") == 2);
+  CHECK(occurrences(both, "scope=\"col\"") == 4);
+  table.groups = {{"a", {""}}, {"b", {""}}, {"c", {""}}};
+  const std::string one_row = to_html(table);
+  CHECK(occurrences(one_row, "scope=\"colgroup\"") == 0);
+  CHECK(one_row.find("<th scope=\"col\">b</th>") != std::string::npos);
+}
+
+TEST_CASE("a page shows every instance of every run once, and needs nothing else") {
+  std::vector<PageRun> runs;
+  runs.push_back(toy_page_run());
+  runs.push_back(toy_page_run());
+  const std::string page = page_html(runs, load_publications());
+  for (const MeasuredInstance& instance : runs[0].record.instances)
+    CHECK(occurrences(page, "id=\"scene-" + instance.id + "\"") == 1);
+  CHECK(page.find("Nothing is stored of this instance") != std::string::npos);
+  CHECK(page.find("toy &amp; co") != std::string::npos);
+  CHECK(occurrences(page, "<h1>") == 1);
+  for (const std::string_view fetched : {"src=", "<link", "@import", "url("})
+    CHECK(page.find(fetched) == std::string::npos);
+
+  const nlohmann::json data = data_of(page);
+  REQUIRE(data["scenes"].size() == 1);
+  const nlohmann::json& scene = data["scenes"][0];
+  const StoredScene& stored = runs[0].scenes.at("octahedron");
+  CHECK(scene["edges"].size() == stored.record.instance.problem.constraints.size());
+  CHECK(scene["solutions"].size() == stored.record.solutions.size());
+  CHECK(scene["path"]["rows"].size() == stored.path->corners.size());
+  CHECK(scene["path"]["stops"].size() == 4);
+  for (const auto& row : scene["path"]["rows"]) REQUIRE(row.size() == 2 + scene["path"]["moving"].size());
+}
+
+TEST_CASE("figures of a scene are its graph and its path") {
+  const auto drawings = draw_scene(stored_scene(load_instance("octahedron")));
+  REQUIRE(drawings.size() == 2);
+  CHECK(drawings[0].name == "graph-octahedron");
+  CHECK(drawings[1].name == "path-octahedron");
+  CHECK(draw_scene(stored_scene(load_instance("tangents-durand"))).size() == 1);
+}
+
+TEST_CASE("a printed number is refuted, proven or open as ours is") {
+  RunRecord run = toy::run_record();
+  const Publications papers = load_publications();
+  const MeasuredInstance& octahedron = run.instances[0];
+  auto all = verdicts(run, octahedron, nullptr, papers);
+  CHECK(verdict_on(all, "complex").printed_standing == Standing::refuted);
+  CHECK(verdict_on(all, "complex").our_standing == Standing::open);
+  CHECK(verdict_on(all, "real").printed_standing == Standing::open);
+  CHECK(verdict_on(all, "on S").our_standing == Standing::open);
+
+  for (CellRecord& cell : run.cells)
+    if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{8, 4, true, true};
+  all = verdicts(run, octahedron, nullptr, papers);
+  CHECK(verdict_on(all, "complex").our_standing == Standing::proven);
+  CHECK(verdict_on(all, "real").printed_standing == Standing::proven);
+  for (CellRecord& cell : run.cells)
+    if (cell.proofs) cell.proofs->real = 3;
+  CHECK(verdict_on(verdicts(run, octahedron, nullptr, papers), "real").printed_standing == Standing::refuted);
+
+  const StoredScene scene = stored_scene(load_instance("octahedron"));
+  CHECK(verdict_on(verdicts(run, octahedron, &scene, papers), "on S").printed_standing == Standing::proven);
+}

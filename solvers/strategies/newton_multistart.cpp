@@ -118,11 +118,7 @@ class NewtonMultistart final : public Strategy {
     WorkCounters work;
 
     void take(End end) {
-      work.iterations += end.work.iterations;
-      work.newton_iterations += end.work.newton_iterations;
-      work.evaluations += end.work.evaluations;
-      work.jacobians += end.work.jacobians;
-      work.factorisations += end.work.factorisations;
+      add(end.work, work);
       singular += end.is_singular ? 1 : 0;
       if (!end.is_solution) return;
       figures.push_back(std::move(end.figure));

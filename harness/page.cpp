@@ -109,8 +109,9 @@ std::string standing_table(const std::vector<PageRun>& runs, const std::vector<P
          "count classes up to reflection (of lines beside given points: lines).</p>\n"
          "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Numbers of "
          "solutions\"><table>\n<thead><tr>"
-         "<th class=\"stub\" scope=\"col\"></th><th scope=\"col\">published</th><th scope=\"col\">is</th>"
-         "<th scope=\"col\">ours</th><th scope=\"col\">is</th><th class=\"stub\" "
+         "<th class=\"stub\" scope=\"col\"></th><th scope=\"col\">published</th><th class=\"stub\" "
+         "scope=\"col\">is</th>"
+         "<th scope=\"col\">ours</th><th class=\"stub\" scope=\"col\">is</th><th class=\"stub\" "
          "scope=\"col\">why</th></tr></thead>\n"
          "<tbody>\n" +
          rows + "</tbody>\n</table></div></section>\n";

@@ -27,8 +27,10 @@ std::vector<const CellRecord*> right_cells(const RunRecord& run, const std::stri
 }
 
 std::string found_by(const CellRecord& cell, std::uint64_t certified) {
-  return fmt::format("found by {}, {} certified; that there are no more is not proven", label_of(cell.spec),
-                     certified);
+  const std::string certificates =
+      cell.proofs ? fmt::format("{} certified", certified) : "not certified in this run";
+  return fmt::format("found by {}, {}; that there are no more is not proven", label_of(cell.spec),
+                     certificates);
 }
 
 /// The proven number where a cell proves it, otherwise the one found with most certificates.
@@ -62,16 +64,18 @@ std::optional<Known> complex_solutions(const std::vector<const CellRecord*>& cel
       &RecordedProofs::classes, &RecordedProofs::is_complete, "each certified, and no lengths have more");
 }
 
+/// A stored list counts where no cell has certificates.
 std::optional<Known> real_solutions(const std::vector<const CellRecord*>& cells, const StoredScene* scene) {
   auto known = best(
       cells, [](const CellRecord& cell) { return small(cell.counts.real_up_to_reflection); },
       &RecordedProofs::real, &RecordedProofs::decides_real,
       "each certified, and all complex solutions are known");
-  if (known || scene == nullptr || scene->record.solutions.empty()) return known;
+  const bool is_certified = std::any_of(cells.begin(), cells.end(),
+                                        [](const CellRecord* cell) { return cell->proofs.has_value(); });
+  if (is_certified || scene == nullptr || !scene->record.are_proven) return known;
   const SceneRecord& record = scene->record;
   return Known{record.solutions.size(), false,
-               (record.are_proven ? "each certified, from " : "") + record.source +
-                   "; that there are no more is not proven here"};
+               "each certified (" + record.source + "); that there are no more is not proven here"};
 }
 
 std::optional<Known> solutions_on_path(const std::vector<const CellRecord*>& cells,

@@ -322,7 +322,7 @@ class ExternalProgram(unittest.TestCase):
         self.assertIn("external: exec:env python3", done.stdout)
         self.assertNotIn(strategy, done.stdout)
         self.assertFalse(zombies.exists())
-        files = {path: path.read_text() for path in out.iterdir() if path.name != "run.json"}
+        files = {path: path.read_text() for path in out.iterdir() if path.is_file() and path.name != "run.json"}
         for path in files:
             path.unlink()
         self.assertEqual(self.run_program("report", str(out)).returncode, 0)

@@ -289,6 +289,15 @@ TEST_CASE("a detour costs steps like the logarithm of its length") {
   }
 }
 
+TEST_CASE("some solutions that doubles do not tell apart are listed as one") {
+  // 8 of K3,3 with two points on either side, 1e-12 apart.
+  const Scene scene(load_member("mixed-lengths@1e-12").problem);
+  const SolveRun run = run_strategy(find_strategy("newton-multistart"), {}, scene, {});
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.assessment.failed_checks.empty());
+  CHECK(run.assessment.solutions.size() == 2);  // both real classes of K3,3
+}
+
 TEST_CASE("an edge of length 1e-8 refuses no path strategy") {
   check_right(measured({"short-edge@1e-6", "short-edge@1e-8"}, {"full-space", "rcp"}));
 }

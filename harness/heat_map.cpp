@@ -8,7 +8,7 @@ namespace gcs {
 namespace {
 
 // In points; 85 mm are 241 points.
-constexpr double width = 241, left = 66, right = 4, line = 8.5, field_height = 7.5, font = 7;
+constexpr double width = 241, left = 72, right = 4, line = 8.5, field_height = 7.5, font = 7;
 
 std::string text_at(double x, double y, std::string_view anchor, std::string_view text,
                     bool is_bold = false) {

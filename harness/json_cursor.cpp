@@ -52,6 +52,13 @@ JsonCursor JsonCursor::required(std::string_view name) const {
   fail("the field '" + std::string(name) + "' is missing", "add it");
 }
 
+void JsonCursor::require_format(std::string_view name) const {
+  const JsonCursor format = required("format");
+  if (format.text() != name)
+    format.fail("the format is '" + format.text() + "'",
+                "give a file of the format '" + std::string(name) + "'");
+}
+
 std::optional<JsonCursor> JsonCursor::optional(std::string_view name) const {
   expect(JsonValue::Kind::object);
   const JsonValue* found = value_->find(name);

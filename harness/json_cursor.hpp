@@ -35,6 +35,8 @@ class JsonCursor {
   void allow_members(std::initializer_list<std::string_view> names) const;
   bool has(std::string_view name) const { return value_->find(name) != nullptr; }
   JsonCursor required(std::string_view name) const;
+  /// The object's member "format" is this one.
+  void require_format(std::string_view name) const;
   std::optional<JsonCursor> optional(std::string_view name) const;
   std::vector<std::pair<std::string, JsonCursor>> members() const;
   std::vector<JsonCursor> elements() const;

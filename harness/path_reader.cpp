@@ -1,7 +1,5 @@
 #include "harness/path_reader.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "harness/instance_io.hpp"
@@ -87,10 +85,7 @@ PathCrossingCorner read_crossing(const JsonCursor& cursor, std::size_t corners) 
 StoredPath parse_path(const std::string& text, const std::string& file, const Instance& instance) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
-  const JsonCursor format = root.required("format");
-  if (format.text() != format_name)
-    format.fail("the format is '" + format.text() + "'",
-                fmt::format("give a file of the format '{}'", format_name));
+  root.require_format(format_name);
   if (to_text(root.required("instance").value(), -1) != to_text(instance.document, -1))
     root.required("instance").fail("the path is of another instance", "write it again with `gcsbench path`");
   const std::vector<Column> columns = read_columns(root.required("columns"), instance.problem);

@@ -157,19 +157,12 @@ auto count_reader(const JsonCursor& cursor) {
   };
 }
 
-void require_format(const JsonCursor& root) {
-  const JsonCursor format = root.required("format");
-  if (format.text() != format_name)
-    format.fail("the format is '" + format.text() + "'",
-                fmt::format("give a file of the format '{}'", format_name));
-}
-
 }  // namespace
 
 ProgramAnswer parse_answer(const std::string& text, const Problem& problem, const std::string& source) {
   const JsonValue document = parse_json(text, source);
   const JsonCursor root(document, source);
-  if (root.optional("format")) require_format(root);
+  if (root.optional("format")) root.require_format(format_name);
   ProgramAnswer answer;
   if (const auto status = root.optional("status")) answer.status = read_word(*status, all_statuses);
   if (const auto reason = root.optional("reason")) answer.reason = reason->text();
@@ -185,7 +178,7 @@ ProgramAnswer parse_answer(const std::string& text, const Problem& problem, cons
 StoredResult parse_result(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
-  require_format(root);
+  root.require_format(format_name);
   StoredResult result;
   result.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
   result.strategy = root.required("strategy").text();

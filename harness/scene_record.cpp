@@ -114,13 +114,6 @@ PlanTrail read_trail(const JsonCursor& cursor) {
   return trail;
 }
 
-void require_format(const JsonCursor& root) {
-  const JsonCursor format = root.required("format");
-  if (format.text() != format_name)
-    format.fail("the format is '" + format.text() + "'",
-                fmt::format("give a file of the format '{}'", format_name));
-}
-
 }  // namespace
 
 std::string to_json_text(const SceneRecord& record) {
@@ -138,7 +131,7 @@ std::string to_json_text(const SceneRecord& record) {
 SceneRecord parse_scene_record(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
-  require_format(root);
+  root.require_format(format_name);
   SceneRecord record;
   record.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
   record.source = root.required("source").text();

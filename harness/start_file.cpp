@@ -91,14 +91,6 @@ std::string file_text(const SquareSystem& system, const StartSystem& start) {
       solutions_text(start.generic.solutions));
 }
 
-void require_format(const JsonCursor& document) {
-  const JsonCursor format = document.required("format");
-  if (format.text() != format_name)
-    format.fail("the format is '" + format.text() + "'",
-                fmt::format("give a file of the format '{}'", format_name));
-  document.allow_members({"format", "equations", "search", "trace", "squares", "solutions"});
-}
-
 void require_equations(const JsonCursor& equations, const SquareSystem& system) {
   const std::string own =
       "a start system serves the graph and frame that it was made for; "
@@ -183,7 +175,8 @@ void require_solutions(const JsonCursor& document, const std::string& file, cons
 /// `solutions`: where they are known already, and the document has an empty list in their place.
 StartSystem read_start(const JsonCursor& document, const std::string& file, const Family& family,
                        std::vector<ComplexVectorX> solutions) {
-  require_format(document);
+  document.require_format(format_name);
+  document.allow_members({"format", "equations", "search", "trace", "squares", "solutions"});
   require_equations(document.required("equations"), family.system);
   StartSystem start{read_search(document.required("search")), read_trace(document.required("trace"))};
   start.generic.squares = read_vector(document.required("squares"), family.system.equations());

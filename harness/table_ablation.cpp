@@ -44,22 +44,31 @@ std::vector<Study> path_studies() {
   };
 }
 
-/// With and without what can be left out, by all solutions.
+/// With and without what can be left out, by the solutions that the strategy claims.
 std::vector<Study> saving_studies() {
-  const auto study = [](std::string heading, const std::string& strategy, OptionMap without,
-                        const std::vector<std::string>& only_on) {
-    return Study{std::move(heading),
-                 {Variant{strategy, {}, only_on}, Variant{strategy, std::move(without), only_on}}};
+  const auto study = [](std::string heading, Variant with, Variant without) {
+    return Study{std::move(heading), {std::move(with), std::move(without)}};
   };
-  const OptionMap whole{{"reduce", "off"}};
+  const auto by_option = [&](std::string heading, const std::string& strategy, OptionMap without,
+                             const std::vector<std::string>& only_on) {
+    return study(std::move(heading), {strategy, {}, only_on}, {strategy, std::move(without), only_on});
+  };
+  const OptionMap whole{{"reduce", "off"}}, images{{"mirror_images", "followed"}};
+  const std::vector<std::string> in_space{"octahedron", "disulfide"};
   return {
-      study("hung points and parts are solved apart", "monodromy", whole, reducible()),
-      study("the same, by mixed cells", "polyhedral", whole, reducible()),
-      study("the same, by subdivision", "plan-scan", whole, reducible()),
-      study("vector instructions", "monodromy", {{"instructions", "portable"}}, {"octahedron", "disulfide"}),
-      study("twice the precision only where paths need it", "monodromy", {{"precision", "twice"}},
-            {"octahedron", "disulfide"}),
-      study("squared norms as unknowns", "polyhedral", {{"formulation", "coordinates"}}, {"octahedron"}),
+      by_option("hung points and parts are solved apart", "monodromy", whole, reducible()),
+      by_option("the same, by mixed cells", "polyhedral", whole, reducible()),
+      by_option("the same, by subdivision", "plan-scan", whole, reducible()),
+      by_option("one of mirror images is followed", "monodromy", images, in_space),
+      by_option("the same, by mixed cells", "polyhedral", images, in_space),
+      by_option("vector instructions", "monodromy", {{"instructions", "portable"}}, in_space),
+      by_option("twice the precision only where paths need it", "monodromy", {{"precision", "twice"}},
+                in_space),
+      study("proofs and digits only where asked for", {"monodromy", {}, in_space},
+            {"monodromy", {}, in_space, {}, 30}),
+      study("derivatives from where a parameter matters", {"rcp", {{"mode", "paper"}}, in_space},
+            {"rcp", {{"derivatives", "whole"}, {"mode", "paper"}}, in_space}),
+      by_option("squared norms as unknowns", "polyhedral", {{"formulation", "coordinates"}}, {"octahedron"}),
   };
 }
 
@@ -110,21 +119,21 @@ Table build_paths(const RunRecord& run) {
   return table;
 }
 
-/// All complex solutions, or all real ones where the strategy finds these.
+/// As many as the strategy claims to find: all complex ones, all real ones, or those on S.
 std::optional<double> solutions(const CellRecord* cell) {
   if (cell == nullptr) return std::nullopt;
-  const auto& count = cell->counts.complex_up_to_reflection ? cell->counts.complex_up_to_reflection
-                                                            : cell->counts.real_up_to_reflection;
-  return count ? std::optional(count->approximate()) : std::nullopt;
+  for (const auto& count : {cell->counts.complex_up_to_reflection, cell->counts.real_up_to_reflection})
+    if (count) return count->approximate();
+  return on_path(cell);
 }
 
-/// A row for each instance on which it was measured.
+/// A row for each instance on which it was measured without.
 std::vector<TableRow> saving_rows(Table& table, const RunRecord& run, const Study& study) {
   std::vector<TableRow> rows;
   for (const std::string& id : study.variants.front().only_on) {
     const CellRecord* with = run.find(study.variants[0].on(id));
     const CellRecord* without = run.find(study.variants[1].on(id));
-    if (with == nullptr && without == nullptr) continue;
+    if (without == nullptr) continue;
     rows.push_back({fmt::format("{}, {}", id, label_of(study.variants[1].on(""))),
                     {answer_entry(table, with, solutions(with)), time_entry(table, with),
                      answer_entry(table, without, solutions(without)), time_entry(table, without),
@@ -146,8 +155,9 @@ Table build_savings(const RunRecord& run) {
     table.rows.insert(table.rows.end(), rows.begin(), rows.end());
   }
   table.remarks = {
-      "Solutions up to reflection, all complex ones, of plan-scan the real ones. Each row names the option "
-      "that switches the saving off. Times: preparing and solving once on one thread, median of interleaved "
+      "Solutions up to reflection: all complex ones, of plan-scan the real ones, of rcp those on S. Each row "
+      "names the option that switches the saving off; digits: every solution is proven and refined to so "
+      "many. Times: preparing and solving once on one thread, median of interleaved "
       "repetitions; ± half of its 95% interval."};
   return table;
 }

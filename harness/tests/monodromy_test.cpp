@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 
 #include "harness/instance_io.hpp"
 #include "harness/solve_run.hpp"
@@ -72,25 +73,41 @@ TEST_CASE("threads and instruction sets change no number of a solve") {
   }
 }
 
-TEST_CASE("twice the precision finds the same solutions") {
-  for (const std::string strategy : {"monodromy", "polyhedral"}) {
-    const Scene scene(load_instance("k33").problem);
-    const SolveRun doubles = run_strategy(find_strategy(strategy), {}, scene, {});
-    const SolveRun wide = run_strategy(find_strategy(strategy), {{"precision", "twice"}}, scene, {});
-    INFO(strategy);
-    // The steps are others, of which nothing shows but the work.
-    CHECK(wide.work.iterations != doubles.work.iterations);
-    std::vector<Figure> figures;
-    for (const SolveRun* run : {&doubles, &wide}) {
-      CHECK(run->assessment.solutions.size() == 8);  // 16 in a fixed frame, by the recursion for Laman graphs
-      for (const AssessedSolution& solution : run->assessment.solutions) {
-        figures.push_back(solution.figure);
-        figures.back().points *= std::ldexp(1.0, -scene.unit_exponent());
-        figures.back().imaginary *= std::ldexp(1.0, -scene.unit_exponent());
-      }
+TEST_CASE("what is saved changes the work and not the solutions") {
+  const OptionMap without =
+      GENERATE(OptionMap{{"precision", "twice"}}, OptionMap{{"mirror_images", "followed"}});
+  const std::string strategy = GENERATE("monodromy", "polyhedral");
+  CAPTURE(strategy, without);
+  const Scene scene(load_instance("k33").problem);
+  const SolveRun saving = run_strategy(find_strategy(strategy), {}, scene, {});
+  const SolveRun all = run_strategy(find_strategy(strategy), without, scene, {});
+  CHECK(all.work.iterations != saving.work.iterations);
+  std::vector<Figure> figures;
+  for (const SolveRun* run : {&saving, &all}) {
+    CHECK(run->status == RunStatus::complete);
+    CHECK(run->assessment.solutions.size() == 8);  // 16 in a fixed frame, by the recursion for Laman graphs
+    for (const AssessedSolution& solution : run->assessment.solutions) {
+      figures.push_back(solution.figure);
+      figures.back().points *= std::ldexp(1.0, -scene.unit_exponent());
+      figures.back().imaginary *= std::ldexp(1.0, -scene.unit_exponent());
     }
-    CHECK(reflection_classes(scene, figures, 1e-9).count() == 8);
   }
+  CHECK(reflection_classes(scene, figures, 1e-9).count() == 8);
+}
+
+/// As many paths from mixed cells as the mixed volume, which mirror images divide by 2 in each of two axes.
+TEST_CASE("all mirror images are followed where they are not divided out") {
+  const Scene scene(load_instance("k33").problem);
+  const auto paths = [&](const OptionMap& options) {
+    const SolveRun run = run_strategy(find_strategy("polyhedral"), options, scene, {});
+    std::map<std::string, std::int64_t> counts;
+    for (const Particular& particular : run.particulars) counts[particular.name] = particular.value;
+    CHECK(counts.at("mixed_volume") == 512);
+    return counts.at("start_paths");
+  };
+  const std::string coordinates = "coordinates";
+  CHECK(paths({{"formulation", coordinates}}) == 128);
+  CHECK(paths({{"formulation", coordinates}, {"mirror_images", "followed"}}) == 512);
 }
 
 TEST_CASE("lines beside given points are found with the points set free") {

@@ -11,6 +11,7 @@ namespace gcs {
 namespace {
 
 constexpr std::string_view instruction_sets = "auto|portable|avx2|avx512";
+constexpr std::string_view ways_with_images = "divided|followed";
 
 InstructionSet read_instruction_set(const OptionMap& options) {
   const int choice = choice_option(options, "instructions", instruction_sets);
@@ -57,6 +58,8 @@ std::vector<OptionSpec> tracking_option_specs() {
            "error of a prediction, relative to how far the path goes until its series diverges"},
           {"precision", "auto", "auto|twice",
            "twice: every path in about 106 bits; auto: where 53 do not suffice"},
+          {"mirror_images", "divided", ways_with_images,
+           "followed: on the way to random lengths they are followed too, for the same solutions"},
           {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them",
            false, false}};
 }
@@ -93,6 +96,10 @@ GenericStart::GenericStart(const Scene& scene, std::uint64_t seed, const Trackin
       system(square_system(coordinates)),
       elimination(order_elimination(system, random)),
       tracking(system, elimination, setup) {}
+
+ComplexStrategy::ComplexStrategy(const OptionMap& options)
+    : setup_(tracking_setup(options)),
+      follows_mirror_images_(choice_option(options, "mirror_images", ways_with_images) == 1) {}
 
 std::optional<std::string> ComplexStrategy::why_unsupported(const Scene& scene) const {
   if (scene.problem().lines.size() > 1) return "it places one line at most";

@@ -14,7 +14,7 @@
 
 namespace gcs {
 
-/// The options order, tolerance and instructions.
+/// The options that they share.
 std::vector<OptionSpec> tracking_option_specs();
 /// Predictions that are rough or fine, of low and of high order.
 std::vector<OptionMap> tracking_accuracy_settings();
@@ -60,7 +60,11 @@ class ComplexStrategy : public Strategy {
   SolveReport solve(const SolveRequest& request) final;
 
  protected:
-  explicit ComplexStrategy(const OptionMap& options) : setup_(tracking_setup(options)) {}
+  explicit ComplexStrategy(const OptionMap& options);
+
+  /// Whether on the way to random lengths mirror images are followed too: many times the work, as a measure
+  /// of what dividing them out saves.
+  bool follows_mirror_images() const { return follows_mirror_images_; }
 
   /// With the threads and the journal of the request.
   TrackingSetup setup_for(const SolveRequest& request) const;
@@ -72,6 +76,7 @@ class ComplexStrategy : public Strategy {
   bool is_prepared_for(const Scene& scene) const;
 
   TrackingSetup setup_;
+  bool follows_mirror_images_;
   std::unique_ptr<GenericStart> prepared_;
 };
 

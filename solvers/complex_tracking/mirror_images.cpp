@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solvers/complex_tracking/endgame.hpp"
 #include "solvers/model/distance_system.hpp"
 
 namespace gcs {
@@ -23,6 +24,15 @@ std::vector<int> mirror_axes(const Scene& scene, const DistanceSystem& system) {
     for (int axis = 0; axis < system.dimension(); ++axis)
       if (const int unknown = system.unknown(point, axis); unknown >= 0) axes[unknown] = axis;
   return axes;
+}
+
+std::vector<int> divided_by_none(const std::vector<int>& axes) { return std::vector<int>(axes.size(), -1); }
+
+int image_count(const std::vector<int>& axes) {
+  int count = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::find(axes.begin(), axes.end(), axis) != axes.end()) count *= 2;
+  return count;
 }
 
 SolutionSet::SolutionSet(std::vector<int> axes, std::mt19937_64& random) : axes_(std::move(axes)) {
@@ -80,6 +90,13 @@ int SolutionSet::insert(const ComplexVectorX& x, double uncertainty) {
   uncertainties_.push_back(uncertainty);
   by_key_.emplace(key_of(x, uncertainty).value, number);
   return number;
+}
+
+std::vector<ComplexVectorX> one_of_each_class(const std::vector<ComplexVectorX>& solutions,
+                                              const std::vector<int>& axes, std::mt19937_64& random) {
+  SolutionSet classes(axes, random);
+  for (const ComplexVectorX& x : solutions) classes.insert(x, regular_uncertainty);
+  return classes.solutions();
 }
 
 }  // namespace gcs

@@ -15,6 +15,12 @@ class Scene;
 /// positions are given, since nothing is divided out then.
 std::vector<int> mirror_axes(const Scene& scene, const DistanceSystem& system);
 
+/// As many unknowns whose reflections are not divided out.
+std::vector<int> divided_by_none(const std::vector<int>& axes);
+
+/// How many solutions a class has at generic lengths: 2 to the number of axes.
+int image_count(const std::vector<int>& axes);
+
 /// Distinct solutions of one system, up to reflections in coordinate planes.
 class SolutionSet {
  public:
@@ -45,5 +51,9 @@ class SolutionSet {
   std::vector<double> uncertainties_;
   std::multimap<double, int> by_key_;
 };
+
+/// The first of each class, of solutions that are regular.
+std::vector<ComplexVectorX> one_of_each_class(const std::vector<ComplexVectorX>& solutions,
+                                              const std::vector<int>& axes, std::mt19937_64& random);
 
 }  // namespace gcs

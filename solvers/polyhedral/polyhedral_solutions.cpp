@@ -59,7 +59,8 @@ class Solution {
         equations_(request.formulation == Formulation::spheres
                        ? sphere_equations(request.coordinates, request.placement)
                        : coordinate_equations(request.system, request.placement)),
-        frame_axes_(mirror_axes(request.scene, request.coordinates)) {}
+        frame_axes_(mirror_axes(request.scene, request.coordinates)),
+        divided_axes_(request.follows_mirror_images ? divided_by_none(frame_axes_) : frame_axes_) {}
 
   PolyhedralSolutions run() {
     request_.progress("mixed cells", -1);
@@ -108,12 +109,14 @@ class Solution {
   }
 
   void sort_in(const std::vector<PathEnd>& ends) {
-    SolutionSet distinct(frame_axes_, random_);
+    SolutionSet distinct(divided_axes_, random_);
     for (const PathEnd& end : ends) {
       result_.at_infinity += end.kind == PathEnd::Kind::at_infinity;
       if (end.kind == PathEnd::Kind::regular) distinct.insert(in_frame(end.x), regular_uncertainty);
     }
-    result_.solutions = distinct.solutions();
+    result_.solutions = request_.follows_mirror_images
+                            ? one_of_each_class(distinct.solutions(), frame_axes_, random_)
+                            : distinct.solutions();
     if (result_.missing.empty()) result_.missing = what_is_missing(ends, distinct.size());
   }
 
@@ -125,11 +128,11 @@ class Solution {
     return x;
   }
 
-  /// The reflection that changes the sign of each of the equations' unknowns, or −1.
+  /// The reflection to divide by that changes the sign of each of the equations' unknowns, or −1.
   std::vector<int> axes() const {
     std::vector<int> result(equations_.supports.size(), -1);
     for (std::size_t i = 0; i < frame_axes_.size(); ++i)
-      if (equations_.unknown_of[i] >= 0) result[equations_.unknown_of[i]] = frame_axes_[i];
+      if (equations_.unknown_of[i] >= 0) result[equations_.unknown_of[i]] = divided_axes_[i];
     return result;
   }
 
@@ -139,6 +142,7 @@ class Solution {
   const std::function<bool()> stopped_;
   const SparseEquations equations_;
   const std::vector<int> frame_axes_;
+  const std::vector<int> divided_axes_;
   PolyhedralSolutions result_;
 };
 

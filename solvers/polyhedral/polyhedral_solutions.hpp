@@ -22,7 +22,7 @@ struct PolyhedralSolutions {
   bool stopped = false;                   ///< on request, with an incomplete list
   Natural mixed_volume;
   std::int64_t cells = 0;
-  std::int64_t start_paths = 0;  ///< one of each set of mirror images
+  std::int64_t start_paths = 0;  ///< where mirror images are divided out, one of each set of them
   std::int64_t at_infinity = 0;  ///< of these, where they led to no solution
 };
 
@@ -32,6 +32,7 @@ struct PolyhedralRequest {
   const SquareSystem& system;
   const ComplexVectorX& placement;  ///< whose lengths the equations have
   Formulation formulation = Formulation::spheres;
+  bool follows_mirror_images = false;  ///< instead of dividing them out
   TrackingSetup setup;
   std::uint64_t seed = 0;
   std::stop_token stop;

@@ -134,12 +134,22 @@ class Monodromy final : public ComplexStrategy {
 
   void search(const SolveRequest& request, Found& found) const {
     const auto stopped = [&] { return request.stop.stop_requested(); };
-    const double most = found.limit ? static_cast<double>(*found.limit) : 0;
+    const int images = follows_mirror_images() ? image_count(found.axes) : 1;
+    const double most = found.limit ? static_cast<double>(*found.limit) * images : 0;
     const auto progress = [&](int count) {
       report_progress(request, "solutions at random lengths", most > 0 ? count / most : -1);
     };
-    found.generic = search_by_monodromy(found.family(), found.tracking, {found.limit, nullptr}, search_,
-                                        found.random, stopped, progress, found.work);
+    const auto search_in = [&](const Family& family, const std::optional<std::uint64_t>& all) {
+      return search_by_monodromy(family, found.tracking, {all, nullptr}, search_, found.random, stopped,
+                                 progress, found.work);
+    };
+    if (follows_mirror_images()) {
+      const auto all = found.limit ? std::optional(*found.limit * images) : std::nullopt;
+      found.generic = search_in(all_lengths(found.system, divided_by_none(found.axes)), all);
+      found.generic.solutions = one_of_each_class(found.generic.solutions, found.axes, found.random);
+    } else {
+      found.generic = search_in(found.family(), found.limit);
+    }
     for (int i = 0; with_trace_ && i < most_trace_tests && !found.missing().empty(); ++i)
       found.trace = test(request, found);
   }

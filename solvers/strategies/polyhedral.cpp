@@ -67,9 +67,10 @@ class Polyhedral final : public ComplexStrategy {
     const auto progress = [&request](std::string_view stage, double fraction) {
       report_progress(request, stage, fraction);
     };
-    found->generic = polyhedral_solutions({request.scene, found->coordinates, found->system, found->placement,
-                                           formulation_, setup, request.seed, request.stop, progress},
-                                          found->random, found->work);
+    found->generic = polyhedral_solutions(
+        {request.scene, found->coordinates, found->system, found->placement, formulation_,
+         follows_mirror_images(), setup, request.seed, request.stop, progress},
+        found->random, found->work);
     return found;
   }
 

@@ -46,9 +46,10 @@ class Rcp final : public Strategy {
  public:
   explicit Rcp(const OptionMap& options)
       : options_(read_path_options(options, uncertified_modes, paper_step_max)) {
-    swap_ = choice_option(options, "swap", "on|off") == 0;
-    rule_.alpha = number_option(options, "alpha", 1e-6, 0.49);
-    rule_.watch_sine = choice_option(options, "measure", "guarded|published") == 0;
+    plan_options_.swap = choice_option(options, "swap", "on|off") == 0;
+    plan_options_.partial = choice_option(options, "derivatives", "partial|whole") == 0;
+    plan_options_.rule.alpha = number_option(options, "alpha", 1e-6, 0.49);
+    plan_options_.rule.watch_sine = choice_option(options, "measure", "guarded|published") == 0;
   }
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
@@ -56,20 +57,23 @@ class Rcp final : public Strategy {
     return why_no_plan(scene);
   }
 
-  void prepare(const SolveRequest& request) override { plan_ = first_plan(request.scene, rule_); }
+  void prepare(const SolveRequest& request) override {
+    plan_ = first_plan(request.scene, plan_options_.rule);
+  }
 
   SolveReport solve(const SolveRequest& request) override {
     const Scene& scene = request.scene;
     const TrackerContext context{request.stop, request.monitor};
-    const Plan plan = plan_ ? *plan_ : first_plan(scene, rule_);
+    const Plan plan = plan_ ? *plan_ : first_plan(scene, plan_options_.rule);
     const Figure sketch = in_plan_frame(scene, plan, *scene.sketch());
     if (options_.mode == PathMode::paper) {
-      PaperPlanHomotopy homotopy(scene, plan, sketch, rule_, swap_);
+      PaperPlanHomotopy homotopy(scene, plan, sketch, plan_options_);
       EulerNewtonTracker tracker(homotopy, options_.paper, context);
       return report_of(scene, tracker.run(), homotopy);
     }
     return report_once_refined(options_.fast, [&](const SeriesTrackerOptions& options) {
-      PlanCurve curve(scene, plan, sketch, {options.order, options.tolerance, swap_, rule_});
+      PlanCurve curve(scene, plan, sketch,
+                      {options.order, options.tolerance, plan_options_.swap, plan_options_.rule});
       SeriesTracker tracker(curve, options, context);
       return report_of(scene, tracker.run(), curve);
     });
@@ -85,8 +89,7 @@ class Rcp final : public Strategy {
   }
 
   PathOptions options_;
-  ExchangeRule rule_;
-  bool swap_ = true;
+  PlanHomotopyOptions plan_options_;
   std::optional<Plan> plan_;
 };
 
@@ -106,6 +109,9 @@ StrategyEntry rcp_entry() {
                            "published: γ alone; guarded: also the angle of intersection"});
   entry.options.push_back(
       {"swap", "on", "on|off", "off: keep the first plan and change the branch at a boundary"});
+  entry.options.push_back(
+      {"derivatives", "partial", "partial|whole",
+       "mode=paper: by evaluating the plan from where a parameter matters, or all of it"});
   entry.accuracy_settings = path_accuracy_settings();
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<Rcp>(options);

@@ -119,6 +119,13 @@ Sample exchanged_sample(int dimension, const ExchangeRule& rule, RandomNumbers& 
   return {scene, PlanCurve(scene, plan, sketch, options)};
 }
 
+SolveReport solved_by_rcp(const Scene& scene, const OptionMap& given) {
+  const auto strategies = all_strategies();
+  const StrategyEntry& entry = *std::find_if(strategies.begin(), strategies.end(),
+                                             [](const StrategyEntry& one) { return one.name == "rcp"; });
+  return entry.make(complete_options(entry, given))->solve({.scene = scene, .stop = {}});
+}
+
 }  // namespace
 
 TEST_CASE("the plan at the sketch's parameters builds the sketch") {
@@ -260,13 +267,9 @@ TEST_CASE("a step taken back leaves the plan as it was") {
 TEST_CASE("the plans of a path are noted where they change, on the path") {
   for (const Problem& problem : {samples::octahedron(), samples::k33()}) {
     const Scene scene(problem);
-    const auto strategies = all_strategies();
-    const StrategyEntry& entry = *std::find_if(strategies.begin(), strategies.end(),
-                                               [](const StrategyEntry& one) { return one.name == "rcp"; });
     for (const std::string mode : {"fast", "paper"}) {
       CAPTURE(mode);
-      const SolveReport report =
-          entry.make(complete_options(entry, {{"mode", mode}}))->solve({.scene = scene, .stop = {}});
+      const SolveReport report = solved_by_rcp(scene, {{"mode", mode}});
       REQUIRE(report.status == SolveStatus::complete);
       const std::vector<PlanUse>& plans = report.paths.front().plans;
       CHECK(plans.size() == static_cast<std::size_t>(report.work.plan_changes) + 1);
@@ -281,4 +284,16 @@ TEST_CASE("the plans of a path are noted where they change, on the path") {
       }
     }
   }
+}
+
+TEST_CASE("derivatives by the whole plan have the bits of those by a part of it") {
+  const Scene scene(samples::octahedron());
+  const SolveReport part = solved_by_rcp(scene, {{"mode", "paper"}});
+  const SolveReport whole = solved_by_rcp(scene, {{"mode", "paper"}, {"derivatives", "whole"}});
+  REQUIRE(part.candidates.size() == whole.candidates.size());
+  for (std::size_t i = 0; i < part.candidates.size(); ++i)
+    CHECK(part.candidates[i].figure.points == whole.candidates[i].figure.points);
+  CHECK(part.work.partial_evaluations > 0);
+  CHECK(whole.work.partial_evaluations == 0);
+  CHECK(whole.work.evaluations == part.work.evaluations + part.work.partial_evaluations);
 }

@@ -47,13 +47,12 @@ Figure PaperDistanceHomotopy::figure(const Eigen::VectorXd& coordinates) const {
 }
 
 PaperPlanHomotopy::PaperPlanHomotopy(const Scene& scene, Plan plan, const Figure& sketch,
-                                     const ExchangeRule& rule, bool swap)
+                                     const PlanHomotopyOptions& options)
     : unit_(std::ldexp(1.0, scene.unit_exponent())),
       dimension_(scene.dimension()),
       lengths_(scene.length_paths()),
       plan_(std::move(plan)),
-      rule_(rule),
-      swap_(swap),
+      options_(options),
       sketch_(unit_ * sketch.points),
       points_(sketch_),
       shifted_points_(sketch_) {
@@ -82,7 +81,8 @@ Eigen::VectorXd PaperPlanHomotopy::parameters(const Eigen::Matrix3Xd& points, do
 }
 
 Eigen::VectorXd PaperPlanHomotopy::start() {
-  if (swap_ && needs_change(plan_, rule_, sketch_) && change_plan(plan_, rule_, sketch_))
+  if (options_.swap && needs_change(plan_, options_.rule, sketch_) &&
+      change_plan(plan_, options_.rule, sketch_))
     ++work_.plan_changes;
   find_branch(sketch_);
   note_plan(sketch_, 0);
@@ -120,7 +120,7 @@ bool PaperPlanHomotopy::jacobian(const Eigen::VectorXd& y, const Eigen::VectorXd
   shifted_residual_.resize(f.size());
   std::size_t first = plan_.instructions().size();
   for (Eigen::Index j = y.size() - 1; j-- > 0;) {
-    while (plan_.driven_before(first) > j) --first;
+    while (options_.partial ? plan_.driven_before(first) > j : first > 0) --first;
     // A boundary of the domain may lie on one side.
     for (const double direction : {1.0, -1.0}) {
       shifted[j] = y[j] + direction * difference_step(y[j]);
@@ -166,12 +166,12 @@ bool PaperPlanHomotopy::after_step(const Eigen::VectorXd& before, Eigen::VectorX
   work_.mean_driving_parameters = driving_sum_ / static_cast<double>(work_.iterations);
   work_.max_driving_parameters =
       std::max(work_.max_driving_parameters.value_or(0), plan_.driving_parameters());
-  if (!swap_) return false;
+  if (!options_.swap) return false;
   evaluate(y, 0, points_);
-  if (!needs_change(plan_, rule_, points_)) return false;
+  if (!needs_change(plan_, options_.rule, points_)) return false;
   shifted_points_ = points_;
   evaluate(before, 0, shifted_points_);
-  if (!change_plan(plan_, rule_, points_)) return false;
+  if (!change_plan(plan_, options_.rule, points_)) return false;
   ++work_.plan_changes;
   find_branch(points_);
   note_plan(points_, y[y.size() - 1]);
@@ -182,11 +182,11 @@ bool PaperPlanHomotopy::after_step(const Eigen::VectorXd& before, Eigen::VectorX
 }
 
 bool PaperPlanHomotopy::try_other_branch(const Eigen::VectorXd& y) {
-  if (swap_ || !evaluate(y, 0, points_)) return false;
-  double nearest = rule_.alpha;
+  if (options_.swap || !evaluate(y, 0, points_)) return false;
+  double nearest = options_.rule.alpha;
   bool found = false;
   for (std::size_t k = 0; k < plan_.instructions().size(); ++k) {
-    const double distance = boundary_distance(plan_.instructions()[k], rule_, points_);
+    const double distance = boundary_distance(plan_.instructions()[k], options_.rule, points_);
     if (distance > nearest) continue;
     nearest = distance;
     flipped_ = k;

@@ -35,16 +35,24 @@ class PaperDistanceHomotopy {
   WorkCounters work_;
 };
 
+/// How PaperPlanHomotopy deviates from the published one.
+struct PlanHomotopyOptions {
+  ExchangeRule rule;
+  /// False: instead of changing the plan, a failed correction within α of a boundary configuration is tried
+  /// again on the other branch of the nearest instruction.
+  bool swap = true;
+  /// Whether a derivative re-evaluates the plan from the instruction that introduces the parameter (§7.2)
+  /// or, with the same bits, the whole.
+  bool partial = true;
+};
+
 /// [b]H_R(A+, t) in R^d × R, with the plan changed by Algorithm 2 after a step (§4), the direction carried
 /// over by ϕ'∘ϕ (§7.1; applied to both ends of the last step, since ϕ's derivative is worst just where the
-/// plan has to be changed), and derivatives by re-evaluating the plan from the instruction that introduces a
-/// parameter (§7.2).
+/// plan has to be changed), and derivatives by re-evaluating the plan (§7.2).
 class PaperPlanHomotopy {
  public:
-  /// `plan` and `sketch` in the plan's frame and the scene's unit. `swap` false: instead of changing the
-  /// plan, a failed correction within α of a boundary configuration is tried again on the other branch of the
-  /// nearest instruction.
-  PaperPlanHomotopy(const Scene& scene, Plan plan, const Figure& sketch, const ExchangeRule& rule, bool swap);
+  /// `plan` and `sketch` in the plan's frame and the scene's unit.
+  PaperPlanHomotopy(const Scene& scene, Plan plan, const Figure& sketch, const PlanHomotopyOptions& options);
 
   Eigen::VectorXd start();
   bool residual(const Eigen::VectorXd& y, Eigen::VectorXd& f);
@@ -71,8 +79,7 @@ class PaperPlanHomotopy {
   std::vector<std::array<int, 2>> ends_;
   std::vector<LengthPath> lengths_;
   Plan plan_;
-  ExchangeRule rule_;
-  bool swap_;
+  PlanHomotopyOptions options_;
   Eigen::Matrix3Xd sketch_, points_, shifted_points_;
   Eigen::VectorXd shifted_residual_;
   std::size_t flipped_ = 0;  ///< the instruction whose branch was changed last

@@ -50,19 +50,13 @@ Coefficients split(Coefficients& b) {
   return right;
 }
 
-double evaluate(std::span<const double> c, double s) {
-  double value = 0;
-  for (std::size_t i = c.size(); i-- > 0;) value = value * s + c[i];
-  return value;
-}
-
 /// Bisection between ends of opposite sign.
 double bisect(std::span<const double> c, double low, double high) {
-  const bool low_negative = evaluate(c, low) < 0;
+  const bool low_negative = polynomial_value(c, low) < 0;
   for (int i = 0; i < 64; ++i) {
     const double middle = low + (high - low) / 2;
     if (middle <= low || middle >= high) break;
-    ((evaluate(c, middle) < 0) == low_negative ? low : high) = middle;
+    ((polynomial_value(c, middle) < 0) == low_negative ? low : high) = middle;
   }
   return low + (high - low) / 2;
 }
@@ -111,9 +105,27 @@ std::vector<double> real_roots(std::span<const double> c, double end) {
   if (std::abs(c[0]) > reach) return {};
   Search search{c, 1e-12 * end, {}};
   Coefficients b = to_bernstein(c, end);
-  b.back() = evaluate(c, end);
+  b.back() = polynomial_value(c, end);
   search.descend(std::move(b), 0, end);
   return search.roots;
+}
+
+double polynomial_value(std::span<const double> c, double s) {
+  double value = 0;
+  for (std::size_t i = c.size(); i-- > 0;) value = value * s + c[i];
+  return value;
+}
+
+std::vector<double> derivative(std::span<const double> c) {
+  std::vector<double> result;
+  for (std::size_t i = 1; i < c.size(); ++i) result.push_back(static_cast<double>(i) * c[i]);
+  return result;
+}
+
+bool may_vanish(std::span<const double> c, double end, double slack) {
+  double rest = slack, power = end;
+  for (std::size_t i = 1; i < c.size(); ++i, power *= end) rest += std::abs(c[i]) * power;
+  return std::abs(c[0]) <= rest;
 }
 
 }  // namespace gcs

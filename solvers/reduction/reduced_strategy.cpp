@@ -63,14 +63,13 @@ bool is_flat(const Scene& scene, const Figure& representative) {
 
 PartSolution part_solution(const Scene& whole, const PartScene& part_scene, const Part& part,
                            const Figure& representative, double condition, int multiplicity) {
-  constexpr double stiff = 1e6;
   const Figure placed = in_whole(whole, part_scene, representative);
   const Simplex positions = complex_points(placed);
   PartSolution solution{{},
                         complex_lines(placed),
                         representative.is_real(),
                         is_flat(part_scene.scene, representative),
-                        condition > stiff,
+                        condition >= stiff_condition,
                         condition,
                         multiplicity};
   std::optional<SimplexFrame> frame;

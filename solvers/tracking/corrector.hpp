@@ -20,7 +20,7 @@ class CorrectorTest {
   explicit CorrectorTest(double tolerance) : tolerance_(tolerance) {}
 
   Verdict judge(double correction, double size) {
-    const double noise = 64 * std::numeric_limits<double>::epsilon() * std::max(1.0, size);
+    const double noise = noise_at(size);
     if (!(correction <= first_limit * tolerance_)) return Verdict::refuse;
     if (correction <= noise) return Verdict::settled;
     if (previous_ > 0) {
@@ -33,11 +33,19 @@ class CorrectorTest {
     return Verdict::again;
   }
 
+  /// A correction up to this may be left at coordinates of that size: rounding, amplified by the condition of
+  /// the Jacobian.
+  static double settled_limit(double size) { return noise_limit * noise_at(size); }
+
   /// The matrix has to be renewed before a tangent is computed with it: a stale tangent would be off by more
   /// than the tolerance per step.
   bool matrix_is_stale() const { return factor_ > stale_limit * tolerance_; }
 
  private:
+  static double noise_at(double size) {
+    return 64 * std::numeric_limits<double>::epsilon() * std::max(1.0, size);
+  }
+
   static constexpr double contraction = 0.1;
   static constexpr double noise_limit =
       1e3;  ///< rounding amplified by a condition number of the Jacobian up to 1e3·64

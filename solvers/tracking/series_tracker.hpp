@@ -65,6 +65,10 @@ struct SeriesTrackerOptions {
 /// disc may be smaller by the step).
 inline constexpr double backward_agreement = 1e-3;
 
+/// How far from an extremum of height h of t the crossings next to it may be, in units of sqrt(h/|t''|):
+/// twice where a parabola puts them.
+inline constexpr double touch_reach = 2.9;
+
 /// The path is closed when it passes the start this close (relative to the size of (X, t)), in the same
 /// direction: the error of a predicted point that the corrector still takes, or what rounding leaves of it.
 inline double closing_distance(double tolerance) {
@@ -150,30 +154,64 @@ class SeriesTracker {
     return 0;
   }
 
+  /// Crossings of t = 1 on this step up to `end`, and extrema of t next to it.
   void record_crossings(double end) {
     const Eigen::Index t = here_.coefficients().rows() - 1;
     std::vector<double> above(static_cast<std::size_t>(options_.order) + 1);
     for (int n = 0; n <= options_.order; ++n)
       above[static_cast<std::size_t>(n)] = here_.coefficients()(t, n) - (n == 0 ? 1 : 0);
-    std::vector<double> roots = real_roots(above, end);
-    // The corrector moves the end by less than the tolerance; that must neither lose nor double a crossing.
-    const bool starts_above = above[0] >= 0;
-    const bool ends_above = (end < step_ ? start_[t] : there_.coefficient(0)[t]) >= 1;
-    const bool odd = starts_above != ends_above;
-    if (odd != (roots.size() % 2 == 1)) {
-      const double rest = std::abs(there_.coefficient(0)[t] - 1);
-      if (!roots.empty() && roots.back() > end * (1 - 1e-3))
-        roots.pop_back();
-      else
-        roots.push_back(std::abs(above[0]) < rest ? 0 : end);
-      std::sort(roots.begin(), roots.end());
-    }
-    bool is_above = starts_above;
-    for (double s : roots) {
+    const bool ends_here = end < step_;
+    const double t_at_end = ends_here ? start_[t] : there_.coefficient(0)[t];
+    if (!may_vanish(above, end, error_at(end)) && (above[0] >= 0) == (t_at_end >= 1)) return;
+    int direction = above[0] >= 0 ? -1 : 1;
+    for (const double s : sign_changes(above, end, t_at_end - 1)) {
       here_.evaluate(s, predicted_);
-      path_.crossings.push_back({predicted_, is_above ? -1 : 1});
-      is_above = !is_above;
+      path_.crossings.push_back({predicted_, direction, path_.length + s});
+      direction = -direction;
     }
+    const std::vector<double> rate = derivative(above);
+    for (const double s : sign_changes(rate, end, ends_here ? start_tangent_[t] : there_.coefficient(1)[t]))
+      record_touch(above, s);
+  }
+
+  /// Where t comes no nearer to 1 than the series errs, its extremum says all that there is to say.
+  void record_touch(const std::vector<double>& above, double s) {
+    const double height = std::abs(polynomial_value(above, s)), error = error_at(s);
+    if (height > error) return;
+    const std::vector<double> rate = derivative(above);
+    const double bend = polynomial_value(derivative(rate), s), before = s - step_ / 16;
+    PathTouch touch{{},
+                    {},
+                    bend < 0 ? 1 : -1,
+                    path_.length + s,
+                    touch_reach * std::sqrt((height + error) / std::abs(bend))};
+    here_.evaluate(s, touch.point);
+    here_.evaluate(before, touch.before);
+    path_.touches.push_back(std::move(touch));
+  }
+
+  /// A bound on the error of the series at s for all that the corrector shows: it refuses a prediction that
+  /// is off by more than so many tolerances, and stops at the rounding of ill-conditioned points.
+  double error_at(double s) const {
+    const int last = options_.order;
+    const double terms =
+        (here_.coefficient(last).norm() * s + here_.coefficient(last - 1).norm()) * std::pow(s, last - 1);
+    return CorrectorTest::first_limit * terms +
+           CorrectorTest::settled_limit(here_.coefficient(0).lpNorm<Eigen::Infinity>());
+  }
+
+  /// The sign changes of a polynomial in (0, end], of which the next one has the value `at_end` at its start.
+  /// The corrector moves the end by less than the tolerance; that must neither lose nor double one.
+  static std::vector<double> sign_changes(const std::vector<double>& polynomial, double end, double at_end) {
+    std::vector<double> roots = real_roots(polynomial, end);
+    const bool odd = (polynomial[0] >= 0) != (at_end >= 0);
+    if (odd == (roots.size() % 2 == 1)) return roots;
+    if (!roots.empty() && roots.back() > end * (1 - 1e-3))
+      roots.pop_back();
+    else
+      roots.push_back(std::abs(polynomial[0]) < std::abs(at_end) ? 0 : end);
+    std::sort(roots.begin(), roots.end());
+    return roots;
   }
 
   std::string too_small() const {

@@ -14,6 +14,17 @@ namespace gcs {
 struct PathCrossing {
   Eigen::VectorXd point;
   int direction = 1;  ///< sign of dt along the path
+  double at = 0;      ///< arc length from the sketch, in the coordinates of the tracker; 0: not kept
+};
+
+/// An extremum of t along S, so near t = 1 that the tracker cannot tell whether S crosses t = 1 twice next to
+/// it or not at all.
+struct PathTouch {
+  Eigen::VectorXd point;
+  Eigen::VectorXd before;  ///< a point of S shortly before
+  int direction = 1;       ///< sign of dt before the extremum
+  double at = 0;           ///< arc length, as of a crossing
+  double reach = 0;        ///< a crossing further from here is another one
 };
 
 struct TrackedPath {
@@ -22,6 +33,7 @@ struct TrackedPath {
   std::string cause;  ///< a sentence, empty when closed
   double length = 0;  ///< arc length tracked, in the coordinates of the tracker
   std::vector<PathCrossing> crossings;
+  std::vector<PathTouch> touches;  ///< what the tracker takes for crossings near them is in `crossings` too
   std::vector<Eigen::VectorXd>
       points;           ///< accepted ones, the start first, where the tracker was to keep them
   bool proven = false;  ///< that it is closed, and the order and number of its crossings

@@ -210,9 +210,6 @@ struct Shortcomings {
 /// A condition number that leaves three digits or fewer of a correction along the Jacobian's near kernel.
 constexpr double rank_lost = 1e13;
 
-/// Of the scene's size: beyond it the rounding of coordinates moves a squared distance by as much as it is.
-constexpr double farthest = 0x1p26;
-
 /// Below this condition number no solution is so near another that doubles do not tell them apart.
 constexpr double regular = 1e4;
 
@@ -245,7 +242,7 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
     const Figure figure = figure_of(distinct[i], is_singular ? singular_uncertainty : next_to_real);
     const bool is_not_isolated = is_lonely && jacobian_condition(scene, figure) >= rank_lost;
     const bool is_in_between = is_singular && !is_not_isolated && !is_multiple_solution(scene, figure);
-    missing.too_far += extent(figure) > farthest * scene.size();
+    missing.too_far += loses_distances(scene, figure);
     missing.lonely += is_lonely;
     missing.not_isolated += is_not_isolated;
     if (is_in_between && distinct.paths(i) == 2) {

@@ -6,19 +6,14 @@
 #include <limits>
 
 #include "solvers/numeric/bilinear_product.hpp"
-#include "solvers/numeric/complex_double_double.hpp"
+#include "solvers/numeric/wide_vector.hpp"
 
 namespace gcs {
 namespace {
 
 using Complex = std::complex<double>;
-using WideVector = std::array<ComplexDoubleDouble, 3>;
 
-WideVector cross(const WideVector& a, const WideVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-ComplexDoubleDouble square_of(const WideVector& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
+ComplexDoubleDouble square_of(const WideVector& v) { return bilinear_product(v, v); }
 
 /// False for the one of u and −u that represents both.
 bool is_to_be_turned(const Eigen::Vector3cd& u) {
@@ -107,15 +102,10 @@ Figure moved_to_line(const Figure& figure, int line, int height) {
 }
 
 Complex squared_distance_excess(const Eigen::Vector3cd& point, const ComplexLine& line, DoubleDouble square) {
-  WideVector w, u;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<Eigen::Index>(i);
-    w[i] = wide_difference(point[axis], line.point[axis]);
-    u[i] = widened(line.direction[axis]);
-  }
+  const WideVector w = wide_difference(point, line.point), u = widened(line.direction);
   const ComplexDoubleDouble uu = square_of(u);
   const ComplexDoubleDouble scaled_square = uu * ComplexDoubleDouble{square, {}};
-  return (square_of(cross(w, u)) - scaled_square).value() / uu.value();
+  return (square_of(cross_product(w, u)) - scaled_square).value() / uu.value();
 }
 
 }  // namespace gcs

@@ -1,9 +1,9 @@
 #include "solvers/model/complex_points.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "solvers/numeric/bilinear_product.hpp"
 
@@ -13,10 +13,28 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-/// Without conjugation, unlike Eigen's dot.
-
 /// A unit vector along v, of the two the one with a component along v of non-negative real part.
 Eigen::Vector3cd normalised(const Eigen::Vector3cd& v) { return v / std::sqrt(bilinear_product(v, v)); }
+WideVector normalised(const WideVector& v) { return inverse_sqrt(bilinear_product(v, v)) * v; }
+
+/// The bilinear square of a vector less the given square, rounded after the subtraction.
+Complex square_excess(const WideVector& v, DoubleDouble square) {
+  DoubleDouble real = -square;
+  DoubleDouble imaginary{0, 0};
+  for (const ComplexDoubleDouble& component : v) {
+    real = real + component.re * component.re - component.im * component.im;
+    imaginary = imaginary + component.re * component.im + component.im * component.re;
+  }
+  return {real.value(), imaginary.value()};
+}
+
+/// From point b to point a.
+WideVector difference(const ComplexPoints& points, int a, int b) {
+  return wide_difference(Eigen::Vector3cd(points.col(a)), Eigen::Vector3cd(points.col(b)));
+}
+WideVector difference(const WidePoints& points, int a, int b) {
+  return wide_difference(points[static_cast<std::size_t>(a)], points[static_cast<std::size_t>(b)]);
+}
 
 bool is_in_frame(const ComplexPoints& points, int dimension, const Reference& reference) {
   const bool axis_is = points.col(reference.origin).isZero(0) &&
@@ -47,17 +65,19 @@ struct System {
   Eigen::MatrixXcd jacobian;
 };
 
+template <class Points>
 System system_at(std::span<const DistanceEquation> equations, const std::vector<int>& column,
-                 const ComplexPoints& points) {
+                 const Points& points) {
   const auto m = static_cast<Eigen::Index>(equations.size());
   System system{Eigen::VectorXcd(m), Eigen::MatrixXcd::Zero(m, m)};
   for (Eigen::Index e = 0; e < m; ++e) {
     const auto [a, b, square] = equations[static_cast<std::size_t>(e)];
-    const Eigen::Vector3cd difference = points.col(a) - points.col(b);
-    system.residual[e] = squared_distance_excess(points.col(a), points.col(b), square) / 2.0;
+    const WideVector apart = difference(points, a, b);
+    const Eigen::Vector3cd gradient = narrowed(apart);
+    system.residual[e] = square_excess(apart, square) / 2.0;
     for (int axis = 0; axis < 3; ++axis) {
-      if (const int c = column[3 * a + axis]; c >= 0) system.jacobian(e, c) = difference[axis];
-      if (const int c = column[3 * b + axis]; c >= 0) system.jacobian(e, c) = -difference[axis];
+      if (const int c = column[3 * a + axis]; c >= 0) system.jacobian(e, c) = gradient[axis];
+      if (const int c = column[3 * b + axis]; c >= 0) system.jacobian(e, c) = -gradient[axis];
     }
     const double norm = system.jacobian.row(e).norm();
     if (norm > 0) {
@@ -69,6 +89,20 @@ System system_at(std::span<const DistanceEquation> equations, const std::vector<
 }
 
 }  // namespace
+
+WidePoints widened(const ComplexPoints& points) {
+  WidePoints wide;
+  wide.reserve(static_cast<std::size_t>(points.cols()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) wide.push_back(widened(Eigen::Vector3cd(points.col(i))));
+  return wide;
+}
+
+ComplexPoints narrowed(const WidePoints& points) {
+  ComplexPoints result(3, static_cast<Eigen::Index>(points.size()));
+  for (Eigen::Index i = 0; i < result.cols(); ++i)
+    result.col(i) = narrowed(points[static_cast<std::size_t>(i)]);
+  return result;
+}
 
 ComplexPoints complex_points(const Figure& figure) {
   ComplexPoints points = figure.points.cast<Complex>();
@@ -97,21 +131,39 @@ ComplexPoints in_frame(const ComplexPoints& points, int dimension, const Referen
   return moved;
 }
 
+WidePoints in_frame(const WidePoints& points, const Reference& reference) {
+  const auto from_origin = [&](int point) { return difference(points, point, reference.origin); };
+  const WideVector x = normalised(from_origin(reference.axis));
+  const WideVector second = from_origin(reference.plane);
+  const WideVector y = normalised(wide_difference(second, bilinear_product(x, second) * x));
+  const WideVector z = cross_product(x, y);
+  WidePoints moved;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    const WideVector v = from_origin(i);
+    moved.push_back({bilinear_product(x, v), bilinear_product(y, v), bilinear_product(z, v)});
+  }
+  auto& on_axis = moved[static_cast<std::size_t>(reference.axis)];
+  auto& in_plane = moved[static_cast<std::size_t>(reference.plane)];
+  on_axis[1] = on_axis[2] = in_plane[2] = {};
+  return moved;
+}
+
+Complex squared_distance(const WidePoints& points, int a, int b) {
+  const WideVector apart = difference(points, a, b);
+  return bilinear_product(apart, apart).value();
+}
+
 Complex squared_distance(const ComplexPoints& points, int a, int b) {
   const Eigen::Vector3cd difference = points.col(a) - points.col(b);
   return bilinear_product(difference, difference);
 }
 
 Complex squared_distance_excess(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, DoubleDouble square) {
-  DoubleDouble real = -square;
-  DoubleDouble imaginary{0, 0};
-  for (int axis = 0; axis < 3; ++axis) {
-    const DoubleDouble re = two_sum(a[axis].real(), -b[axis].real());
-    const DoubleDouble im = two_sum(a[axis].imag(), -b[axis].imag());
-    real = real + re * re - im * im;
-    imaginary = imaginary + re * im + im * re;
-  }
-  return {real.value(), imaginary.value()};
+  return square_excess(wide_difference(a, b), square);
+}
+
+Complex squared_distance_excess(const WideVector& a, const WideVector& b, DoubleDouble square) {
+  return square_excess(wide_difference(a, b), square);
 }
 
 std::optional<std::array<Eigen::Vector3cd, 2>> trilaterate(const std::array<Eigen::Vector3cd, 3>& centers,
@@ -152,6 +204,31 @@ ComplexRefinement refine(std::span<const DistanceEquation> equations, const std:
     result.converged = relative <= 64 * rounding || (!falls && relative <= 1e-6);
     result.last_correction = relative;
     if (result.converged || (!falls && i > 10)) return result;
+  }
+  return result;
+}
+
+ComplexRefinement refine(std::span<const DistanceEquation> equations, const std::array<int, 3>& frame,
+                         WidePoints& points) {
+  constexpr int most_iterations = 30;  // the error falls to a tenth or less: from a few digits to `settled`
+  constexpr double settled = 1e-18;    // a hundredth of the rounding of doubles
+  const std::vector<int> column = unknown_columns(equations, frame, std::ssize(points));
+  ComplexRefinement result;
+  while (result.iterations < most_iterations && !result.converged) {
+    const System system = system_at(equations, column, points);
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(system.jacobian);
+    const Eigen::VectorXcd correction = lu.solve(system.residual);
+    if (!correction.allFinite()) return result;
+    double size = 0;
+    for (std::size_t c = 0; c < column.size(); ++c) {
+      ComplexDoubleDouble& coordinate = points[c / 3][c % 3];
+      if (column[c] >= 0) coordinate = coordinate - widened(Complex(correction[column[c]]));
+      size = std::max(size, std::abs(coordinate.value()));
+    }
+    ++result.iterations;
+    result.last_correction = correction.norm() / size;
+    result.reciprocal_condition = lu.rcond();
+    result.converged = result.last_correction <= settled && result.reciprocal_condition > rounding;
   }
   return result;
 }

@@ -7,14 +7,22 @@
 #include <complex>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "solvers/model/problem.hpp"
-#include "solvers/numeric/double_double.hpp"
+#include "solvers/numeric/wide_vector.hpp"
 
 namespace gcs {
 
 /// Column i is point i.
 using ComplexPoints = Eigen::Matrix<std::complex<double>, 3, Eigen::Dynamic>;
+
+/// Entry i is point i: for solutions whose distances are lost when their coordinates are rounded to doubles.
+using WidePoints = std::vector<WideVector>;
+
+WidePoints widened(const ComplexPoints& points);
+/// To the nearest doubles.
+ComplexPoints narrowed(const WidePoints& points);
 
 /// The points of a figure, real or not, and the complex figure of these points.
 ComplexPoints complex_points(const Figure& figure);
@@ -26,12 +34,17 @@ Figure complex_figure(const ComplexPoints& points);
 /// isotropic (a vector of square 0).
 ComplexPoints in_frame(const ComplexPoints& points, int dimension, const Reference& reference);
 
+/// The same in space and in double-double, to a rounding of the rotation's entries.
+WidePoints in_frame(const WidePoints& points, const Reference& reference);
+
 /// The square of the distance of points a and b: a number in C.
 std::complex<double> squared_distance(const ComplexPoints& points, int a, int b);
+std::complex<double> squared_distance(const WidePoints& points, int a, int b);
 
 /// q·q − square for the difference q of two points, in double-double: right to rounding however much cancels.
 std::complex<double> squared_distance_excess(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b,
                                              DoubleDouble square);
+std::complex<double> squared_distance_excess(const WideVector& a, const WideVector& b, DoubleDouble square);
 
 /// The two points at given squared distances from three others: the foot in their plane, plus and minus a
 /// normal. Nothing where the plane is isotropic or the three are collinear (to rounding).
@@ -58,5 +71,11 @@ struct ComplexRefinement {
 /// equations, are improved in place.
 ComplexRefinement refine(std::span<const DistanceEquation> equations, const std::array<int, 3>& frame,
                          ComplexPoints& points);
+
+/// The same with coordinates in double-double and Jacobians in doubles: it converges where these are regular
+/// to rounding, by their condition times rounding a step, and then the coordinates are right to more than
+/// doubles hold. Never to a multiple solution.
+ComplexRefinement refine(std::span<const DistanceEquation> equations, const std::array<int, 3>& frame,
+                         WidePoints& points);
 
 }  // namespace gcs

@@ -110,6 +110,10 @@ double extent(const Figure& figure) {
   return result;
 }
 
+bool loses_distances(const Scene& scene, const Figure& figure) {
+  return extent(figure) > 0x1p26 * scene.size();
+}
+
 double jacobian_condition(const Scene& scene, const Figure& figure) {
   if (scene.has_lines()) {
     const Eigen::MatrixXcd jacobian = line_jacobian(scene, figure).rowwise().normalized();

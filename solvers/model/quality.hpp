@@ -28,4 +28,8 @@ inline constexpr double stiff_condition = 1e6;
 /// or not a number where the figure is.
 double extent(const Figure& figure);
 
+/// Whether coordinates are so large that their rounding to doubles moves a squared distance of the scene's
+/// size by as much as it is.
+bool loses_distances(const Scene& scene, const Figure& figure);
+
 }  // namespace gcs

@@ -30,6 +30,15 @@ inline ComplexDoubleDouble operator*(const ComplexDoubleDouble& a, const Complex
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
+/// 1/√a, the root with Re √a ≥ 0, by one Newton step from the double one. Precondition: a ≠ 0.
+inline ComplexDoubleDouble inverse_sqrt(const ComplexDoubleDouble& a) {
+  const std::complex<double> start = 1.0 / std::sqrt(a.value());
+  const ComplexDoubleDouble first{{start.real(), 0}, {start.imag(), 0}};
+  const std::complex<double> rest = (a * first * first - DoubleDouble{1, 0}).value();
+  const std::complex<double> change = start * rest / 2.0;
+  return first - ComplexDoubleDouble{{change.real(), 0}, {change.imag(), 0}};
+}
+
 /// a − b exactly.
 inline DoubleDouble wide_difference(double a, double b) { return two_sum(a, -b); }
 inline ComplexDoubleDouble wide_difference(const std::complex<double>& a, const std::complex<double>& b) {

@@ -12,15 +12,10 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "solvers/numeric/complex_double_double.hpp"
+#include "solvers/numeric/wide_vector.hpp"
 #include "solvers/tangents/sphere.hpp"
 
 namespace gcs {
-
-using WideVector = std::array<ComplexDoubleDouble, 3>;
-
-inline WideVector widened(const Eigen::Vector3cd& v) { return {widened(v[0]), widened(v[1]), widened(v[2])}; }
-inline Eigen::Vector3cd narrowed(const WideVector& v) { return {v[0].value(), v[1].value(), v[2].value()}; }
 
 /// v·w of vectors in isotropic coordinates.
 inline std::complex<double> isotropic_product(const Eigen::Vector3cd& v, const Eigen::Vector3cd& w) {

@@ -98,6 +98,54 @@ TEST_CASE("Newton's method finds a disturbed complex octahedron again") {
   CHECK((points - exact).cwiseAbs().maxCoeff() <= 1e-12);
 }
 
+TEST_CASE(
+    "points are moved to a frame in double-double as in doubles, and keep distances that doubles lose") {
+  RandomNumbers numbers(5);
+  const Reference reference{2, 0, 1};
+  for (int i = 0; i < 100; ++i) {
+    ComplexPoints points = random_complex(numbers, 5);
+    const ComplexPoints framed = in_frame(points, 3, reference);
+    const double size = framed.cwiseAbs().maxCoeff();
+    CHECK((narrowed(in_frame(widened(points), reference)) - framed).cwiseAbs().maxCoeff() <=
+          1e-13 * size * size);
+    // Along an axis of square 2^-40 coordinates grow to 2^20, whose rounding to doubles moves squares by
+    // 1e-4.
+    points.col(2).setZero();
+    points.col(0) << 1, Complex(0, 1), 0x1p-20;
+    points.col(1) << 0.5 + 0x1p-20, Complex(0, 0.5), 0.7;
+    const WidePoints far = in_frame(widened(points), reference);
+    CHECK(narrowed(far).cwiseAbs().maxCoeff() > 1e5);
+    for (int a = 0; a < 5; ++a)
+      for (int b = 0; b < a; ++b)
+        CHECK(std::abs(squared_distance(far, a, b) - squared_distance(points, a, b)) <= 1e-10);
+  }
+}
+
+TEST_CASE("Newton's method in double-double finds distances that are lost in doubles") {
+  // On a triangle of height 1/L a point (1/4, L, ±i √(L² − 0.7)) at squared distances of the order of 1.
+  const double far = 0x1p12, square = 0.25 + 0x1p-24;
+  const std::vector<DistanceEquation> equations{{0, 1, {1, 0}},      {0, 2, {square, 0}},
+                                                {1, 2, {square, 0}}, {0, 3, {0.7625, 0}},
+                                                {1, 3, {1.2625, 0}}, {2, 3, {square - 1.4875, 0}}};
+  const auto largest_excess = [&](const WidePoints& points) {
+    double largest = 0;
+    for (const auto& [a, b, given] : equations)
+      largest = std::max(largest, std::abs(squared_distance_excess(points[a], points[b], given)));
+    return largest;
+  };
+  ComplexPoints start = ComplexPoints::Zero(3, 4);
+  start(0, 1) = 1;
+  start.col(2) << 0.5, 1.001 / far, 0;
+  start.col(3) << 0.25, 0.999 * far, Complex(0, 1.001 * far);
+  WidePoints points = widened(start);
+  const ComplexRefinement refinement = refine(equations, {0, 1, 2}, points);
+  CHECK(refinement.converged);
+  CHECK(largest_excess(points) <= 1e-18);
+  CHECK(largest_excess(widened(narrowed(points))) >= 1e-12);
+  CHECK(points[3][1].value().real() == Approx(far).epsilon(1e-12));
+  CHECK(points[3][2].value().imag() == Approx(std::sqrt(far * far - 0.7)).epsilon(1e-12));
+}
+
 TEST_CASE("complex figures are of one class when a complex rotation or a mirror takes one to the other") {
   RandomNumbers numbers(4);
   const Scene scene(samples::octahedron());

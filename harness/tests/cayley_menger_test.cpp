@@ -15,8 +15,9 @@ using namespace gcs;
 
 namespace {
 
-SolveRun solved(const Problem& problem, const std::string& strategy = "cayley-menger") {
-  return run_strategy(find_strategy(strategy), {}, Scene(problem), {});
+SolveRun solved(const Problem& problem, const std::string& strategy = "cayley-menger",
+                const OptionMap& options = {}) {
+  return run_strategy(find_strategy(strategy), options, Scene(problem), {});
 }
 
 /// Edges between all of six points but (0, 3), (1, 4), (2, 5).
@@ -44,6 +45,13 @@ Problem with_hanging_point(Problem problem, std::array<int, 3> from, double unit
         {"h" + std::to_string(3 * point + i), {point, from[i]}, {unit * (1 + 0.1 * i), ""}, false});
   if (!problem.fixed_points.empty()) problem.fixed_points.emplace_back();
   return problem;
+}
+
+/// Random places of size 1, but for the second point: so far from the first.
+Eigen::Matrix3Xd with_short_edge(std::mt19937_64& random, double length) {
+  Eigen::Matrix3Xd points = random_points(random);
+  points.col(1) = points.col(0) + Eigen::Vector3d(length, 0, 0);
+  return points;
 }
 
 int real_ones(const SolveRun& run) {
@@ -113,6 +121,48 @@ TEST_CASE("points that hang on an octahedron are placed on both sides") {
   CHECK(run.assessment.solutions.size() == 32);
   for (const FailedCheck& check : run.assessment.failed_checks) FAIL_CHECK(check.name << ": " << check.what);
   CHECK(run.assessment.counts.generic == 32);
+}
+
+TEST_CASE("an edge of 1e-5 leaves all eight classes, four of them far away in its frame") {
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix3Xd points = with_short_edge(random, 0x1p-17);
+    const Problem problem = octahedron_of(points);
+    const SolveRun run = solved(problem);
+    INFO("octahedron " << i << ": " << run.reason);
+    const bool is_too_far = run.reason.find("doubles do not hold the distances") != std::string::npos;
+    CHECK((run.status == RunStatus::complete || is_too_far));
+    CHECK(run.assessment.solutions.size() == 8);
+    CHECK(run.assessment.failed_checks.empty());
+    CHECK(holds(problem, run, points));
+  }
+}
+
+TEST_CASE("a point that hangs on an octahedron with a short edge is placed on both sides of all classes") {
+  std::mt19937_64 random(8);
+  const Problem problem = octahedron_of(with_short_edge(random, 0x1p-17));
+  for (const std::string reduce : {"on", "off"}) {
+    const SolveRun run =
+        solved(with_hanging_point(problem, {2, 3, 4}, 2), "cayley-menger", {{"reduce", reduce}});
+    INFO("reduce " << reduce << ": " << run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.assessment.solutions.size() == 16);
+  }
+}
+
+TEST_CASE("solutions of an octahedron with a short edge scale by powers of two, bit by bit") {
+  std::mt19937_64 random(8);
+  const Eigen::Matrix3Xd points = with_short_edge(random, 0x1p-17);
+  const SolveRun run = solved(octahedron_of(points));
+  for (const double scale : {0x1p100, 0x1p-100}) {
+    const SolveRun scaled = solved(octahedron_of(scale * points));
+    REQUIRE(scaled.assessment.solutions.size() == run.assessment.solutions.size());
+    for (std::size_t i = 0; i < run.assessment.solutions.size(); ++i) {
+      const Figure& figure = run.assessment.solutions[i].figure;
+      CHECK(scaled.assessment.solutions[i].figure.points == scale * figure.points);
+      CHECK(scaled.assessment.solutions[i].figure.imaginary == scale * figure.imaginary);
+    }
+  }
 }
 
 TEST_CASE("an octahedron that flexes is proven to") {

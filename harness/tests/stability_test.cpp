@@ -271,6 +271,19 @@ TEST_CASE("solutions too far away for doubles are not called missing at infinity
   CHECK(run_strategy(find_strategy("monodromy"), {}, scene, {}).assessment.counts.at_infinity == 0u);
 }
 
+TEST_CASE("determinants find the solutions whose coordinates are a million times the lengths") {
+  check_right(measured({"short-edge@1e-6", "escaping@1e-6"}, {"cayley-menger"}));
+}
+
+TEST_CASE("determinants find the solutions too far away for doubles, and say so") {
+  const Scene scene(load_member("short-edge@1e-8").problem);
+  const SolveRun run = run_strategy(find_strategy("cayley-menger"), {}, scene, {});
+  CHECK(run.status == RunStatus::partial);
+  CHECK_THAT(run.reason, Catch::Contains("doubles do not hold the distances"));
+  CHECK(run.assessment.counts.real_up_to_reflection == 4u);
+  CHECK(run.assessment.solutions.size() == 8);
+}
+
 TEST_CASE("octahedra that move but for 1e-8 are solved") {
   check_right(measured({"bricard@1e-6", "bricard@1e-8", "bricard-two@1e-6", "bricard-two@1e-8"},
                        {"full-space", "rcp", "monodromy", "polyhedral"}));

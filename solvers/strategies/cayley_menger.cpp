@@ -5,8 +5,9 @@
 /// diagonals X = |aa'|² and Y = |bb'|², of degree 2 in each. numeric/biquadratic_pair.hpp finds all their 8
 /// common zeros, without an initial guess. Each is turned into coordinates (three trilaterations; of the two
 /// sides of a' one is the mirror image) and polished by Newton's method on the distances, in C or, for real
-/// ones, in R. Where a, a', b, b' are coplanar two solutions share both diagonals (c and c' on the same side
-/// or on opposite ones) and the pair is a double zero, which both find.
+/// ones, in R; where doubles do not hold the distances, as those of an edge that is short beside the size of
+/// its isotropic vector, in double-double. Where a, a', b, b' are coplanar two solutions share both diagonals
+/// (c and c' on the same side or on opposite ones) and the pair is a double zero, which both find.
 ///
 /// Other points may hang on the octahedron: each is placed afterwards, on both sides.
 ///
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/certification/proven_error.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/octahedron/exact_squares.hpp"
@@ -43,6 +45,7 @@ constexpr double flattest = 1e-12;
 struct CoreSolution {
   ComplexPoints points;
   std::array<Complex, 3> diagonals;
+  WidePoints wide;  ///< the same points where rounding them to doubles loses some distances; or empty
   bool is_singular = false;
   int multiplicity = 1;
 
@@ -152,10 +155,10 @@ class CoreSolver {
 
   /// Not so where Newton's method stalled on the way to infinity, or on a curve of near solutions that leads
   /// there: the rounding of coordinates so large leaves less than six digits of a squared length.
-  bool satisfies_distances(const ComplexPoints& points) const {
+  bool satisfies_distances(const ComplexPoints& points) const { return satisfies_distances(widened(points)); }
+  bool satisfies_distances(const WidePoints& points) const {
     return std::all_of(equations_.begin(), equations_.end(), [&](const DistanceEquation& e) {
-      return std::abs(squared_distance_excess(points.col(e.a), points.col(e.b), e.square)) <=
-             1e-6 * e.square.value();
+      return std::abs(squared_distance_excess(points[e.a], points[e.b], e.square)) <= 1e-6 * e.square.value();
     });
   }
 
@@ -163,13 +166,27 @@ class CoreSolver {
     if (!points.allFinite()) return std::nullopt;
     const ComplexRefinement refinement = refine(equations_, placer_.base(), points);
     work.newton_iterations += refinement.iterations;
-    if (!refinement.converged || !satisfies_distances(points)) return std::nullopt;
-    CoreSolution solution;
-    for (std::size_t i = 0; i < 3; ++i)
-      solution.diagonals[i] = squared_distance(points, octahedron_.pair[i][0], octahedron_.pair[i][1]);
+    if (!refinement.converged) return std::nullopt;
+    if (!satisfies_distances(points)) return widely_polished(points, work);
+    CoreSolution solution{points, diagonals(points), {}};
     solution.is_singular = refinement.reciprocal_condition < singular;
-    solution.points = std::move(points);
     return solution;
+  }
+
+  std::optional<CoreSolution> widely_polished(const ComplexPoints& points, WorkCounters& work) const {
+    WidePoints wide = widened(points);
+    const ComplexRefinement refinement = refine(equations_, placer_.base(), wide);
+    work.newton_iterations += refinement.iterations;
+    if (!refinement.converged || !satisfies_distances(wide)) return std::nullopt;
+    return CoreSolution{narrowed(wide), diagonals(wide), wide};
+  }
+
+  template <class Points>
+  std::array<Complex, 3> diagonals(const Points& points) const {
+    const auto square = [&](const std::array<int, 2>& pair) {
+      return squared_distance(points, pair[0], pair[1]);
+    };
+    return {square(octahedron_.pair[0]), square(octahedron_.pair[1]), square(octahedron_.pair[2])};
   }
 
   SquaredLengths lengths_;
@@ -220,6 +237,8 @@ class Reporter {
     report_.generic = std::uint64_t{pairs} << reduction_.placed.size();
     report_.at_infinity = static_cast<std::uint64_t>(core.at_infinity) << reduction_.placed.size();
     if (core.accounted_for() != pairs) note(what_is_missing(core));
+    if (some_are_too_far_)
+      note("some coordinates are so large beside the lengths that doubles do not hold the distances");
     report_.status = report_.reason.empty() ? SolveStatus::complete : SolveStatus::partial;
     if (request_.stop.stop_requested()) {
       report_.status = SolveStatus::stopped;
@@ -267,11 +286,17 @@ class Reporter {
   }
 
   void add(ComplexPoints points, const CoreSolution& core) {
-    move_to_frame(points);
+    if (core.wide.empty())
+      move_to_frame(points);
+    else if (!move_to_frame(points, core.wide))
+      return note("Newton's method did not settle at a solution whose distances doubles do not hold");
     const double tolerance = core.tolerance() * points.cwiseAbs().maxCoeff();
     Figure real{points.real(), {}, {}};
     const bool is_real = points.imag().cwiseAbs().maxCoeff() <= tolerance && make_real(real, tolerance);
-    report_.candidates.push_back({is_real ? real : complex_figure(points), core.multiplicity});
+    Candidate candidate{is_real ? real : complex_figure(points), core.multiplicity};
+    if (!core.wide.empty()) candidate.error = proven_error(scene_, squares_, candidate.figure);
+    some_are_too_far_ |= loses_distances(scene_, candidate.figure);
+    report_.candidates.push_back(std::move(candidate));
   }
 
   /// Into the scene's frame, polished there: turning by a complex rotation has cost accuracy.
@@ -283,6 +308,15 @@ class Reporter {
     refine(equations_, turned ? std::array{reference.origin, reference.axis, reference.plane} : frame_,
            polished);
     points = polished;
+  }
+
+  /// The same in double-double with the points of the core, rounded at the end.
+  bool move_to_frame(ComplexPoints& points, const WidePoints& core) const {
+    WidePoints wide = widened(points);
+    for (const int p : reduction_.core) wide[p] = core[p];
+    if (!refine(equations_, frame_, wide).converged) return false;
+    points = narrowed(in_frame(wide, scene_.reference()));
+    return true;
   }
 
   /// Newton's method on real coordinates, with residuals in double-double. False when it leaves the figure
@@ -307,6 +341,7 @@ class Reporter {
   SquaredLengths lengths_;
   std::vector<DistanceEquation> equations_;
   SolveReport report_;
+  bool some_are_too_far_ = false;  ///< candidates
 };
 
 SolveReport stopped() {

@@ -133,6 +133,18 @@ TEST_CASE("given points anywhere have 12 tangents, coplanar and nearly coplanar 
   }
 }
 
+TEST_CASE("that lines beside given points are at most 12 saves the trace test") {
+  for (const std::string id : {"tangents-durand", "tangents-12-real"}) {
+    const Scene scene(load_instance(id).problem);
+    const StrategyEntry& entry = find_strategy("monodromy");
+    const SolveReport report = entry.make(complete_options(entry, {{"trace", "off"}}))
+                                   ->solve(SolveRequest{scene, 1, 1, {}, nullptr});
+    INFO(id << ": " << report.reason);
+    CHECK(report.status == SolveStatus::complete);
+    CHECK(report.generic == 12u);
+  }
+}
+
 TEST_CASE("given points on one line are refused") {
   Eigen::Matrix<double, 3, 4> centers = Eigen::Matrix<double, 3, 4>::Zero();
   centers.row(1) << 0, 1, 2.5, 4;

@@ -43,6 +43,25 @@ void add_start(const GenericStart& start, SolveReport& report) {
     report.status = start.is_stopped() ? SolveStatus::stopped : SolveStatus::partial;
 }
 
+/// With two mirror images for each doubling.
+std::optional<std::uint64_t> most_classes(const Scene& scene, int doublings) {
+  const TheoreticalCounts counts = theoretical_counts(scene.problem());
+  const SolutionCount* limit = counts.upper_limit();
+  if (!limit) return std::nullopt;
+  const Natural classes = limit->up_to_reflection() * Natural::power_of_two(doublings);
+  if (classes > Natural(std::numeric_limits<std::uint32_t>::max())) return std::nullopt;
+  return static_cast<std::uint64_t>(classes.approximate());
+}
+
+ClassLimit limit_of(const Scene& scene) {
+  return [&scene] { return most_classes(scene, 0); };
+}
+
+/// Wherever the given points are, the given scene has no more isolated solutions than its limit.
+ClassLimit limit_of(const ReleasedScene& released, const Scene& given) {
+  return [&] { return most_classes(given, released.doublings()); };
+}
+
 bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
 SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
@@ -81,15 +100,6 @@ TrackingSetup tracking_setup(const OptionMap& options) {
   return setup;
 }
 
-std::optional<std::uint64_t> most_classes(const Scene& scene) {
-  const TheoreticalCounts counts = theoretical_counts(scene.problem());
-  const SolutionCount* limit = counts.upper_limit();
-  if (!limit) return std::nullopt;
-  const Natural classes = limit->up_to_reflection();
-  if (classes > Natural(std::numeric_limits<std::uint32_t>::max())) return std::nullopt;
-  return static_cast<std::uint64_t>(classes.approximate());
-}
-
 GenericStart::GenericStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup)
     : random(seed),
       coordinates(scene),
@@ -111,22 +121,24 @@ std::optional<std::string> ComplexStrategy::why_unsupported(const Scene& scene) 
 
 void ComplexStrategy::prepare(const SolveRequest& request) {
   if (!is_released(request.scene)) {
-    prepared_ = solve_at_random_lengths(request);
+    prepared_ = solve_at_random_lengths(request, limit_of(request.scene));
     return;
   }
   const ReleasedScene released(request.scene);
-  prepared_ = solve_at_random_lengths(request_on(released.scene(), request));
+  prepared_ =
+      solve_at_random_lengths(request_on(released.scene(), request), limit_of(released, request.scene));
 }
 
 SolveReport ComplexStrategy::solve(const SolveRequest& request) {
-  if (!is_released(request.scene)) return solve_free(request);
+  if (!is_released(request.scene)) return solve_free(request, limit_of(request.scene));
   const ReleasedScene released(request.scene);
-  return carried_back(released, request.scene, solve_free(request_on(released.scene(), request)));
+  return carried_back(released, request.scene,
+                      solve_free(request_on(released.scene(), request), limit_of(released, request.scene)));
 }
 
-SolveReport ComplexStrategy::solve_free(const SolveRequest& request) const {
+SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const ClassLimit& limit) const {
   const std::unique_ptr<GenericStart> fresh =
-      is_prepared_for(request.scene) ? nullptr : solve_at_random_lengths(request);
+      is_prepared_for(request.scene) ? nullptr : solve_at_random_lengths(request, limit);
   GenericStart& start = fresh ? *fresh : *prepared_;
   const auto stopped = [&] { return request.stop.stop_requested(); };
   const auto progress = [&](double fraction) {

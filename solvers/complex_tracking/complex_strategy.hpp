@@ -4,6 +4,7 @@
 /// at the given ones. Where positions are given beside a line the scene is restated without
 /// (model/released_scene.hpp), and the solutions are carried back.
 
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ std::vector<OptionMap> tracking_accuracy_settings();
 TrackingSetup tracking_setup(const OptionMap& options);
 
 /// The number of classes at generic lengths, or at most so many; nothing where nobody knows, or where no list
-/// could be that long.
-std::optional<std::uint64_t> most_classes(const Scene& scene);
+/// could be that long. Takes seconds at most.
+using ClassLimit = std::function<std::optional<std::uint64_t>()>;
 
 /// The equations of a scene and their solutions at random lengths. Not to be moved: trackers refer to the
 /// system.
@@ -71,8 +72,10 @@ class ComplexStrategy : public Strategy {
   static void report_progress(const SolveRequest& request, std::string_view stage, double fraction);
 
  private:
-  virtual std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request) const = 0;
-  SolveReport solve_free(const SolveRequest& request) const;
+  /// The scene has no given positions; `limit` is called while the request lives.
+  virtual std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request,
+                                                                const ClassLimit& limit) const = 0;
+  SolveReport solve_free(const SolveRequest& request, const ClassLimit& limit) const;
   bool is_prepared_for(const Scene& scene) const;
 
   TrackingSetup setup_;

@@ -102,29 +102,30 @@ class Monodromy final : public ComplexStrategy {
   }
 
  private:
-  std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request) const override {
+  std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request,
+                                                        const ClassLimit& limit) const override {
     if ((start_ || save_start_) && !request.starts)
       throw std::invalid_argument("start systems cannot be kept here");
     auto found = std::make_unique<Found>(request, setup_for(request));
     if (start_) {
-      read(request, *found);
+      read(request, limit, *found);
       return found;
     }
     if (save_start_) request.starts->reserve(*save_start_);
-    found->limit = most_classes(request.scene);
+    found->limit = limit();
     search(request, *found);
     if (save_start_ && !request.stop.stop_requested())
       request.starts->write(*save_start_, found->family(), {found->generic, found->trace});
     return found;
   }
 
-  void read(const SolveRequest& request, Found& found) const {
+  void read(const SolveRequest& request, const ClassLimit& limit, Found& found) const {
     StartSystem start;
     const int threads = std::min(2, request.threads);
     // What may throw comes first: that is the thread of the caller.
     run_on_threads(threads, [&](int part) {
       if (part == 0) start = request.starts->read(*start_, found.family());
-      if (part == threads - 1) found.limit = most_classes(request.scene);
+      if (part == threads - 1) found.limit = limit();
     });
     start.generic.end = end_of_stored(start.generic, found.limit);
     found.generic = std::move(start.generic);

@@ -12,9 +12,10 @@
 /// formulation=spheres has the squared norms of the points as further unknowns in a fixed frame, and few more
 /// paths than solutions; formulation=coordinates are the distance equations as they stand, with 2^m paths
 /// for m constraints, as in R. Imbach, P. Mathis, P. Schreck 2016. That no path was lost and none ended
-/// where another did is checked; that no step jumped is likely, not proven. It fails where the mixed cells
-/// cannot be enumerated, on graphs beyond some twenty points, and on scenes as monodromy does. HOM4PS-2.0: T.
-/// L. Lee, T. Y. Li, C. H. Tsai, Computing 83 (2008).
+/// where another did is checked, where the theoretical count or bound (counting/theoretical_counts.hpp) is
+/// not met anyway; that no step jumped is likely, not proven. It fails where the mixed cells cannot be
+/// enumerated, on graphs beyond some twenty points, and on scenes as monodromy does. HOM4PS-2.0: T. L. Lee,
+/// T. Y. Li, C. H. Tsai, Computing 83 (2008).
 
 #include <memory>
 
@@ -38,7 +39,8 @@ class Found final : public GenericStart {
 
   bool is_stopped() const override { return generic.stopped; }
   std::string missing() const override {
-    return generic.stopped ? "stopped on the way to random lengths" : generic.missing;
+    if (generic.stopped) return "stopped on the way to random lengths";
+    return are_as_many_as_can_be ? "" : generic.missing;
   }
   std::vector<Particular> particulars() const override {
     return {{"mixed_volume", static_cast<std::int64_t>(generic.mixed_volume.approximate())},
@@ -50,6 +52,7 @@ class Found final : public GenericStart {
   ComplexVectorX placement;
   ComplexVectorX placement_squares;
   PolyhedralSolutions generic;
+  bool are_as_many_as_can_be = false;  ///< whatever paths were lost
 };
 
 class Polyhedral final : public ComplexStrategy {
@@ -61,7 +64,8 @@ class Polyhedral final : public ComplexStrategy {
   static constexpr std::string_view formulations = "spheres|coordinates";
 
  private:
-  std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request) const override {
+  std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request,
+                                                        const ClassLimit& limit) const override {
     const TrackingSetup setup = setup_for(request);
     auto found = std::make_unique<Found>(request, setup);
     const auto progress = [&request](std::string_view stage, double fraction) {
@@ -71,6 +75,7 @@ class Polyhedral final : public ComplexStrategy {
         {request.scene, found->coordinates, found->system, found->placement, formulation_,
          follows_mirror_images(), setup, request.seed, request.stop, progress},
         found->random, found->work);
+    if (!found->generic.missing.empty()) found->are_as_many_as_can_be = limit() == found->solutions().size();
     return found;
   }
 

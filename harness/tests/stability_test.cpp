@@ -328,6 +328,18 @@ TEST_CASE("tangents that are close together are told apart") {
   check_right(measured({"touching-spheres@1e-8", "touching-spheres@1e-10"}, {"sphere-tangents"}));
 }
 
+TEST_CASE("tangents of spheres with nearly collinear centres are found by homotopies") {
+  check_right(measured({"collinear-centres@1e-4"}, {"monodromy"}));
+  const Scene scene(load_member("collinear-centres@1e-4").problem);
+  for (const std::string strategy : {"monodromy", "polyhedral"}) {
+    const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
+    INFO(strategy << ": " << run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.assessment.failed_checks.empty());
+    CHECK(run.assessment.counts.complex_up_to_reflection == 12u);
+  }
+}
+
 TEST_CASE("centres that are collinear to rounding only are not called collinear") {
   const Scene scene(load_member("collinear-centres@1e-15").problem);
   const SolveRun run = run_strategy(find_strategy("sphere-tangents"), {}, scene, {});

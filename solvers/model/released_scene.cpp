@@ -11,11 +11,11 @@
 namespace gcs {
 namespace {
 
-/// Relative to the longest distance of given points: where a triangle is as narrow as this, distances right
-/// to rounding place its third point to 1e-10 only.
+/// Relative to the longest distance of given points. Lines beside points that are off a line by ε have
+/// coordinates of up to 1/ε²: here those that doubles do not hold.
 constexpr double narrow = 1e-6;
-/// Relative to the same. The height of a tetrahedron comes from distances with their rounding over the
-/// height: two digits may be lost before a point is added instead.
+/// Relative to the same. The height of a triangle or a tetrahedron comes from distances with their rounding
+/// over the height: two digits may be lost before a point is added instead.
 constexpr double flat = 1e-2;
 
 using Base = Eigen::Matrix<double, 3, 4>;
@@ -124,21 +124,30 @@ ReleasedScene::ReleasedScene(const Scene& given) : given_(given) {
 
 std::vector<int> ReleasedScene::choose_base() {
   const Triangle triangle = large_triangle(given_);
-  base_points_.assign(triangle.points.begin(), triangle.points.end());
-  for (int place = 0; place < 3; ++place) base_.col(place) = given_position(base_points_[place]);
+  std::vector<int> others = given_points(given_);
+  const auto append = [&](int point) {
+    base_.col(static_cast<int>(base_points_.size())) = given_position(point);
+    base_points_.push_back(point);
+    std::erase(others, point);
+  };
+  const auto add = [&](const Eigen::Vector3d& foot, const Eigen::Vector3d& direction) {
+    base_.col(static_cast<int>(base_points_.size())) = foot + triangle.longest * direction;
+    base_points_.push_back(given_.point_count() + added_points_++);
+  };
+  append(triangle.points[0]);
+  append(triangle.points[1]);
+  // Over one end: beside a symmetric base mirror images may lie so specially that lines escape to infinity.
+  if (triangle.height > flat * triangle.longest)
+    append(triangle.points[2]);
+  else
+    add(base_.col(0), (base_.col(1) - base_.col(0)).unitOrthogonal());
   const Eigen::Vector3d up = normal(base_.col(0), base_.col(1), base_.col(2));
   const auto height = [&](int point) { return std::abs(up.dot(given_position(point) - base_.col(0))); };
-  std::vector<int> others = given_points(given_);
-  std::erase_if(others, [&](int point) { return std::ranges::count(triangle.points, point) > 0; });
   const auto highest = std::ranges::max_element(others, {}, height);
-  if (highest != others.end() && height(*highest) > flat * triangle.longest) {
-    base_points_.push_back(*highest);
-    base_.col(3) = given_position(*highest);
-    others.erase(highest);
-  } else {
-    base_points_.push_back(given_.point_count());
-    base_.col(3) = base_.leftCols<3>().rowwise().mean() + triangle.longest * up;
-  }
+  if (highest != others.end() && height(*highest) > flat * triangle.longest)
+    append(*highest);
+  else
+    add(base_.leftCols<3>().rowwise().mean(), up);
   return others;
 }
 
@@ -160,11 +169,9 @@ Problem ReleasedScene::released_problem() const {
   problem.points = given.points;
   problem.lines = given.lines;
   problem.constraints = given.constraints;
-  if (base_points_[3] == given_.point_count()) {
-    problem.points.emplace_back();
-    for (DistanceConstraint& constraint : problem.constraints)
-      for (int& entity : constraint.between) entity += given.is_point(entity) ? 0 : 1;
-  }
+  problem.points.resize(given.points.size() + static_cast<std::size_t>(added_points_));
+  for (DistanceConstraint& constraint : problem.constraints)
+    for (int& entity : constraint.between) entity += given.is_point(entity) ? 0 : added_points_;
   const int exponent = given_.unit_exponent();
   for (int p = 0; p < 4; ++p)
     for (int q = 0; q < p; ++q)

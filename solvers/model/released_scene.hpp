@@ -5,9 +5,9 @@
 /// Four points that span space are the base, a rigid body by its six distances: of the given points three of
 /// a large triangle and one off their plane. Where none is well off it, because the given points are
 /// coplanar, a further point is added there: at a flat base distances are stationary and all solutions
-/// singular. Every other given point has its distances from the three base points from whose plane it is
-/// furthest; they admit its mirror image in that plane too, so each such point doubles the number of
-/// placements.
+/// singular. Likewise for the triangle, where they are nearly collinear. Every other given point has its
+/// distances from the three base points from whose plane it is furthest; they admit its mirror image in that
+/// plane too, so each such point doubles the number of placements.
 ///
 /// Placements that differ by reflections are one class, half of which have the base in its given orientation:
 /// one up to motions. The complex motion that takes its base to the given positions carries it back. It takes
@@ -32,7 +32,7 @@ class ReleasedScene {
   /// Precondition: !why_not_released(given). Keeps a reference to the scene.
   explicit ReleasedScene(const Scene& given);
 
-  /// The restated scene: the points in their order, perhaps one more, and the line; the constraints in their
+  /// The restated scene: the points in their order, up to two more, and the line; the constraints in their
   /// order, then the distances of given points.
   const Scene& scene() const { return *free_; }
   /// 2^(this) placements of given points have the same distances, one of which is the given one.
@@ -57,6 +57,7 @@ class ReleasedScene {
 
   const Scene& given_;
   std::vector<int> base_points_;      ///< four, numbered as in scene()
+  int added_points_ = 0;              ///< those of the base that are not given, after the scene's own
   Eigen::Matrix<double, 3, 4> base_;  ///< positions, in the given scene's unit
   std::vector<Attached> attached_;
   std::optional<Scene> free_;

@@ -190,6 +190,31 @@ TEST_CASE("coplanar given points are tied to one off their plane, and the wrong 
   }
 }
 
+TEST_CASE("the base is far from flat however flat or narrow the given points are") {
+  RandomNumbers random(7);
+  for (int i = 0; i < 40; ++i) {
+    Placement placement = random_placement(random, true);
+    const double flatness = std::pow(10, -(i % 5));
+    if (i >= 10) placement.given.row(2) *= flatness;
+    if (i >= 20) placement.given.row(1) *= flatness;
+    const Problem problem = problem_of(placement);
+    const Scene given(problem);
+    const ReleasedScene released(given);
+    const Problem& free = released.scene().problem();
+    // Of the base 0 1 2 3 the edges 01, 02, 12, 03, 13, 23; the first is the longest distance given.
+    const auto square = [&](std::size_t k) {
+      return free.constraints[problem.constraints.size() + k].given.value;
+    };
+    const double a = square(0), b = square(1), c = square(3);
+    const double ab = a + b - square(2), ac = a + c - square(4), bc = b + c - square(5);
+    Eigen::Matrix3d gram;
+    gram << 2 * a, ab, ac, ab, 2 * b, bc, ac, bc, 2 * c;
+    const double volume = std::sqrt((gram / a).determinant() / 8);  // 6 times that of the tetrahedron
+    INFO(i << ": " << volume);
+    CHECK(volume >= 0.99e-4);  // heights of a hundredth
+  }
+}
+
 TEST_CASE("points on one line or in one place, and a given line, are refused") {
   RandomNumbers random(6);
   Placement placement = random_placement(random, true);

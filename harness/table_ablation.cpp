@@ -122,8 +122,8 @@ Table build_paths(const RunRecord& run) {
 /// As many as the strategy claims to find: all complex ones, all real ones, or those on S.
 std::optional<double> solutions(const CellRecord* cell) {
   if (cell == nullptr) return std::nullopt;
-  for (const auto& count : {cell->counts.complex_up_to_reflection, cell->counts.real_up_to_reflection})
-    if (count) return count->approximate();
+  if (const auto& count = cell->counts.complex_up_to_reflection) return count->approximate();
+  if (const auto& count = cell->counts.real_up_to_reflection) return count->approximate();
   return on_path(cell);
 }
 

@@ -109,12 +109,16 @@ Table build_family(const RunRecord& run, const Family& family) {
   append_number("largest error / size", &Accuracy::largest_error);
   append_number("largest condition number", &Accuracy::largest_condition);
   append("time / time of the tame member", relative_time_entry);
-  table.remarks = {"Columns: the parameter; the first is the tame member.",
-                   "missed: of what the strategy claims to find, of all real ones where it claims some; "
-                   "spurious: listed, and no proven solution. "
-                   "The numbers are the "
-                   "largest over the solutions met.",
-                   "infinite: right where the scene moves, wrong elsewhere."};
+  table.remarks = {
+      "Columns: the parameter; the first is the tame member. –: no proven solution to compare with.",
+      "Error: distance of a point from its place in the proven solution; size: of the scene; condition: of "
+      "the "
+      "distances' scaled Jacobian; unit roundoff: 2^-53. All are pure numbers, the largest over the "
+      "solutions "
+      "met.",
+      "missed: of what the strategy claims to find, of all real ones where it claims some; spurious: listed, "
+      "and no proven solution.",
+      "infinite: right where the scene moves, wrong elsewhere."};
   return table;
 }
 

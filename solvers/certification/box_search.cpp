@@ -24,7 +24,8 @@ class BoxSearch {
     const auto m = static_cast<double>(axes_.rows());
     const Eigen::MatrixXd products = axes_.transpose() * axes_;
     const Eigen::MatrixXd defect = products - Eigen::MatrixXd::Identity(axes_.rows(), axes_.rows());
-    skew_ = 2 * defect.cwiseAbs().rowwise().sum().maxCoeff() + 4 * m * m * epsilon;
+    const Eigen::VectorXd row_sums = defect.cwiseAbs().rowwise().sum();
+    skew_ = 2 * row_sums.maxCoeff() + 4 * m * m * epsilon;
   }
 
   std::optional<std::vector<Box>> run(int most_parts) {

@@ -32,6 +32,9 @@ constexpr double agreed_pole = 1e-4;  // two circles' leading coefficients
 constexpr double agreed_end = 1e-8;   // two circles' constant terms
 /// A pole so near σ = 0 is at it, as far as lengths in doubles tell: their rounding moves it by as much.
 constexpr double at_the_end = 1e-15;
+/// A pole that is off in σ^(1/w), which no rounding of lengths explains, must leave the end at least this far
+/// away, where solutions in doubles are not told from infinity.
+constexpr double beyond_doubles = 1e14;
 
 /// σ along a straight line. The way is the difference of the rounded ends, exactly where these are near each
 /// other: near a singular end a sum that misses `end` by rounding would be far from it on the path.
@@ -67,8 +70,14 @@ struct CircleReading {
   Kind kind = Kind::unclear;
   int winding_number = 1;
   int pole_order = 0;        ///< of σ^(−1/w)
-  double pole_offset = 0;    ///< how far from σ = 0 the pole may lie
+  double pole_shift = 0;     ///< how far from σ = 0 the pole may lie
+  double pole_offset = 0;    ///< the same in σ^(1/w), beside that shift
   ComplexVectorX leading{};  ///< coefficient of the pole's term, or the constant term
+
+  /// Of a pole: whether it is at σ = 0, to rounding.
+  bool is_at_infinity() const {
+    return pole_shift <= at_the_end && beyond_doubles * std::pow(pole_offset, pole_order) <= largest(leading);
+  }
 };
 
 double largest_sample(const std::vector<ComplexVectorX>& samples) {
@@ -77,25 +86,32 @@ double largest_sample(const std::vector<ComplexVectorX>& samples) {
   return scale;
 }
 
-/// A pole at −ε in the place of 0 has the terms of lower powers, which fall by a factor ε/radius each.
+/// A pole at σ = −ε in the place of 0 has the terms of lower powers of σ, which fall by a factor ε/radius
+/// each; one at τ = δ, τ = σ^(1/w), has all lower powers of τ, which fall by δ/τ.
 CircleReading read_circle(const std::vector<ComplexVectorX>& samples, double radius) {
   CircleReading reading;
-  const int m = static_cast<int>(samples.size());
-  reading.winding_number = m / corners;
-  const double scale = largest_sample(samples);
-  double lower = 0;  // the largest of the powers below
+  const int m = static_cast<int>(samples.size()), w = m / corners;
+  reading.winding_number = w;
+  const double scale = largest_sample(samples), tau = std::pow(radius, 1.0 / w);
+  std::vector<double> lower;  // sizes of the powers below, from −m/2 on
   for (int power = -m / 2; power < 0; ++power) {
     ComplexVectorX term = fourier(samples, power);
     const double size = largest(term);
     if (size >= dominant * scale) {
-      const double unit = std::pow(radius, -static_cast<double>(power) / reading.winding_number);
-      for (Complex& value : term) value *= unit;
-      return {CircleReading::Kind::pole, reading.winding_number, -power, radius * lower / size,
-              std::move(term)};
+      reading.kind = CircleReading::Kind::pole;
+      reading.pole_order = -power;
+      for (std::size_t i = 0; i < lower.size(); ++i) {
+        const bool is_shift = (static_cast<int>(lower.size() - i) % w) == 0;
+        double& offset = is_shift ? reading.pole_shift : reading.pole_offset;
+        offset = std::max(offset, (is_shift ? radius : tau) * lower[i] / size);
+      }
+      for (Complex& value : term) value *= std::pow(tau, -power);
+      reading.leading = std::move(term);
+      return reading;
     }
-    lower = std::max(lower, size);
+    lower.push_back(size);
   }
-  if (lower > absent * scale) return reading;
+  if (!lower.empty() && *std::max_element(lower.begin(), lower.end()) > absent * scale) return reading;
   reading.kind = CircleReading::Kind::finite;
   reading.leading = fourier(samples, 0);
   return reading;
@@ -253,7 +269,7 @@ class Endgame {
         before.pole_order != now.pole_order)
       return;
     const double change = distance(before.leading, now.leading) / largest(now.leading);
-    if (now.kind == CircleReading::Kind::pole && now.pole_offset <= at_the_end && change <= agreed_pole)
+    if (now.kind == CircleReading::Kind::pole && now.is_at_infinity() && change <= agreed_pole)
       ends_[path.number] = {PathEnd::Kind::at_infinity, {}, now.winding_number, now.pole_order, true, ""};
     if (now.kind != CircleReading::Kind::finite || change > agreed_end) return;
     if (may_lie_between(now, radius))

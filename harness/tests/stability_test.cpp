@@ -296,6 +296,17 @@ TEST_CASE("solutions too far away for doubles are not called missing at infinity
   CHECK(run_strategy(find_strategy("monodromy"), {}, scene, {}).assessment.counts.at_infinity == 0u);
 }
 
+TEST_CASE("tangents whose coordinates doubles do not hold are named") {
+  for (const std::string id : {"collinear-centres@1e-8", "collinear-centres@1e-10"}) {
+    const Scene scene(load_member(id).problem);
+    const SolveRun run = run_strategy(find_strategy("sphere-tangents"), {}, scene, {});
+    INFO(id << ": " << run.reason);
+    CHECK(run.status == RunStatus::partial);
+    CHECK_THAT(run.reason, Catch::Contains("doubles do not hold the distances"));
+  }
+  check_right(measured({"collinear-centres@1e-6"}, {"sphere-tangents"}));
+}
+
 TEST_CASE("determinants find the solutions whose coordinates are a million times the lengths") {
   check_right(measured({"short-edge@1e-6", "escaping@1e-6"}, {"cayley-menger"}));
 }

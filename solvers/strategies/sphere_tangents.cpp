@@ -13,7 +13,8 @@
 /// come near to each other and to infinity. Where lines are not found both methods find those of spheres
 /// whose centres are moved apart and follow them back in isotropic coordinates
 /// (tangents/squeezed_tangents.hpp). Down to an ε of 1e-6 all are found; at 1e-8 their coordinates in doubles
-/// determine lines no longer. Multiple lines are not followed, so that there the status is partial.
+/// determine lines no longer, and the status is partial. Multiple lines are not followed, so that there the
+/// status is partial.
 ///
 /// Complete: the multiplicities of the lines found and of those at infinity (isotropic directions) sum to 12.
 /// Infinitely many solutions are proven and named, with the exact decimals of the file: coinciding and
@@ -28,6 +29,7 @@
 #include <functional>
 #include <numeric>
 
+#include "solvers/model/quality.hpp"
 #include "solvers/options.hpp"
 #include "solvers/strategy.hpp"
 #include "solvers/tangents/common_tangents.hpp"
@@ -49,6 +51,9 @@ template <std::size_t size>
 std::int64_t product(const std::array<int, size>& degrees) {
   return std::accumulate(degrees.begin(), degrees.end(), std::int64_t{1}, std::multiplies<>());
 }
+
+/// Of the lengths: what the rounding of a line's coordinates to doubles may change them by.
+constexpr double distances_lost = 0.5;
 
 /// The point that a distance constraint names beside the line.
 int point_of(const Scene& scene, const DistanceConstraint& constraint) {
@@ -103,6 +108,13 @@ void report_lines(const Scene& scene, const FourSpheres& spheres, const LocalSph
     report.reason = "of the " + std::to_string(tangent_count) + " lines " + std::to_string(accounted_for) +
                     " are accounted for, multiplicities and those at infinity included";
   }
+  const auto too_far = std::ranges::count_if(report.candidates, [&](const Candidate& candidate) {
+    return !(relative_residual(scene, candidate.figure) <= distances_lost);
+  });
+  if (too_far == 0 || report.status != SolveStatus::complete) return;
+  report.status = SolveStatus::partial;
+  report.reason = "the coordinates of " + std::to_string(too_far) +
+                  " lines are so large beside the lengths that doubles do not hold the distances";
 }
 
 void report_stop(SolveReport& report) {

@@ -68,7 +68,7 @@ class FullSpace final : public Strategy {
     TrackedPath path = tracker.run();
     std::vector<Eigen::VectorXd> points = std::move(path.points);
     SolveReport report =
-        path_report(scene, std::move(path), [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
+        path_report(scene, path, [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
     if (names_jumps_) {
       for (Eigen::VectorXd& y : points) y.head(y.size() - 1) *= std::ldexp(1.0, -scene.unit_exponent());
       name_jumps(scene, points, context, report);

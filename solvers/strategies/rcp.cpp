@@ -81,9 +81,8 @@ class Rcp final : public Strategy {
 
  private:
   template <class Curve>
-  static SolveReport report_of(const Scene& scene, TrackedPath path, const Curve& curve) {
-    SolveReport report =
-        path_report(scene, std::move(path), [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+  static SolveReport report_of(const Scene& scene, const TrackedPath& path, const Curve& curve) {
+    SolveReport report = path_report(scene, path, [&](const Eigen::VectorXd& y) { return curve.figure(y); });
     report.paths.front().plans = curve.plans();
     return report;
   }

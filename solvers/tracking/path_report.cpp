@@ -55,16 +55,92 @@ struct MetSolution {
   bool has_neighbour = false;  ///< so near that an estimate of its error does not tell them apart
 };
 
-/// The solutions next to an extremum of t, in the order in which S meets them. `before`: where S comes from.
-std::vector<MetSolution> in_order(const TouchingSolutions& near, const Eigen::VectorXd& extremum,
-                                  const Eigen::VectorXd& before, const PathTouch& touch) {
-  std::vector<MetSolution> met;
-  for (const Eigen::VectorXd& x : near.x) met.push_back({x, touch.direction, touch.at, true});
-  if (met.empty()) return met;
-  if (near.direction.dot(extremum - before) < 0) std::swap(met[0], met[1]);
-  met[1].direction = -touch.direction;
-  return met;
-}
+/// Makes the report of one path. A shortcoming leaves a complete report partial.
+class PathReporter {
+ public:
+  PathReporter(const Scene& scene, const std::function<Figure(const Eigen::VectorXd&)>& figure_of)
+      : scene_(scene), figure_of_(figure_of), system_(scene, wide_reference(scene)) {
+    report_.claim = Claim::on_path;
+  }
+
+  SolveReport run(const TrackedPath& path) {
+    report_.status = report_status(path.end);
+    report_.reason = path.cause;
+    report_.work = path.work;
+    PathRecord record{record_end(path.end), path.cause, path.length, {}};
+    record.proven = path.proven;
+    for (const MetSolution& met : met_on(path)) {
+      record.crossings.push_back({static_cast<int>(report_.candidates.size()), met.direction});
+      report_.candidates.push_back(candidate_of(met));
+    }
+    report_.paths.push_back(std::move(record));
+    return std::move(report_);
+  }
+
+ private:
+  void falls_short(const char* reason) {
+    if (report_.status == SolveStatus::complete) report_.status = SolveStatus::partial;
+    report_.reason = reason;
+  }
+
+  Eigen::VectorXd coordinates_of(const Eigen::VectorXd& point) const {
+    return system_.coordinates(scene_.in_frame(figure_of_(point), system_.reference()));
+  }
+
+  /// In path order. Next to an extremum of t near 1 the exact lengths decide, not what the tracker took for
+  /// crossings.
+  std::vector<MetSolution> met_on(const TrackedPath& path) {
+    std::vector<MetSolution> met;
+    for (const PathCrossing& crossing : path.crossings)
+      met.push_back({coordinates_of(crossing.point), crossing.direction, crossing.at});
+    for (const PathTouch& touch : path.touches) {
+      const auto there = met_at(touch);
+      if (!there) {
+        falls_short(not_told_apart);
+        continue;
+      }
+      std::erase_if(met, [&](const MetSolution& one) { return std::abs(one.at - touch.at) <= touch.reach; });
+      met.insert(met.end(), there->begin(), there->end());
+    }
+    std::ranges::stable_sort(met, {}, &MetSolution::at);
+    return met;
+  }
+
+  /// None or two, or nothing where that is not known.
+  std::optional<std::vector<MetSolution>> met_at(const PathTouch& touch) {
+    const Eigen::VectorXd extremum = coordinates_of(touch.point);
+    const auto near = solutions_at_touch(system_, squares_, extremum, report_.work);
+    if (!near) return std::nullopt;
+    std::vector<MetSolution> met;
+    for (const Eigen::VectorXd& x : near->x) met.push_back({x, touch.direction, touch.at, true});
+    if (met.empty()) return met;
+    if (near->direction.dot(extremum - coordinates_of(touch.before)) < 0) std::swap(met[0], met[1]);
+    met[1].direction = -touch.direction;
+    return met;
+  }
+
+  /// Refined by Newton's method.
+  Candidate candidate_of(const MetSolution& met) {
+    Eigen::VectorXd x = met.x;
+    const Refinement refinement = refine(system_, squares_, x);
+    report_.work.newton_iterations += refinement.iterations;
+    Candidate candidate{system_.figure(x), 1};
+    if (!refinement.converged || (x - met.x).norm() > largest_refinement * scene_.size() ||
+        relative_residual(scene_, candidate.figure) > largest_residual)
+      falls_short("a crossing of t = 1 did not refine to a solution");
+    if (!met.has_neighbour) return candidate;
+    candidate.error = proven_error(scene_, squares_, candidate.figure);
+    if (!std::isfinite(candidate.error) && jacobian_condition(scene_, candidate.figure) >= stiff_condition)
+      falls_short(not_told_apart);
+    return candidate;
+  }
+
+  const Scene& scene_;
+  const std::function<Figure(const Eigen::VectorXd&)>& figure_of_;
+  const DistanceSystem system_;
+  const std::vector<DoubleDouble> squares_ = target_squares(scene_);
+  SolveReport report_;
+};
 
 }  // namespace
 
@@ -74,58 +150,9 @@ std::optional<std::string> why_no_path(const Scene& scene) {
   return std::nullopt;
 }
 
-SolveReport path_report(const Scene& scene, TrackedPath path,
+SolveReport path_report(const Scene& scene, const TrackedPath& path,
                         const std::function<Figure(const Eigen::VectorXd&)>& figure_of) {
-  const DistanceSystem system(scene, wide_reference(scene));
-  const std::vector<DoubleDouble> squares = target_squares(scene);
-  SolveReport report;
-  report.claim = Claim::on_path;
-  report.status = report_status(path.end);
-  report.reason = path.cause;
-  report.work = path.work;
-  const auto falls_short = [&report](std::string reason) {
-    report.status = report.status == SolveStatus::complete ? SolveStatus::partial : report.status;
-    report.reason = std::move(reason);
-  };
-  const auto coordinates_of = [&](const Eigen::VectorXd& point) {
-    return system.coordinates(scene.in_frame(figure_of(point), system.reference()));
-  };
-  std::vector<MetSolution> met;
-  for (const PathCrossing& crossing : path.crossings)
-    met.push_back({coordinates_of(crossing.point), crossing.direction, crossing.at});
-  for (const PathTouch& touch : path.touches) {
-    const Eigen::VectorXd extremum = coordinates_of(touch.point);
-    const auto near = solutions_at_touch(system, squares, extremum, report.work);
-    if (!near) {
-      falls_short(not_told_apart);
-      continue;
-    }
-    std::erase_if(met, [&](const MetSolution& one) { return std::abs(one.at - touch.at) <= touch.reach; });
-    const std::vector<MetSolution> there = in_order(*near, extremum, coordinates_of(touch.before), touch);
-    met.insert(met.end(), there.begin(), there.end());
-  }
-  std::stable_sort(met.begin(), met.end(),
-                   [](const MetSolution& one, const MetSolution& other) { return one.at < other.at; });
-  PathRecord record{record_end(path.end), path.cause, path.length, {}};
-  record.proven = path.proven;
-  for (MetSolution& one : met) {
-    const Eigen::VectorXd before = one.x;
-    const Refinement refinement = refine(system, squares, one.x);
-    report.work.newton_iterations += refinement.iterations;
-    const Figure figure = system.figure(one.x);
-    if (!refinement.converged || (one.x - before).norm() > largest_refinement * scene.size() ||
-        relative_residual(scene, figure) > largest_residual)
-      falls_short("a crossing of t = 1 did not refine to a solution");
-    record.crossings.push_back({static_cast<int>(report.candidates.size()), one.direction});
-    report.candidates.push_back({figure, 1});
-    if (one.has_neighbour) {
-      const double error = report.candidates.back().error = proven_error(scene, squares, figure);
-      if (!std::isfinite(error) && jacobian_condition(scene, figure) >= stiff_condition)
-        falls_short(not_told_apart);
-    }
-  }
-  report.paths.push_back(std::move(record));
-  return report;
+  return PathReporter(scene, figure_of).run(path);
 }
 
 SolveReport report_once_refined(SeriesTrackerOptions options,

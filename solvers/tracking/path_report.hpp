@@ -14,10 +14,12 @@ namespace gcs {
 /// Why S cannot be tracked in this scene (lines, no sketch), or nothing.
 std::optional<std::string> why_no_path(const Scene& scene);
 
-/// Refines every crossing of t = 1 to full accuracy in the frame's coordinates and records it in path order.
-/// `figure_of`: the figure, in the scene's unit and any position, of a crossing's point. A crossing that does
-/// not refine, or moves further than the tracker's accuracy explains, makes the report partial and says so.
-SolveReport path_report(const Scene& scene, TrackedPath path,
+/// Refines every crossing of t = 1 to full accuracy in the frame's coordinates and records it in path order;
+/// next to an extremum of t near 1 the equations at the exact target lengths decide whether there are two
+/// (touching_solutions.hpp). `figure_of`: the figure, in the scene's unit and any position, of a crossing's
+/// point. A crossing that does not refine, or moves further than the tracker's accuracy explains, or that is
+/// not told apart from its neighbour, makes the report partial and says so.
+SolveReport path_report(const Scene& scene, const TrackedPath& path,
                         const std::function<Figure(const Eigen::VectorXd&)>& figure_of);
 
 /// What `track` reports; where a crossing did not refine, what it reports with a thousandth of the tolerance,

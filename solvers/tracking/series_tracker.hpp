@@ -15,6 +15,9 @@
 /// No step jumps: the polynomial at the new point, evaluated one step backwards, must meet the old point.
 /// Both ends of a step then agree on the arc between them. This is a strong test, not a proof.
 ///
+/// Crossings of t = 1 are roots of the polynomial. Near an extremum of t that is as near 1 as the series errs
+/// they are not known, and the extremum is recorded, too.
+///
 /// It fails (with a named cause) where S is singular, or passes a singularity closer than the smallest step.
 
 #include <algorithm>

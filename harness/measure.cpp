@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <random>
 
 #include "harness/agreement.hpp"
 #include "harness/solve_run.hpp"
@@ -333,8 +334,13 @@ void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const
   auto stored = Clock::now();
   const double all_s = cost_left_s(cells);
   double done_s = 0;
+  std::vector<Work*> turns;
+  for (Work& work : cells) turns.push_back(&work);
+  std::mt19937_64 random(settings.seed);
   for (int round = 0; round < rounds; ++round) {
-    for (Work& work : cells) {
+    std::shuffle(turns.begin(), turns.end(), random);
+    for (Work* turn : turns) {
+      Work& work = *turn;
       if (interrupted() || left.none()) return;
       if (!work.record.is_right() || work.begun >= due(work.record.planned, round, rounds)) continue;
       progress.progress("repetitions", all_s > 0 ? done_s / all_s : -1);

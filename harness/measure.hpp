@@ -1,6 +1,7 @@
 #pragma once
 /// Measures cells fairly: every answer is assessed before anything is timed, a wrong answer gets no time, and
-/// repetitions of all cells are interleaved, so that a slow minute of the machine touches all of them alike.
+/// repetitions of all cells are interleaved, so that a slow minute of the machine touches all of them alike,
+/// in another random order each time, so that none always finds the caches as the same other one leaves them.
 
 #include <cstdint>
 #include <functional>

@@ -61,10 +61,16 @@ bool is_precise(const FourDistances& given, const AssessedSolution& solution) {
          solution.residual <= std::max(precise, residual_of_rounding(given, line));
 }
 
+/// Whether rounding the coordinates of every line leaves something of it.
+bool doubles_determine(const SolveRun& run) {
+  return std::ranges::all_of(run.assessment.solutions,
+                             [](const AssessedSolution& solution) { return solution.condition < 0x1p53; });
+}
+
 void expect_twelve(const Problem& problem) {
   const SolveRun run = solved(problem);
   INFO(run.reason);
-  CHECK(run.status == RunStatus::complete);
+  CHECK(run.status == (doubles_determine(run) ? RunStatus::complete : RunStatus::partial));
   CHECK(run.assessment.solutions.size() == 12);
   CHECK(run.assessment.failed_checks.empty());
   const FourDistances given = distances_of(problem);

@@ -52,8 +52,8 @@ std::int64_t product(const std::array<int, size>& degrees) {
   return std::accumulate(degrees.begin(), degrees.end(), std::int64_t{1}, std::multiplies<>());
 }
 
-/// Of the lengths: what the rounding of a line's coordinates to doubles may change them by.
-constexpr double distances_lost = 0.5;
+/// A condition number from which on the rounding of a line's coordinates to doubles leaves nothing of it.
+constexpr double undetermined = 0x1p53;
 
 /// The point that a distance constraint names beside the line.
 int point_of(const Scene& scene, const DistanceConstraint& constraint) {
@@ -109,12 +109,12 @@ void report_lines(const Scene& scene, const FourSpheres& spheres, const LocalSph
                     " are accounted for, multiplicities and those at infinity included";
   }
   const auto too_far = std::ranges::count_if(report.candidates, [&](const Candidate& candidate) {
-    return !(relative_residual(scene, candidate.figure) <= distances_lost);
+    return candidate.multiplicity == 1 && jacobian_condition(scene, candidate.figure) >= undetermined;
   });
   if (too_far == 0 || report.status != SolveStatus::complete) return;
   report.status = SolveStatus::partial;
   report.reason = "the coordinates of " + std::to_string(too_far) +
-                  " lines are so large beside the lengths that doubles do not hold the distances";
+                  " lines are so large beside the lengths that doubles do not determine them";
 }
 
 void report_stop(SolveReport& report) {

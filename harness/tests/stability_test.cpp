@@ -278,8 +278,11 @@ TEST_CASE("solutions next to a fold of S are met, and none are where S falls sho
 }
 
 TEST_CASE("two solutions between which a path ends are found from there") {
-  check_right(measured({"flat-triangle@1e-6", "flat-tetrahedron@1e-6", "double-root@1e-4"},
-                       {"monodromy", "polyhedral"}));
+  const std::vector<std::string> close{"flat-triangle@1e-6", "flat-tetrahedron@1e-6", "double-root@1e-4"};
+  check_right(measured(close, {"monodromy", "polyhedral"}));
+  // Beside the paths, which meet two real ones there.
+  for (const std::string id : {"flat-triangle@1e-8", "double-root@1e-8"})
+    check_right(measured({id}, {"full-space", "plan-scan", "monodromy", "polyhedral"}));
 }
 
 TEST_CASE("solutions too far away for doubles are not called missing at infinity, or found") {
@@ -296,13 +299,13 @@ TEST_CASE("solutions too far away for doubles are not called missing at infinity
   CHECK(run_strategy(find_strategy("monodromy"), {}, scene, {}).assessment.counts.at_infinity == 0u);
 }
 
-TEST_CASE("tangents whose coordinates doubles do not hold are named") {
+TEST_CASE("tangents that doubles do not determine are named") {
   for (const std::string id : {"collinear-centres@1e-8", "collinear-centres@1e-10"}) {
     const Scene scene(load_member(id).problem);
     const SolveRun run = run_strategy(find_strategy("sphere-tangents"), {}, scene, {});
     INFO(id << ": " << run.reason);
     CHECK(run.status == RunStatus::partial);
-    CHECK_THAT(run.reason, Catch::Contains("doubles do not hold the distances"));
+    CHECK_THAT(run.reason, Catch::Contains("doubles do not determine them"));
   }
   check_right(measured({"collinear-centres@1e-6"}, {"sphere-tangents"}));
 }

@@ -13,6 +13,7 @@
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/fold_solutions.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/model/wide_reference.hpp"
 
@@ -89,6 +90,31 @@ bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
   if (!figures[0].is_real() && !figures[1].is_real())
     apart = std::max(apart, (figures[0].imaginary - figures[1].imaginary).cwiseAbs().maxCoeff());
   return apart > uncertain * scene.size();
+}
+
+/// What there is next to an end at which two paths met, if the end is nearly real.
+std::optional<FoldSolutions> fold_solutions(const DistanceSystem& system,
+                                            const std::vector<DoubleDouble>& squares, const ComplexVectorX& x,
+                                            WorkCounters& work) {
+  const double tolerance = singular_uncertainty * (1 + largest(x));
+  Eigen::VectorXd real(system.unknowns());
+  for (int i = 0; i < system.unknowns(); ++i) {
+    if (std::abs(x[i].imag()) > tolerance) return std::nullopt;
+    real[i] = x[i].real();
+  }
+  return solutions_at_fold(system, squares, real, work);
+}
+
+/// The real ones, where it is proven which solutions they are; otherwise none.
+std::vector<Candidate> proven_pair(const Scene& scene, const DistanceSystem& system,
+                                   const std::vector<DoubleDouble>& squares, const FoldSolutions& fold) {
+  std::vector<Candidate> pair;
+  for (const Eigen::VectorXd& x : fold.x) {
+    const Figure figure = system.figure(x);
+    pair.push_back({figure, 1, proven_error(scene, squares, figure)});
+    if (!std::isfinite(pair.back().error)) return {};
+  }
+  return pair;
 }
 
 PathRecord record_of(const PathEnd& end) {
@@ -241,10 +267,18 @@ SolveReport complex_report(const Scene& scene, const DistanceSystem& system, con
     const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
     const Figure figure = figure_of(distinct[i], is_singular ? singular_uncertainty : next_to_real);
     const bool is_not_isolated = is_lonely && jacobian_condition(scene, figure) >= rank_lost;
-    const bool is_in_between = is_singular && !is_not_isolated && !is_multiple_solution(scene, figure);
+    bool is_in_between = is_singular && !is_not_isolated && !is_multiple_solution(scene, figure);
     missing.too_far += loses_distances(scene, figure);
     missing.lonely += is_lonely;
     missing.not_isolated += is_not_isolated;
+    if (is_singular && !is_not_isolated && distinct.paths(i) == 2) {
+      const auto fold = fold_solutions(system, squares, distinct[i], report.work);
+      const std::vector<Candidate> pair =
+          fold ? proven_pair(scene, system, squares, *fold) : std::vector<Candidate>{};
+      report.candidates.insert(report.candidates.end(), pair.begin(), pair.end());
+      if (!pair.empty()) continue;
+      is_in_between = is_in_between || fold.has_value();
+    }
     if (is_in_between && distinct.paths(i) == 2) {
       const auto pair = close_pair(system, squares, distinct[i]);
       const auto figures = pair ? std::optional(std::array{figure_of((*pair)[0], next_to_real),

@@ -5,9 +5,9 @@
 
 #include "solvers/certification/proven_error.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/fold_solutions.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/model/wide_reference.hpp"
-#include "solvers/tracking/touching_solutions.hpp"
 
 namespace gcs {
 namespace {
@@ -93,8 +93,11 @@ class PathReporter {
     std::vector<MetSolution> met;
     for (const PathCrossing& crossing : path.crossings)
       met.push_back({coordinates_of(crossing.point), crossing.direction, crossing.at});
+    double end_of_last = 0;
     for (const PathTouch& touch : path.touches) {
-      const auto there = met_at(touch);
+      const bool is_alone = touch.at - touch.reach > end_of_last;
+      end_of_last = touch.at + touch.reach;
+      const auto there = is_alone ? met_at(touch) : std::nullopt;
       if (!there) {
         falls_short(not_told_apart);
         continue;
@@ -109,7 +112,7 @@ class PathReporter {
   /// None or two, or nothing where that is not known.
   std::optional<std::vector<MetSolution>> met_at(const PathTouch& touch) {
     const Eigen::VectorXd extremum = coordinates_of(touch.point);
-    const auto near = solutions_at_touch(system_, squares_, extremum, report_.work);
+    const auto near = solutions_at_fold(system_, squares_, extremum, report_.work);
     if (!near) return std::nullopt;
     std::vector<MetSolution> met;
     for (const Eigen::VectorXd& x : near->x) met.push_back({x, touch.direction, touch.at, true});

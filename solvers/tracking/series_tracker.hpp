@@ -24,6 +24,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "solvers/numeric/polynomial_roots.hpp"
@@ -165,7 +166,7 @@ class SeriesTracker {
       above[static_cast<std::size_t>(n)] = here_.coefficients()(t, n) - (n == 0 ? 1 : 0);
     const bool ends_here = end < step_;
     const double t_at_end = ends_here ? start_[t] : there_.coefficient(0)[t];
-    if (!may_vanish(above, end, error_at(end)) && (above[0] >= 0) == (t_at_end >= 1)) return;
+    if (!may_vanish(above, end, time_error_at(end)) && (above[0] >= 0) == (t_at_end >= 1)) return;
     int direction = above[0] >= 0 ? -1 : 1;
     for (const double s : sign_changes(above, end, t_at_end - 1)) {
       here_.evaluate(s, predicted_);
@@ -179,26 +180,24 @@ class SeriesTracker {
 
   /// Where t comes no nearer to 1 than the series errs, its extremum says all that there is to say.
   void record_touch(const std::vector<double>& above, double s) {
-    const double height = std::abs(polynomial_value(above, s)), error = error_at(s);
+    const double height = std::abs(polynomial_value(above, s)), error = time_error_at(s);
     if (height > error) return;
-    const std::vector<double> rate = derivative(above);
-    const double bend = polynomial_value(derivative(rate), s), before = s - step_ / 16;
-    PathTouch touch{{},
-                    {},
-                    bend < 0 ? 1 : -1,
-                    path_.length + s,
-                    touch_reach * std::sqrt((height + error) / std::abs(bend))};
+    const double bend = polynomial_value(derivative(derivative(above)), s);
+    const double reach = touch_reach * std::sqrt((height + error) / std::abs(bend));
+    PathTouch touch{{}, {}, bend < 0 ? 1 : -1, path_.length + s, reach};
+    if (!(reach <= step_)) touch.reach = std::numeric_limits<double>::infinity();
     here_.evaluate(s, touch.point);
-    here_.evaluate(before, touch.before);
+    here_.evaluate(s - step_ / 16, touch.before);
     path_.touches.push_back(std::move(touch));
   }
 
-  /// A bound on the error of the series at s for all that the corrector shows: it refuses a prediction that
-  /// is off by more than so many tolerances, and stops at the rounding of ill-conditioned points.
-  double error_at(double s) const {
+  /// A bound on the error of t(s) for all that the corrector shows: it refuses a prediction that is off by
+  /// more than so many of the last terms, and stops at the rounding of ill-conditioned points.
+  double time_error_at(double s) const {
     const int last = options_.order;
-    const double terms =
-        (here_.coefficient(last).norm() * s + here_.coefficient(last - 1).norm()) * std::pow(s, last - 1);
+    const Eigen::Index t = here_.coefficients().rows() - 1;
+    const auto coefficient = [&](int n) { return std::abs(here_.coefficients()(t, n)); };
+    const double terms = (coefficient(last) * s + coefficient(last - 1)) * std::pow(s, last - 1);
     return CorrectorTest::first_limit * terms +
            CorrectorTest::settled_limit(here_.coefficient(0).lpNorm<Eigen::Infinity>());
   }

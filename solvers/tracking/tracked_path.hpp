@@ -24,7 +24,7 @@ struct PathTouch {
   Eigen::VectorXd before;  ///< a point of S shortly before
   int direction = 1;       ///< sign of dt before the extremum
   double at = 0;           ///< arc length, as of a crossing
-  double reach = 0;        ///< a crossing further from here is another one
+  double reach = 0;        ///< a crossing further from here is another one; infinite: not known
 };
 
 struct TrackedPath {

@@ -1,4 +1,4 @@
-#include "solvers/tracking/touching_solutions.hpp"
+#include "solvers/model/fold_solutions.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -20,7 +20,7 @@ Scene narrow_triangle(const std::string& length) {
 }
 
 struct Outcome {
-  std::optional<TouchingSolutions> solutions;
+  std::optional<FoldSolutions> solutions;
   double unit = 1;  ///< the scene's, in the file's
 };
 
@@ -34,7 +34,7 @@ Outcome solve(const std::string& length) {
   near.points(1, 2) = 1e-6;
   near.points /= unit;
   WorkCounters work;
-  return {solutions_at_touch(system, target_squares(scene), system.coordinates(near), work), unit};
+  return {solutions_at_fold(system, target_squares(scene), system.coordinates(near), work), unit};
 }
 
 }  // namespace

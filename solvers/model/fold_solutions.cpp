@@ -1,4 +1,4 @@
-#include "solvers/tracking/touching_solutions.hpp"
+#include "solvers/model/fold_solutions.hpp"
 
 #include <Eigen/SVD>
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace gcs {
 namespace {
 
-/// Two solutions closer to the extremum than so many roundings of a coordinate are not told from none.
+/// Two solutions closer to the fold than so many roundings of a coordinate are not told from none.
 constexpr double indistinct = 64;
 
 /// The distance equations at a point, seen along the direction that they determine least.
@@ -15,7 +15,7 @@ struct FoldView {
   Eigen::VectorXd v;       ///< that direction
   Eigen::VectorXd across;  ///< Newton's correction in all other directions
   double value = 0;        ///< w·f
-  double slope = 0;        ///< w·f_x v, 0 at the extremum
+  double slope = 0;        ///< w·f_x v, 0 at the fold
   double bend = 0;         ///< w·f''(v, v)
 };
 
@@ -44,9 +44,9 @@ FoldView view(const DistanceSystem& system, const std::vector<DoubleDouble>& squ
 
 }  // namespace
 
-std::optional<TouchingSolutions> solutions_at_touch(const DistanceSystem& system,
-                                                    const std::vector<DoubleDouble>& squares,
-                                                    const Eigen::VectorXd& near, WorkCounters& work) {
+std::optional<FoldSolutions> solutions_at_fold(const DistanceSystem& system,
+                                               const std::vector<DoubleDouble>& squares,
+                                               const Eigen::VectorXd& near, WorkCounters& work) {
   constexpr int most_steps = 8;
   Eigen::VectorXd x = near;
   for (int i = 0; i < most_steps; ++i) {
@@ -61,7 +61,7 @@ std::optional<TouchingSolutions> solutions_at_touch(const DistanceSystem& system
     }
     const double square = -2 * fold.value / fold.bend, s = std::sqrt(std::abs(square));
     if (!(s > indistinct * rounding)) return std::nullopt;
-    TouchingSolutions result{fold.v, {}};
+    FoldSolutions result{fold.v, {}};
     if (square < 0) return result;
     for (const double side : {-s, s}) {
       Eigen::VectorXd solution = x + side * fold.v;

@@ -40,23 +40,34 @@ double moved_by_rounding(const Scene& scene, const Figure& figure) {
   return 4 * std::numeric_limits<double>::epsilon() * jacobian_condition(scene, figure) * scene.size();
 }
 
+/// How far from the reals x may be and be taken for a real point: `nearby`, relative to 1 + the largest
+/// |x_i|.
+double real_tolerance(const ComplexVectorX& x, double nearby) {
+  double size = 0;
+  for (const std::complex<double>& value : x) size = std::max(size, std::abs(value));
+  return nearby * (1 + size);
+}
+
+/// The real part of x, if the rest is within `tolerance`.
+std::optional<Eigen::VectorXd> real_part(const ComplexVectorX& x, double tolerance) {
+  const auto is_off = [&](const std::complex<double>& value) { return std::abs(value.imag()) > tolerance; };
+  if (std::any_of(x.begin(), x.end(), is_off)) return std::nullopt;
+  Eigen::VectorXd real(static_cast<Eigen::Index>(x.size()));
+  for (std::size_t i = 0; i < x.size(); ++i) real[static_cast<Eigen::Index>(i)] = x[i].real();
+  return real;
+}
+
 /// The real solution next to x, if there is one.
 std::optional<Figure> real_figure(const Scene& scene, const DistanceSystem& system,
                                   const std::vector<DoubleDouble>& squares, const ComplexVectorX& x,
                                   double nearby) {
-  Eigen::VectorXd real(system.unknowns());
-  double size = 0;
-  for (int i = 0; i < system.unknowns(); ++i) {
-    real[i] = x[i].real();
-    size = std::max(size, std::abs(x[i]));
-  }
-  const double tolerance = nearby * (1 + size);
-  const auto is_off = [&](const std::complex<double>& value) { return std::abs(value.imag()) > tolerance; };
-  if (std::any_of(x.begin(), x.end(), is_off)) return std::nullopt;
-  const Eigen::VectorXd start = real;
+  const double tolerance = real_tolerance(x, nearby);
+  const std::optional<Eigen::VectorXd> start = real_part(x, tolerance);
+  if (!start) return std::nullopt;
+  Eigen::VectorXd real = *start;
   if (!refine(system, squares, real).converged) return std::nullopt;
   const Figure figure = system.figure(real);
-  const double moved = (real - start).cwiseAbs().maxCoeff();
+  const double moved = (real - *start).cwiseAbs().maxCoeff();
   if (moved <= tolerance) return figure;
   const bool is_regular_end = nearby < singular_uncertainty;
   return is_regular_end && moved <= moved_by_rounding(scene, figure) ? std::optional(figure) : std::nullopt;
@@ -96,13 +107,8 @@ bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
 std::optional<FoldSolutions> fold_solutions(const DistanceSystem& system,
                                             const std::vector<DoubleDouble>& squares, const ComplexVectorX& x,
                                             WorkCounters& work) {
-  const double tolerance = singular_uncertainty * (1 + largest(x));
-  Eigen::VectorXd real(system.unknowns());
-  for (int i = 0; i < system.unknowns(); ++i) {
-    if (std::abs(x[i].imag()) > tolerance) return std::nullopt;
-    real[i] = x[i].real();
-  }
-  return solutions_at_fold(system, squares, real, work);
+  const std::optional<Eigen::VectorXd> real = real_part(x, real_tolerance(x, singular_uncertainty));
+  return real ? solutions_at_fold(system, squares, *real, work) : std::nullopt;
 }
 
 /// The real ones, where it is proven which solutions they are; otherwise none.

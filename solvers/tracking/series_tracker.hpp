@@ -175,14 +175,14 @@ class SeriesTracker {
     }
     const std::vector<double> rate = derivative(above);
     for (const double s : sign_changes(rate, end, ends_here ? start_tangent_[t] : there_.coefficient(1)[t]))
-      record_touch(above, s);
+      record_touch(above, rate, s);
   }
 
   /// Where t comes no nearer to 1 than the series errs, its extremum says all that there is to say.
-  void record_touch(const std::vector<double>& above, double s) {
+  void record_touch(const std::vector<double>& above, const std::vector<double>& rate, double s) {
     const double height = std::abs(polynomial_value(above, s)), error = time_error_at(s);
     if (height > error) return;
-    const double bend = polynomial_value(derivative(derivative(above)), s);
+    const double bend = polynomial_value(derivative(rate), s);
     const double reach = touch_reach * std::sqrt((height + error) / std::abs(bend));
     PathTouch touch{{}, {}, bend < 0 ? 1 : -1, path_.length + s, reach};
     if (!(reach <= step_)) touch.reach = std::numeric_limits<double>::infinity();

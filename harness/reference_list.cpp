@@ -1,7 +1,5 @@
 #include "harness/reference_list.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -229,9 +227,7 @@ std::optional<ReferenceList> shipped_reference(const Instance& instance) {
   if (!file) return std::nullopt;
   const JsonValue document = parse_json(read_file(*file, "run scripts/make-references"), *file);
   const JsonCursor root(document, *file);
-  const JsonCursor format = root.required("format");
-  if (format.text() != format_name)
-    format.fail("the format is '" + format.text() + "'", fmt::format("it must be '{}'", format_name));
+  root.require_format(format_name);
   if (to_text(root.required("instance").value(), -1) != to_text(instance.document, -1)) return std::nullopt;
   return read_list(root, instance.problem, *file);
 }

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <map>
-#include <sstream>
 
 #include "solvers/certification/proven_error.hpp"
 #include "solvers/complex_tracking/close_pair.hpp"
-#include "solvers/complex_tracking/mirror_images.hpp"
+#include "solvers/complex_tracking/distinct_ends.hpp"
+#include "solvers/complex_tracking/shortcomings.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/fold_solutions.hpp"
@@ -20,20 +18,8 @@
 namespace gcs {
 namespace {
 
-/// Of a singular end: Cauchy's formula is right to the rounding of its samples, which a double root feels by
-/// its square root.
-constexpr double singular_uncertainty = 1e-7;
-
 /// How far from the reals Newton's method in R may find the solution of a regular end.
 constexpr double next_to_real = 1e-9;
-
-double uncertainty(const PathEnd& end) {
-  return end.kind == PathEnd::Kind::regular ? regular_uncertainty : singular_uncertainty;
-}
-
-bool is_finite_end(const PathEnd& end) {
-  return end.kind == PathEnd::Kind::regular || end.kind == PathEnd::Kind::singular;
-}
 
 /// How far the rounding of the lengths to the doubles that paths are followed for moves a regular solution.
 double moved_by_rounding(const Scene& scene, const Figure& figure) {
@@ -55,22 +41,6 @@ std::optional<Eigen::VectorXd> real_part(const ComplexVectorX& x, double toleran
   Eigen::VectorXd real(static_cast<Eigen::Index>(x.size()));
   for (std::size_t i = 0; i < x.size(); ++i) real[static_cast<Eigen::Index>(i)] = x[i].real();
   return real;
-}
-
-/// The real solution next to x, if there is one.
-std::optional<Figure> real_figure(const Scene& scene, const DistanceSystem& system,
-                                  const std::vector<DoubleDouble>& squares, const ComplexVectorX& x,
-                                  double nearby) {
-  const double tolerance = real_tolerance(x, nearby);
-  const std::optional<Eigen::VectorXd> start = real_part(x, tolerance);
-  if (!start) return std::nullopt;
-  Eigen::VectorXd real = *start;
-  if (!refine(system, squares, real).converged) return std::nullopt;
-  const Figure figure = system.figure(real);
-  const double moved = (real - *start).cwiseAbs().maxCoeff();
-  if (moved <= tolerance) return figure;
-  const bool is_regular_end = nearby < singular_uncertainty;
-  return is_regular_end && moved <= moved_by_rounding(scene, figure) ? std::optional(figure) : std::nullopt;
 }
 
 Figure complex_figure(const DistanceSystem& system, const ComplexVectorX& x) {
@@ -103,26 +73,6 @@ bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
   return apart > uncertain * scene.size();
 }
 
-/// What there is next to an end at which two paths met, if the end is nearly real.
-std::optional<FoldSolutions> fold_solutions(const DistanceSystem& system,
-                                            const std::vector<DoubleDouble>& squares, const ComplexVectorX& x,
-                                            WorkCounters& work) {
-  const std::optional<Eigen::VectorXd> real = real_part(x, real_tolerance(x, singular_uncertainty));
-  return real ? solutions_at_fold(system, squares, *real, work) : std::nullopt;
-}
-
-/// The real ones, where it is proven which solutions they are; otherwise none.
-std::vector<Candidate> proven_pair(const Scene& scene, const DistanceSystem& system,
-                                   const std::vector<DoubleDouble>& squares, const FoldSolutions& fold) {
-  std::vector<Candidate> pair;
-  for (const Eigen::VectorXd& x : fold.x) {
-    const Figure figure = system.figure(x);
-    pair.push_back({figure, 1, proven_error(scene, squares, figure)});
-    if (!std::isfinite(pair.back().error)) return {};
-  }
-  return pair;
-}
-
 PathRecord record_of(const PathEnd& end) {
   PathRecord record;
   switch (end.kind) {
@@ -149,96 +99,6 @@ PathRecord record_of(const PathEnd& end) {
   return record;
 }
 
-/// The finite ends, distinct, with the number of paths that end at each.
-class DistinctEnds {
- public:
-  DistinctEnds(const std::vector<PathEnd>& ends, std::vector<int> axes, std::mt19937_64& random)
-      : set_(std::move(axes), random) {
-    for (const PathEnd& end : ends) {
-      if (!is_finite_end(end)) continue;
-      const int number = set_.insert(end.x, uncertainty(end));
-      if (number == static_cast<int>(paths_.size())) {
-        paths_.push_back(0);
-        singular_.push_back(false);
-      }
-      ++paths_[number];
-      if (end.kind == PathEnd::Kind::singular) singular_[number] = true;
-    }
-  }
-
-  int size() const { return set_.size(); }
-  const ComplexVectorX& operator[](int i) const { return set_[i]; }
-  int paths(int i) const { return paths_[i]; }
-  bool is_singular(int i) const { return singular_[i]; }
-
-  /// Regular ends at which several paths arrived.
-  int jumps() const {
-    int count = 0;
-    for (int i = 0; i < size(); ++i) count += !singular_[i] && paths_[i] > 1;
-    return count;
-  }
-
-  bool has_conjugate(int i) const {
-    ComplexVectorX conjugate = set_[i];
-    for (std::complex<double>& value : conjugate) value = std::conj(value);
-    return set_.find(conjugate, singular_[i] ? singular_uncertainty : regular_uncertainty) >= 0;
-  }
-
- private:
-  SolutionSet set_;
-  std::vector<int> paths_;
-  std::vector<bool> singular_;
-};
-
-/// Of one cause.
-struct LostPaths {
-  int count = 0;
-  double condition = 0;  ///< the largest where they were lost
-};
-
-/// What keeps the ends from being all solutions.
-struct Shortcomings {
-  std::map<std::string, LostPaths> lost;
-  int jumps = 0;         ///< regular ends at which several paths arrived
-  int lonely = 0;        ///< ends without their conjugates
-  int not_isolated = 0;  ///< those of them at which the Jacobian loses rank
-  int in_between = 0;    ///< singular ends that are no multiple solutions
-  int too_far = 0;       ///< ends whose coordinates doubles do not hold finely enough
-
-  /// Empty when there are none.
-  std::string in_words() const {
-    std::string text;
-    const auto append = [&text](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
-    for (const auto& [cause, paths] : lost)
-      append(number_of(paths.count, "path") + " failed: " + cause + ", at condition numbers up to " +
-             one_digit(paths.condition));
-    if (jumps > 0)
-      append("several paths ended at each of " + number_of(jumps, "regular solution") +
-             ": a step has jumped");
-    if (not_isolated > 0)
-      append(
-          "the Jacobian loses rank at " + number_of(not_isolated, "end") +
-          " without a conjugate: solutions there are not isolated to working precision, as where the scene " +
-          "flexes or nearly does");
-    if (lonely > not_isolated)
-      append("the conjugates of " + number_of(lonely - not_isolated, "solution") + " are missing");
-    if (too_far > 0)
-      append("the coordinates of " + number_of(too_far, "end") +
-             " are so large beside the lengths that doubles do not hold the distances");
-    if (in_between > 0)
-      append("solutions next to " + number_of(in_between, "end") +
-             " are so close together that their paths " + "were not told apart");
-    return text;
-  }
-
- private:
-  static std::string one_digit(double value) {
-    std::ostringstream text;
-    text << std::setprecision(1) << value;
-    return text.str();
-  }
-};
-
 /// A condition number that leaves three digits or fewer of a correction along the Jacobian's near kernel.
 constexpr double rank_lost = 1e13;
 
@@ -250,73 +110,135 @@ bool is_multiple_solution(const Scene& scene, const Figure& figure) {
          jacobian_condition(scene, figure) >= regular;
 }
 
-}  // namespace
+/// Makes the report of the ends of all paths.
+class ComplexReporter {
+ public:
+  ComplexReporter(const Scene& scene, const DistanceSystem& system) : scene_(scene), system_(system) {
+    report_.claim = Claim::all_complex;
+  }
 
-std::string number_of(std::int64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
+  SolveReport run(const std::vector<PathEnd>& ends, const WorkCounters& work, std::mt19937_64& random) {
+    report_.work = work;
+    const DistinctEnds distinct(ends, mirror_axes(scene_, system_), random);
+    missing_.jumps = distinct.jumps();
+    for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
+    for (const PathEnd& end : ends) add_path(end);
+    const bool stopped =
+        std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
+    report_.reason = stopped ? "stopped on the way" : missing_.in_words();
+    report_.status = stopped                  ? SolveStatus::stopped
+                     : report_.reason.empty() ? SolveStatus::complete
+                                              : SolveStatus::partial;
+    return std::move(report_);
+  }
+
+ private:
+  void add_end(const DistinctEnds& distinct, int i) {
+    const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
+    const Figure figure = figure_of(distinct[i], is_singular ? singular_uncertainty : next_to_real);
+    const bool is_isolated = !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
+    missing_.too_far += loses_distances(scene_, figure);
+    missing_.lonely += is_lonely;
+    missing_.not_isolated += !is_isolated;
+    if (!is_singular)
+      add_proven(figure);
+    else if (is_isolated)
+      add_meeting(distinct[i], distinct.paths(i), figure);
+    else
+      add_multiple(figure, distinct.paths(i));
+  }
+
+  /// An end at which paths met: solutions next to it, or a multiple one.
+  void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure) {
+    bool is_in_between = !is_multiple_solution(scene_, figure);
+    if (paths == 2) {
+      const std::optional<FoldSolutions> fold = fold_at(x);
+      if (fold && add_proven_pair(*fold)) return;
+      is_in_between |= fold.has_value();
+      if (is_in_between && add_close_pair(x)) return;
+    }
+    missing_.in_between += is_in_between;
+    add_multiple(figure, paths);
+  }
+
+  void add_proven(const Figure& figure) {
+    report_.candidates.push_back({figure, 1, proven_error(scene_, squares_, figure)});
+  }
+
+  void add_multiple(const Figure& figure, int multiplicity) {
+    report_.candidates.push_back({figure, multiplicity, std::numeric_limits<double>::infinity()});
+  }
+
+  /// What there is next to an end at which two paths met, if the end is nearly real.
+  std::optional<FoldSolutions> fold_at(const ComplexVectorX& x) {
+    const std::optional<Eigen::VectorXd> real = real_part(x, real_tolerance(x, singular_uncertainty));
+    return real ? solutions_at_fold(system_, squares_, *real, report_.work) : std::nullopt;
+  }
+
+  /// Whether there are real ones, and it is proven which solutions they are.
+  bool add_proven_pair(const FoldSolutions& fold) {
+    std::vector<Candidate> pair;
+    for (const Eigen::VectorXd& x : fold.x) {
+      const Figure figure = system_.figure(x);
+      pair.push_back({figure, 1, proven_error(scene_, squares_, figure)});
+      if (!std::isfinite(pair.back().error)) return false;
+    }
+    report_.candidates.insert(report_.candidates.end(), pair.begin(), pair.end());
+    return !pair.empty();
+  }
+
+  /// Whether two solutions next to x are told apart.
+  bool add_close_pair(const ComplexVectorX& x) {
+    const auto pair = close_pair(system_, squares_, x);
+    if (!pair) return false;
+    const std::array figures{figure_of((*pair)[0], next_to_real), figure_of((*pair)[1], next_to_real)};
+    if (!are_told_apart(scene_, figures)) return false;
+    for (const Figure& figure : figures) add_proven(figure);
+    return true;
+  }
+
+  void add_path(const PathEnd& end) {
+    report_.paths.push_back(record_of(end));
+    if (end.kind != PathEnd::Kind::failed) return;
+    LostPaths& lost = missing_.lost[end.cause];
+    ++lost.count;
+    const Figure where = complex_figure(system_, end.x);
+    if (std::isfinite(extent(where)))
+      lost.condition = std::max(lost.condition, jacobian_condition(scene_, where));
+  }
+
+  Figure figure_of(const ComplexVectorX& x, double nearby) const {
+    const std::optional<Figure> real = real_figure(x, nearby);
+    return real ? *real : complex_figure(system_, x);
+  }
+
+  /// The real solution next to x, if there is one.
+  std::optional<Figure> real_figure(const ComplexVectorX& x, double nearby) const {
+    const double tolerance = real_tolerance(x, nearby);
+    const std::optional<Eigen::VectorXd> start = real_part(x, tolerance);
+    if (!start) return std::nullopt;
+    Eigen::VectorXd real = *start;
+    if (!refine(system_, squares_, real).converged) return std::nullopt;
+    const Figure figure = system_.figure(real);
+    const double moved = (real - *start).cwiseAbs().maxCoeff();
+    if (moved <= tolerance) return figure;
+    const bool is_regular_end = nearby < singular_uncertainty;
+    return is_regular_end && moved <= moved_by_rounding(scene_, figure) ? std::optional(figure)
+                                                                        : std::nullopt;
+  }
+
+  const Scene& scene_;
+  const DistanceSystem& system_;
+  const std::vector<DoubleDouble> squares_ = target_squares(scene_);
+  Shortcomings missing_;
+  SolveReport report_;
+};
+
+}  // namespace
 
 SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
                            const WorkCounters& work, std::mt19937_64& random) {
-  SolveReport report;
-  report.claim = Claim::all_complex;
-  report.work = work;
-  const std::vector<DoubleDouble> squares = target_squares(scene);
-  const DistinctEnds distinct(ends, mirror_axes(scene, system), random);
-  Shortcomings missing;
-  missing.jumps = distinct.jumps();
-  const auto figure_of = [&](const ComplexVectorX& x, double nearby) {
-    const std::optional<Figure> real = real_figure(scene, system, squares, x, nearby);
-    return real ? *real : complex_figure(system, x);
-  };
-  for (int i = 0; i < distinct.size(); ++i) {
-    const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
-    const Figure figure = figure_of(distinct[i], is_singular ? singular_uncertainty : next_to_real);
-    const bool is_not_isolated = is_lonely && jacobian_condition(scene, figure) >= rank_lost;
-    bool is_in_between = is_singular && !is_not_isolated && !is_multiple_solution(scene, figure);
-    missing.too_far += loses_distances(scene, figure);
-    missing.lonely += is_lonely;
-    missing.not_isolated += is_not_isolated;
-    if (is_singular && !is_not_isolated && distinct.paths(i) == 2) {
-      const auto fold = fold_solutions(system, squares, distinct[i], report.work);
-      const std::vector<Candidate> pair =
-          fold ? proven_pair(scene, system, squares, *fold) : std::vector<Candidate>{};
-      report.candidates.insert(report.candidates.end(), pair.begin(), pair.end());
-      if (!pair.empty()) continue;
-      is_in_between = is_in_between || fold.has_value();
-    }
-    if (is_in_between && distinct.paths(i) == 2) {
-      const auto pair = close_pair(system, squares, distinct[i]);
-      const auto figures = pair ? std::optional(std::array{figure_of((*pair)[0], next_to_real),
-                                                           figure_of((*pair)[1], next_to_real)})
-                                : std::nullopt;
-      if (figures && are_told_apart(scene, *figures)) {
-        for (const Figure& one : *figures)
-          report.candidates.push_back({one, 1, proven_error(scene, squares, one)});
-        continue;
-      }
-    }
-    report.candidates.push_back(
-        {figure, is_singular ? distinct.paths(i) : 1,
-         is_singular ? std::numeric_limits<double>::infinity() : proven_error(scene, squares, figure)});
-    missing.in_between += is_in_between;
-  }
-  for (const PathEnd& end : ends) {
-    if (end.kind != PathEnd::Kind::failed) continue;
-    LostPaths& lost = missing.lost[end.cause];
-    ++lost.count;
-    const Figure where = complex_figure(system, end.x);
-    if (std::isfinite(extent(where)))
-      lost.condition = std::max(lost.condition, jacobian_condition(scene, where));
-  }
-  for (const PathEnd& end : ends) report.paths.push_back(record_of(end));
-  const bool stopped = std::any_of(ends.begin(), ends.end(),
-                                   [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
-  report.reason = stopped ? "stopped on the way" : missing.in_words();
-  report.status = stopped                 ? SolveStatus::stopped
-                  : report.reason.empty() ? SolveStatus::complete
-                                          : SolveStatus::partial;
-  return report;
+  return ComplexReporter(scene, system).run(ends, work, random);
 }
 
 }  // namespace gcs

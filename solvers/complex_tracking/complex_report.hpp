@@ -1,8 +1,7 @@
 #pragma once
 /// From the ends of paths to solutions of a scene, with what they prove or leave open.
 
-#include <optional>
-#include <string>
+#include <random>
 #include <vector>
 
 #include "solvers/complex_tracking/endgame.hpp"
@@ -10,9 +9,6 @@
 #include "solvers/strategy.hpp"
 
 namespace gcs {
-
-/// "1 path", "2 paths"
-std::string number_of(std::int64_t count, const std::string& noun);
 
 /// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
 /// Newton's method on the real part agrees; a record for every path. The status is partial where paths

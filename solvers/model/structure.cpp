@@ -8,6 +8,7 @@
 #include "solvers/model/length_inequalities.hpp"
 #include "solvers/model/loose_entities.hpp"
 #include "solvers/model/rigidity_matrix.hpp"
+#include "solvers/words.hpp"
 
 namespace gcs {
 namespace {
@@ -38,10 +39,6 @@ std::string described(const Problem& problem, const std::vector<int>& constraint
   std::vector<std::string> words;
   for (const int constraint : constraints) words.push_back(described(problem, constraint));
   return enumeration(words);
-}
-
-std::string counted(int number, const std::string& noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
 }
 
 /// The smallest of the dependent sets of constraints that the elimination meets; every constraint in it can

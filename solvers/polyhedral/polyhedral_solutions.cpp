@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "solvers/complex_tracking/complex_report.hpp"
+#include "solvers/complex_tracking/endgame.hpp"
 #include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/polyhedral/polyhedral_homotopies.hpp"
+#include "solvers/words.hpp"
 
 namespace gcs {
 namespace {
@@ -25,11 +26,11 @@ std::string what_is_missing(const MixedCells& cells) {
 
 std::string what_is_missing(const GenericZeros& zeros) {
   if (zeros.unsolved_cells > 0)
-    return "the binomial systems of " + number_of(zeros.unsolved_cells, "mixed cell") +
+    return "the binomial systems of " + counted(zeros.unsolved_cells, "mixed cell") +
            " were too large to be solved";
-  if (zeros.lost > 0) return number_of(zeros.lost, "path") + " from mixed cells got lost";
+  if (zeros.lost > 0) return counted(zeros.lost, "path") + " from mixed cells got lost";
   if (zeros.repeated > 0)
-    return number_of(zeros.repeated, "path") + " from mixed cells ended where another had: a step has jumped";
+    return counted(zeros.repeated, "path") + " from mixed cells ended where another had: a step has jumped";
   return "";
 }
 
@@ -43,10 +44,10 @@ std::string what_is_missing(const std::vector<PathEnd>& ends, int distinct) {
     if (end.kind == PathEnd::Kind::singular) ++causes["it seems to end at a singular solution"];
   }
   if (regular > distinct)
-    return number_of(regular - distinct, "path") + " to random lengths ended where another had";
+    return counted(regular - distinct, "path") + " to random lengths ended where another had";
   if (causes.empty()) return "";
   const auto& [cause, count] = *causes.begin();
-  return number_of(count, "path") + " to random lengths failed: " + cause;
+  return counted(count, "path") + " to random lengths failed: " + cause;
 }
 
 class Solution {

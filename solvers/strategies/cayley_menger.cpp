@@ -25,6 +25,7 @@
 #include "solvers/octahedron/exact_squares.hpp"
 #include "solvers/octahedron/octahedron_placer.hpp"
 #include "solvers/strategy.hpp"
+#include "solvers/words.hpp"
 
 namespace gcs {
 namespace {
@@ -237,8 +238,7 @@ class Reporter {
     report_.generic = std::uint64_t{pairs} << reduction_.placed.size();
     report_.at_infinity = static_cast<std::uint64_t>(core.at_infinity) << reduction_.placed.size();
     if (core.accounted_for() != pairs) note(what_is_missing(core));
-    if (some_are_too_far_)
-      note("some coordinates are so large beside the lengths that doubles do not hold the distances");
+    if (some_are_too_far_) note("some coordinates are " + too_large_for_doubles());
     report_.status = report_.reason.empty() ? SolveStatus::complete : SolveStatus::partial;
     if (request_.stop.stop_requested()) {
       report_.status = SolveStatus::stopped;
@@ -264,7 +264,7 @@ class Reporter {
                               " are accounted for, those at infinity and multiplicities included";
     return found +
            (core.far_away > core.at_infinity
-                ? "; others have coordinates so large that doubles do not hold the distances"
+                ? "; others have coordinates " + too_large_for_doubles()
                 : "; from others Newton's method did not settle, as where solutions are ill-conditioned");
   }
 

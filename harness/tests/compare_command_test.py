@@ -5,21 +5,20 @@ Usage: compare_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import json
-import os
 import sys
-import unittest
+import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source folder stays clean
-import command_line_test
-from command_line_test import BAD_INPUT, CHECK_FAILED, DONE, run
+import command_line
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, run
 
 
-class Compare(command_line_test.CommandLine):
+class Compare(command_line.CommandLine):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        folder = command_line_test.tempfile.TemporaryDirectory()
+        folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.before = Path(folder.name) / "before"
         done = run("tables", "table1", "--instances", "k33,octahedron", "--strategies", "full-space,rcp",
@@ -114,6 +113,4 @@ class Compare(command_line_test.CommandLine):
 
 
 if __name__ == "__main__":
-    command_line_test.PROGRAM = os.path.abspath(sys.argv.pop(1))
-    command_line_test.SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    command_line.main()

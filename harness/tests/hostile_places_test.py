@@ -15,11 +15,10 @@ import subprocess
 import sys
 import time
 import unittest
-from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source folder stays clean
-import command_line_test
-from command_line_test import BAD_INPUT, CHECK_FAILED, DONE, INTERRUPTED, NOT_SOLVED, run
+import command_line
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, INTERRUPTED, NOT_SOLVED, run
 
 TABLES = ["tables", "table1", "--instances", "k33", "--strategies", "full-space,rcp", "--repetitions", 2]
 MEASURING = {
@@ -44,15 +43,15 @@ def mounts_are_permitted():
                           check=False).returncode == 0
 
 
-class HostilePlaces(command_line_test.CommandLine):
+class HostilePlaces(command_line.CommandLine):
     def assert_refused(self, done, *mentioned):
         self.assert_one_message(done, BAD_INPUT, *mentioned)
         self.assertEqual(list(self.folder.rglob("*.unfinished")), [])
 
     def start(self, *arguments):
         """The program in the background, which does not outlive the test."""
-        process = subprocess.Popen([command_line_test.PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True, cwd=command_line_test.SOURCE)
+        process = subprocess.Popen([command_line.PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True, cwd=command_line.SOURCE)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.wait)
@@ -105,8 +104,8 @@ class Folders(HostilePlaces):
 class FileLimits(HostilePlaces):
     def limited(self, arguments, size):
         """Runs where no file may be larger than `size` bytes."""
-        return subprocess.run([command_line_test.PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-                              timeout=120, cwd=command_line_test.SOURCE, check=False,
+        return subprocess.run([command_line.PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+                              timeout=120, cwd=command_line.SOURCE, check=False,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
 
     def test_are_said_and_nothing_is_lost(self):
@@ -135,14 +134,14 @@ class Disks(HostilePlaces):
         seen, inside = os.pipe()
         with os.fdopen(seen) as report:
             done = subprocess.run(["unshare", "-m", "bash", "-c", f"exec 3>&{inside}; " + "\n".join(shell)],
-                                  capture_output=True, text=True, timeout=120, cwd=command_line_test.SOURCE,
+                                  capture_output=True, text=True, timeout=120, cwd=command_line.SOURCE,
                                   check=False, pass_fds=[inside])
             os.close(inside)
             self.seen = report.read()
         return done
 
     def program(self, *arguments):
-        return [command_line_test.PROGRAM, *arguments]
+        return [command_line.PROGRAM, *arguments]
 
     def test_full(self):
         for name, command in MEASURING.items():
@@ -256,6 +255,4 @@ class BrokenFiles(HostilePlaces):
 
 
 if __name__ == "__main__":
-    command_line_test.PROGRAM = os.path.abspath(sys.argv.pop(1))
-    command_line_test.SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    command_line.main()

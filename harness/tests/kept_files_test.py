@@ -5,28 +5,25 @@ Usage: kept_files_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import json
-import os
 import signal
 import subprocess
 import sys
 import time
-import unittest
-from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source folder stays clean
-import command_line_test
+import command_line
 from bad_instances import TOY
-from command_line_test import BAD_INPUT, INTERRUPTED, NOT_SOLVED, run
+from command_line import BAD_INPUT, INTERRUPTED, NOT_SOLVED, run
 
 
-class Journal(command_line_test.CommandLine):
+class Journal(command_line.CommandLine):
     SOLVE = ["solve", "hoffmann-yuan", "--strategy", "monodromy", "--out", "-"]
 
     def interrupted(self, journal, sent):
         """Starts to solve and sends the signal once some results are in the journal."""
-        command = [command_line_test.PROGRAM, *self.SOLVE, "--resume", journal]
+        command = [command_line.PROGRAM, *self.SOLVE, "--resume", journal]
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              cwd=command_line_test.SOURCE) as process:
+                              cwd=command_line.SOURCE) as process:
             while process.poll() is None and (not journal.exists() or journal.stat().st_size < 1 << 18):
                 time.sleep(0.01)
             process.send_signal(sent)
@@ -64,7 +61,7 @@ class Journal(command_line_test.CommandLine):
         self.assertFalse((self.folder / "x.journal").exists())
 
 
-class StartSystems(command_line_test.CommandLine):
+class StartSystems(command_line.CommandLine):
     SOLVE = ["solve", "octahedron", "--strategy", "monodromy", "--out", "-", "--set"]
 
     def test_are_written_and_read(self):
@@ -92,6 +89,4 @@ class StartSystems(command_line_test.CommandLine):
 
 
 if __name__ == "__main__":
-    command_line_test.PROGRAM = os.path.abspath(sys.argv.pop(1))
-    command_line_test.SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    command_line.main()

@@ -6,15 +6,12 @@ Usage: path_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import json
 import math
-import os
 import sys
-import unittest
-from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source folder stays clean
-import command_line_test
+import command_line
 from bad_instances import TOY, changed
-from command_line_test import BAD_INPUT, DONE, NOT_SOLVED, run
+from command_line import BAD_INPUT, DONE, NOT_SOLVED, run
 
 # Imbach, Mathis, Schreck 2016, Table 1.
 PUBLISHED = {"octahedron": 4, "disulfide": 8, "dodecagon": 2}
@@ -48,7 +45,7 @@ def length_paths(instance):
     return paths
 
 
-class Paths(command_line_test.CommandLine):
+class Paths(command_line.CommandLine):
     def path(self, instance, *options):
         out = self.folder / "path.json"
         done = run("path", instance, "--out", out, *options)
@@ -89,7 +86,7 @@ class Paths(command_line_test.CommandLine):
     def test_describes_itself(self):
         path = self.path("disulfide")
         self.assertEqual(path["format"], "gcsbench-path/1")
-        file = command_line_test.SOURCE / "instances" / "disulfide.json"
+        file = command_line.SOURCE / "instances" / "disulfide.json"
         self.assertEqual(path["instance"], json.loads(file.read_text()))
         self.assertEqual((path["proven"], path["closed"], path["within"]), (True, True, 1e-3))
         self.assertEqual(path["columns"][:3], ["t", "length", "radius"])
@@ -127,13 +124,13 @@ class Paths(command_line_test.CommandLine):
 
     def test_the_shipped_files(self):
         instances = {}
-        for file in sorted((command_line_test.SOURCE / "results/reference/paths").iterdir()):
+        for file in sorted((command_line.SOURCE / "results/reference/paths").iterdir()):
             with self.subTest(file.name):
                 path = json.loads(file.read_text())
                 instances[file.stem] = path["instance"]
                 self.assert_same_crossings(path)
                 self.assert_keeps_to_the_equations(path)
-        shipped = command_line_test.SOURCE / "instances"
+        shipped = command_line.SOURCE / "instances"
         self.assertEqual(instances, {one: json.loads((shipped / f"{one}.json").read_text())
                                      for one in [*PUBLISHED, "icosahedron"]})
 
@@ -171,6 +168,4 @@ class Paths(command_line_test.CommandLine):
 
 
 if __name__ == "__main__":
-    command_line_test.PROGRAM = os.path.abspath(sys.argv.pop(1))
-    command_line_test.SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    command_line.main()

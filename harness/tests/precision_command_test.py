@@ -6,20 +6,17 @@ Usage: precision_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import csv
 import json
-import os
 import sys
-import unittest
 import xml.etree.ElementTree as ElementTree
-from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source folder stays clean
-import command_line_test
+import command_line
 from bad_instances import TOY
-from command_line_test import BAD_INPUT, DONE, NOT_SOLVED, run
+from command_line import BAD_INPUT, DONE, NOT_SOLVED, run
 from path_command_test import FLAT
 
 
-class Precision(command_line_test.CommandLine):
+class Precision(command_line.CommandLine):
     def precision(self, *arguments):
         out = self.folder / "run"
         return out, run("precision", *arguments, "--repetitions", "3", "--out", out)
@@ -64,6 +61,4 @@ class Precision(command_line_test.CommandLine):
 
 
 if __name__ == "__main__":
-    command_line_test.PROGRAM = os.path.abspath(sys.argv.pop(1))
-    command_line_test.SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    command_line.main()

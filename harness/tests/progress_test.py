@@ -12,12 +12,10 @@ import signal
 import subprocess
 import sys
 import time
-import unittest
-from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source folder stays clean
-import command_line_test
-from command_line_test import DONE, INTERRUPTED
+import command_line
+from command_line import DONE, INTERRUPTED
 
 CLEAR = "\r\x1b[K"
 # Far longer than any test waits.
@@ -25,14 +23,14 @@ ENDLESS = ["solve", "icosahedron", "--strategy", "polyhedral", "--set", "formula
 KNOWN_SHARE = ["solve", "dodecagon", "--strategy", "polyhedral", "--set", "formulation=coordinates"]
 
 
-class Progress(command_line_test.CommandLine):
+class Progress(command_line.CommandLine):
     def shown(self, arguments, expected, columns=200):
         """Runs on a terminal until the pattern is shown, and interrupts. Returns all that was shown, and the code."""
         terminal, inside = pty.openpty()
         with subprocess.Popen(["stty", "cols", str(columns)], stdin=inside) as stty:
             stty.wait()
-        process = subprocess.Popen([command_line_test.PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL,
-                                   stderr=inside, cwd=command_line_test.SOURCE)
+        process = subprocess.Popen([command_line.PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL,
+                                   stderr=inside, cwd=command_line.SOURCE)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         os.close(inside)
@@ -82,19 +80,17 @@ class Progress(command_line_test.CommandLine):
 
     def test_nothing_is_shown_elsewhere(self):
         for more in ([], ["--quiet"]):
-            done = command_line_test.run("tables", "table1", "--instances", "dodecagon", "--strategies",
+            done = command_line.run("tables", "table1", "--instances", "dodecagon", "--strategies",
                                          "full-space,rcp", "--repetitions", 50, *more)
             self.assertEqual((done.returncode, done.stderr), (DONE, ""))
         terminal, inside = pty.openpty()
         with os.fdopen(terminal), os.fdopen(inside, "wb") as errors:
-            done = subprocess.run([command_line_test.PROGRAM, "--quiet", "solve", "dodecagon", "--strategy",
+            done = subprocess.run([command_line.PROGRAM, "--quiet", "solve", "dodecagon", "--strategy",
                                    "monodromy"], stdout=subprocess.DEVNULL, stderr=errors, check=False,
-                                  cwd=command_line_test.SOURCE)
+                                  cwd=command_line.SOURCE)
             self.assertEqual(done.returncode, DONE)
             self.assertEqual(select.select([terminal], [], [], 0.1)[0], [])
 
 
 if __name__ == "__main__":
-    command_line_test.PROGRAM = os.path.abspath(sys.argv.pop(1))
-    command_line_test.SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    command_line.main()

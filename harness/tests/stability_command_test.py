@@ -5,18 +5,15 @@ Usage: stability_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import csv
-import os
 import sys
-import unittest
 import xml.etree.ElementTree as ElementTree
-from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source folder stays clean
-import command_line_test
-from command_line_test import BAD_INPUT, DONE, run
+import command_line
+from command_line import BAD_INPUT, DONE, run
 
 
-class Stability(command_line_test.CommandLine):
+class Stability(command_line.CommandLine):
     def test_a_family_is_written_and_rebuilt_from_the_run(self):
         out = self.folder / "run"
         done = run("stability", "near-miss", "--repetitions", "3", "--out", out)
@@ -40,6 +37,4 @@ class Stability(command_line_test.CommandLine):
 
 
 if __name__ == "__main__":
-    command_line_test.PROGRAM = os.path.abspath(sys.argv.pop(1))
-    command_line_test.SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    command_line.main()

@@ -1,9 +1,12 @@
 #include "harness/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -22,14 +25,36 @@ fs::path through_links(const fs::path& path) {
   return error ? path : real;
 }
 
-/// The name of a new file ends in six characters that mkstemps makes up, and this.
+/// The name of a new file ends in six characters that mkostemps makes up, and this.
 constexpr std::string_view unfinished = ".unfinished";
+constexpr std::size_t made_up = 6;
 
+bool is_unfinished(std::string_view name) {
+  if (!name.ends_with(unfinished)) return false;
+  name.remove_suffix(unfinished.size());
+  if (name.size() < made_up + 2 || name[name.size() - made_up - 1] != '.') return false;
+  const std::string_view characters = name.substr(name.size() - made_up);
+  return std::ranges::all_of(characters, [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+/// Whether somebody else took the new file for a leftover before it was locked. A file system that knows no
+/// locks goes without.
+bool is_taken(int descriptor) {
+  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) return errno == EWOULDBLOCK;
+  struct stat status {};
+  return fstat(descriptor, &status) == 0 && status.st_nlink == 0;
+}
+
+/// Locked, since what nobody holds is a leftover.
 int create_beside(const fs::path& target, fs::path& created) {
   std::string name = target.string() + ".XXXXXX" + std::string(unfinished);
-  const int descriptor = mkstemps(name.data(), static_cast<int>(unfinished.size()));
+  const int descriptor = mkostemps(name.data(), static_cast<int>(unfinished.size()), O_CLOEXEC);
   created = name;
   if (descriptor < 0) return descriptor;
+  if (is_taken(descriptor)) {
+    close(descriptor);
+    return create_beside(target, created);
+  }
   // mkstemp makes the file private; a result has the permissions of any new file.
   const mode_t mask = umask(0);
   umask(mask);
@@ -82,8 +107,13 @@ void remove_leftovers(const fs::path& folder) {
   std::error_code ignored;
   std::vector<fs::path> leftovers;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().filename().string().ends_with(unfinished)) leftovers.push_back(entry.path());
-  for (const fs::path& leftover : leftovers) fs::remove(leftover, ignored);
+    if (is_unfinished(entry.path().filename().string())) leftovers.push_back(entry.path());
+  for (const fs::path& leftover : leftovers) {
+    const int descriptor = open(leftover.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) continue;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) fs::remove(leftover, ignored);
+    close(descriptor);
+  }
 }
 
 void AtomicFile::fail(int error) const {

@@ -41,8 +41,8 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
-/// Removes the new files that killed processes left in the folder before they were renamed. Precondition: no
-/// process writes there.
+/// Removes the new files that killed processes left in the folder before they were renamed: those that no
+/// process holds.
 void remove_leftovers(const std::filesystem::path& folder);
 
 }  // namespace gcs

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -110,11 +111,17 @@ class SpawnSettings {
   posix_spawnattr_t attributes_{};
 };
 
-/// The environment of this process after `variables`, which getenv finds first.
+bool have_one_name(std::string_view variable, std::string_view other) {
+  return variable.substr(0, variable.find('=')) == other.substr(0, other.find('='));
+}
+
+/// The environment of this process with `variables` in the place of its own of these names.
 std::vector<char*> environment_with(std::vector<std::string>& variables) {
   std::vector<char*> environment;
   for (std::string& variable : variables) environment.push_back(variable.data());
-  for (char** variable = environ; *variable != nullptr; ++variable) environment.push_back(*variable);
+  for (char** inherited = environ; *inherited != nullptr; ++inherited)
+    if (std::ranges::none_of(variables, [&](const auto& one) { return have_one_name(one, *inherited); }))
+      environment.push_back(*inherited);
   environment.push_back(nullptr);
   return environment;
 }

@@ -78,11 +78,12 @@ FileJournal::FileJournal(const std::filesystem::path& file, const JsonValue& ide
 FileJournal::~FileJournal() { close(descriptor_); }
 
 void FileJournal::start_or_check(const std::string& header) {
+  // A file system that knows no locks goes without.
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw OutputError(name_ + ": cannot be written: another run uses this journal");
   struct stat status {};
   if (fstat(descriptor_, &status) != 0) fail_output(errno);
   if (!S_ISREG(status.st_mode)) throw OutputError(name_ + ": cannot be written: a journal is a regular file");
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-    throw OutputError(name_ + ": cannot be written: another run uses this journal");
   size_ = static_cast<std::uint64_t>(status.st_size);
   const bool is_torn = size_ < header.size() && header.starts_with(read(0, size_));
   if (is_torn) {

@@ -59,9 +59,9 @@ class ExternalProgram(unittest.TestCase):
     def command(self, strategy, *more, instance=None):
         return [PROGRAM, "--quiet", "solve", instance or self.instance, "--strategy", strategy, "--out", str(self.out), *more]
 
-    def solve(self, strategy, *more, instance=None):
+    def solve(self, strategy, *more, instance=None, env=None):
         done = subprocess.run(self.command(strategy, *more, instance=instance), capture_output=True, timeout=120,
-                              cwd=SOURCE, check=False)
+                              cwd=SOURCE, check=False, env=env)
         done.stdout, done.stderr = done.stdout.decode(), done.stderr.decode()
         done.result = json.loads(self.out.read_text()) if self.out.exists() else None
         return done
@@ -122,7 +122,7 @@ class ExternalProgram(unittest.TestCase):
             open({str(kept)!r}, "w").write(text)
             assert os.environ["GCSBENCH_SEED"] == "7" and os.environ["GCSBENCH_THREADS"] == "2"
             print(json.dumps({answer(RIGHT)!r}))
-            """), "--seed", "7", "--threads", "2")
+            """), "--seed", "7", "--threads", "2", env={**os.environ, "GCSBENCH_SEED": "9", "GCSBENCH_THREADS": "9"})
         self.assertEqual(done.returncode, 0, done.stderr)
         text = kept.read_text()
         seen = json.loads(text)

@@ -80,6 +80,20 @@ PageRun load_page_run(const std::filesystem::path& run, const Publications& publ
   return page;
 }
 
+/// Two runs of different instances by one name would be shown as if they were of one.
+void require_same_instances(const std::vector<PageRun>& runs) {
+  std::map<std::string, std::pair<std::string, std::string>> known;  // run and fingerprint by id
+  for (const PageRun& run : runs)
+    for (const MeasuredInstance& instance : run.record.instances) {
+      const auto& [first, fingerprint] =
+          known.try_emplace(instance.id, run.name, instance.fingerprint).first->second;
+      if (fingerprint != instance.fingerprint)
+        throw InputError(run.name, "",
+                         "the instance '" + instance.id + "' has another content here than in " + first,
+                         "report on these runs one by one");
+    }
+}
+
 std::vector<TableFormat> wanted_tables(const ReportArguments& arguments) {
   std::vector<TableFormat> formats;
   for (const TableFormat& format : table_formats())
@@ -103,6 +117,7 @@ ExitCode report(const ReportArguments& arguments, bool quiet) {
   const Publications publications = load_publications();
   std::vector<PageRun> runs;
   for (const std::filesystem::path& run : arguments.runs) runs.push_back(load_page_run(run, publications));
+  require_same_instances(runs);
   const bool converts = writes_pdf(arguments, quiet);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const std::filesystem::path folder = folder_of(arguments.runs[i], arguments);

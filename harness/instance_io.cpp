@@ -74,6 +74,13 @@ Instance load_instance(const std::string& argument) {
   return load_file(is_file ? argument : find_shipped(argument));
 }
 
+bool is_shipped(const Instance& instance) {
+  const auto file = shipped_file(fs::path("instances") / (instance.id + ".json"));
+  if (!file) return false;
+  const JsonValue document = parse_json(read_file(*file, ""), *file);
+  return to_text(document, -1) == to_text(instance.document, -1);
+}
+
 std::vector<std::string> shipped_instances() {
   std::set<std::string> ids;
   for (const fs::path& folder : data_folders()) {

@@ -40,6 +40,9 @@ Instance load_instance(const std::string& argument);
 /// empty.
 Instance parse_instance(std::string_view text, const std::string& file, const std::string& expected_id);
 
+/// Whether the shipped instance of that id says the same.
+bool is_shipped(const Instance& instance);
+
 /// Ids of all shipped instances, sorted.
 std::vector<std::string> shipped_instances();
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -117,6 +119,13 @@ Json json_of(const Natural& count) {
   return count > Natural::power_of_two(53) ? Json(text) : Json::parse(text);
 }
 
+/// JSON has no infinity; null stands for it.
+Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+double number_of(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
+}
+
 /// Writes one member; an empty optional is null.
 struct Writer {
   Json& json;
@@ -125,6 +134,7 @@ struct Writer {
   void operator()(const std::string& name, const T& value) const {
     json[name] = value;
   }
+  void operator()(const std::string& name, double value) const { json[name] = json_of(value); }
   template <typename T>
   void operator()(const std::string& name, const std::optional<T>& value) const {
     json[name] = value ? Json(*value) : Json(nullptr);
@@ -141,6 +151,7 @@ struct Reader {
   void operator()(const char* name, T& value) const {
     value = json.at(name).get<T>();
   }
+  void operator()(const char* name, double& value) const { value = number_of(json.at(name)); }
   template <typename T>
   void operator()(const char* name, std::optional<T>& value) const {
     const Json& member = json.at(name);
@@ -179,7 +190,7 @@ Json cell_json(const CellRecord& cell) {
             {"status", word(cell.status)},
             {"reason", cell.reason},
             {"difference", cell.difference},
-            {"residual", cell.residual},
+            {"residual", json_of(cell.residual)},
             {"warm_up_s", cell.warm_up_s},
             {"limit_s", cell.limit_s ? Json(*cell.limit_s) : Json(nullptr)},
             {"estimate_s", cell.estimate_s ? Json(*cell.estimate_s) : Json(nullptr)},
@@ -245,6 +256,7 @@ Json instance_json(const MeasuredInstance& instance) {
     visit_length(length, Writer{json["lengths"].emplace_back(Json::object())});
   json["given_positions"] = instance.has_given_positions;
   json["reference"] = instance.reference;
+  json["shipped"] = instance.is_shipped;
   json["complex_limit"] = nullptr;
   if (instance.limit) {
     visit_limit(*instance.limit, Writer{json["complex_limit"]});
@@ -259,6 +271,7 @@ MeasuredInstance instance_of(const Json& json) {
   for (const Json& entry : json.at("lengths")) visit_length(instance.lengths.emplace_back(), Reader{entry});
   instance.has_given_positions = json.value("given_positions", false);
   instance.reference = json.value("reference", "");
+  instance.is_shipped = json.value("shipped", true);
   if (const Json limit = json.value("complex_limit", Json()); !limit.is_null()) {
     visit_limit(instance.limit.emplace(), Reader{limit});
     instance.limit->bound.ring = limit.value("ring", std::vector<std::vector<std::string>>());
@@ -320,7 +333,10 @@ const CellRecord* RunRecord::find(const CellSpec& spec) const {
   return found == cells.end() ? nullptr : &*found;
 }
 
-std::string to_json_text(const RunRecord& record) { return record_json(record).dump(1) + "\n"; }
+std::string to_json_text(const RunRecord& record) {
+  // Folders and arguments are bytes of any encoding.
+  return record_json(record).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 RunRecord parse_run_record(const std::string& text, const std::string& file) {
   const auto refuse = [&](const std::string& what) {

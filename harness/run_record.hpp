@@ -111,6 +111,7 @@ struct MeasuredInstance {
   std::optional<RecordedLimit> limit = {};  ///< empty: not known
   bool has_given_positions = false;         ///< so that no mirror images are divided out
   std::string reference = {};               ///< what errors are measured against; empty: they are not
+  bool is_shipped = true;                   ///< the instance of that id that ships, unchanged
 };
 
 /// A table that was asked for, with the ids of its instances.

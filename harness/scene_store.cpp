@@ -217,11 +217,15 @@ MadeScene make_scene(const Instance& instance, const Scene& scene, const RunReco
 
 void store_scene(const MadeScene& made, const std::filesystem::path& folder) {
   const std::string& id = made.record.instance.id;
-  make_folder(folder / "scenes");
+  for (const char* part : {"scenes", "paths"}) {
+    make_folder(folder / part);
+    remove_leftovers(folder / part);
+  }
+  // A path beside another scene than its own would be read as damaged.
+  std::error_code ignored;
+  std::filesystem::remove(path_file(folder, id), ignored);
   AtomicFile(scene_file(folder, id)).commit(to_json_text(made.record));
-  if (!made.path) return;
-  make_folder(folder / "paths");
-  AtomicFile(path_file(folder, id)).commit(*made.path);
+  if (made.path) AtomicFile(path_file(folder, id)).commit(*made.path);
 }
 
 bool is_drawn(const RunRecord& run, const std::string& id) {

@@ -162,10 +162,11 @@ bool is_corrected(const PublishedFigure& figure, const Publications& publication
   });
 }
 
-/// Published counts on the path that are not known to be wrong.
+/// Published counts on the path that are not known to be wrong. What another file publishes is shown only.
 ExpectedCounts expected_counts(const LoadedInstances& loaded, const Publications& publications) {
   ExpectedCounts expected;
   for (const Instance& instance : loaded.instances) {
+    if (!is_shipped(instance)) continue;
     for (const PublishedFigure& figure : instance.published) {
       if (figure.quantity != "on path") continue;
       if (!is_corrected(figure, publications))
@@ -175,10 +176,10 @@ ExpectedCounts expected_counts(const LoadedInstances& loaded, const Publications
   return expected;
 }
 
-/// FNV-1a over the file's values: equal for equal instances, whatever their layout.
-std::string fingerprint(const Instance& instance) {
+/// FNV-1a over a file's values: equal for equal instances, whatever their layout.
+std::string fingerprint(const JsonValue& document) {
   std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : to_text(instance.document, -1)) {
+  for (const char c : to_text(document, -1)) {
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   }
   return fmt::format("{:016x}", hash);
@@ -234,6 +235,20 @@ RunSession new_session(const TableRequest& request, const MeasureSettings& setti
   return session;
 }
 
+MeasuredInstance measured(const Instance& instance, const Scene& scene) {
+  const Problem& problem = instance.problem;
+  MeasuredInstance record{instance.id,
+                          instance.origin,
+                          fingerprint(instance.document),
+                          static_cast<int>(problem.constraints.size()),
+                          problem.dimension,
+                          given_lengths(problem),
+                          complex_limit(problem),
+                          scene.is_anchored()};
+  record.is_shipped = is_shipped(instance);
+  return record;
+}
+
 RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
                      const MeasureSettings& settings) {
   RunRecord record;
@@ -243,12 +258,8 @@ RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
   record.seed = settings.seed;
   for (const std::string& name : request.tables)
     record.tables.push_back({name, ids_for(table_named(name), request, loaded)});
-  for (const Instance& instance : loaded.instances) {
-    record.instances.push_back({instance.id, instance.origin, fingerprint(instance),
-                                static_cast<int>(instance.problem.constraints.size()),
-                                instance.problem.dimension, given_lengths(instance.problem),
-                                complex_limit(instance.problem), loaded.scene(instance.id).is_anchored()});
-  }
+  for (const Instance& instance : loaded.instances)
+    record.instances.push_back(measured(instance, loaded.scene(instance.id)));
   record.curves = curves_of(request, loaded);
   return record;
 }
@@ -291,9 +302,12 @@ MeasureSettings settings_of(const TableRequest& request) {
 /// What the page shows of the instances beside the measurements.
 void store_scenes(const LoadedInstances& loaded, const RunRecord& record, const std::filesystem::path& folder,
                   Monitor& progress) {
-  for (const Instance& instance : loaded.instances)
-    if (is_drawn(record, instance.id) && !interrupted())
-      store_scene(make_scene(instance, loaded.scene(instance.id), record, progress), folder);
+  for (const Instance& instance : loaded.instances) {
+    if (!is_drawn(record, instance.id)) continue;
+    const MadeScene made = make_scene(instance, loaded.scene(instance.id), record, progress);
+    if (interrupted()) return;  // and left something out
+    store_scene(made, folder);
+  }
 }
 
 void require_known_strategies(const TableRequest& request) {

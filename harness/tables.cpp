@@ -62,6 +62,19 @@ void append(TableSet& set, const TableKind& kind, const RunRecord& part, const P
   for (Drawing& drawing : kind.draw(part)) set.drawings.push_back(std::move(drawing));
 }
 
+/// Why nothing published stands beside an instance of which papers print something.
+void note_altered(const RunRecord& run, const Publications& publications, std::vector<std::string>& lines) {
+  for (const MeasuredInstance& instance : run.instances) {
+    const bool is_printed = std::ranges::any_of(publications, [&](const auto& entry) {
+      return std::ranges::any_of(entry.second.figures,
+                                 [&](const PrintedFigure& figure) { return figure.instance == instance.id; });
+    });
+    if (is_printed && !instance.is_shipped)
+      lines.push_back(
+          fmt::format("{}: not the shipped instance; nothing published is shown beside it", instance.id));
+  }
+}
+
 }  // namespace
 
 bool Variant::is_for(const std::string& instance) const {
@@ -151,7 +164,21 @@ const std::vector<std::string>& paper_instances() {
   return ids;
 }
 
-TableSet build_tables(const RunRecord& run, const Publications& publications) {
+Publications publications_on(const RunRecord& run, Publications publications) {
+  const auto is_of_another = [&](const auto& printed) {
+    return std::ranges::any_of(run.instances, [&](const MeasuredInstance& instance) {
+      return instance.id == printed.instance && !instance.is_shipped;
+    });
+  };
+  for (auto& [name, publication] : publications) {
+    std::erase_if(publication.figures, is_of_another);
+    std::erase_if(publication.solutions, is_of_another);
+  }
+  return publications;
+}
+
+TableSet build_tables(const RunRecord& run, const Publications& all) {
+  const Publications publications = publications_on(run, all);
   TableSet set;
   for (const RequestedTable& table : run.tables) {
     const TableKind* kind = find_table(table.name);
@@ -165,6 +192,7 @@ TableSet build_tables(const RunRecord& run, const Publications& publications) {
       append(set, *kind, part_of(run, table), publication_of(*kind, publications));
     }
   }
+  note_altered(run, all, set.lines);
   set.measurements = build_measurements(run);
   return set;
 }

@@ -26,11 +26,15 @@ std::vector<const CellRecord*> right_cells(const RunRecord& run, const std::stri
   return cells;
 }
 
-std::string found_by(const CellRecord& cell, std::uint64_t certified) {
+/// `is_all`: proven with multiplicities counted, of which clusters have some.
+std::string found_by(const CellRecord& cell, std::uint64_t certified, bool is_all) {
   const std::string certificates =
       cell.proofs ? fmt::format("{} certified", certified) : "not certified in this run";
-  return fmt::format("found by {}, {}; that there are no more is not proven", label_of(cell.spec),
-                     certificates);
+  return fmt::format("found by {}, {}; {}", label_of(cell.spec), certificates,
+                     is_all
+                         ? "with those in clusters, counted with multiplicities, they are proven to be all; "
+                           "how many of these differ is not proven"
+                         : "that there are no more is not proven");
 }
 
 /// The proven number where a cell proves it, otherwise the one found with most certificates.
@@ -44,11 +48,12 @@ std::optional<Known> best(const std::vector<const CellRecord*>& cells,
     const auto number = found(*cell);
     if (!number) continue;
     const std::uint64_t proven = cell->proofs ? (*cell->proofs).*certified : 0;
-    if (cell->proofs && (*cell->proofs).*is_decided)
+    const bool is_all = cell->proofs && (*cell->proofs).*is_decided;
+    if (is_all && proven == *number)
       return Known{proven, true, fmt::format("{} ({})", proof, label_of(cell->spec))};
     if (known && proven <= most) continue;
     most = proven;
-    known = {*number, false, found_by(*cell, proven)};
+    known = {*number, false, found_by(*cell, proven, is_all)};
   }
   return known;
 }
@@ -153,7 +158,8 @@ std::string_view word(Standing standing) {
 }
 
 std::vector<Verdict> verdicts(const RunRecord& run, const MeasuredInstance& instance,
-                              const StoredScene* scene, const Publications& publications) {
+                              const StoredScene* scene, const Publications& all_publications) {
+  const Publications publications = publications_on(run, all_publications);
   const auto cells = right_cells(run, instance.id);
   std::vector<Verdict> all;
   const auto add = [&](const std::string& quantity, const std::string& row,

@@ -5,6 +5,7 @@
 
 #include "harness/html_table.hpp"
 #include "harness/html_text.hpp"
+#include "harness/table_writer.hpp"
 #include "harness/tests/occurrences.hpp"
 #include "harness/tests/stored_scenes.hpp"
 #include "harness/tests/toy_run.hpp"
@@ -122,10 +123,37 @@ TEST_CASE("a printed number is refuted, proven or open as ours is") {
   all = verdicts(run, octahedron, nullptr, papers);
   CHECK(verdict_on(all, "complex").our_standing == Standing::proven);
   CHECK(verdict_on(all, "real").printed_standing == Standing::proven);
-  for (CellRecord& cell : run.cells)
-    if (cell.proofs) cell.proofs->real = 3;
+  for (CellRecord& cell : run.cells) {
+    if (!cell.proofs) continue;
+    cell.proofs->real = 3;
+    cell.counts.real_up_to_reflection = Natural(3);
+  }
   CHECK(verdict_on(verdicts(run, octahedron, nullptr, papers), "real").printed_standing == Standing::refuted);
 
   const StoredScene scene = stored_scene(load_instance("octahedron"));
   CHECK(verdict_on(verdicts(run, octahedron, &scene, papers), "on S").printed_standing == Standing::proven);
+}
+
+TEST_CASE("solutions in clusters are all with multiplicities, and their number is not proven") {
+  RunRecord run = toy::run_record();
+  for (CellRecord& cell : run.cells)
+    if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{0, 0, true, false};
+  const Verdict complex =
+      verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "complex");
+  CHECK(complex.ours == "8");
+  CHECK(complex.our_standing == Standing::open);
+  CHECK(complex.reason.find("clusters") != std::string::npos);
+}
+
+TEST_CASE("papers say nothing of another instance by the same name") {
+  RunRecord run = toy::run_record();
+  run.instances[0].is_shipped = false;
+  for (const Verdict& one : verdicts(run, run.instances[0], nullptr, load_publications())) {
+    CHECK(one.printed.empty());
+    CHECK_FALSE(one.printed_standing);
+  }
+  const TableSet tables = build_tables(run, load_publications());
+  CHECK(to_markdown(tables.tables.front()).find("72") == std::string::npos);
+  CHECK(std::ranges::any_of(tables.lines,
+                            [](const std::string& line) { return line.starts_with("octahedron:"); }));
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "harness/json_document.hpp"
@@ -33,6 +34,19 @@ TEST_CASE("a record reads back as what was written") {
   CHECK(again.instances.front().limit->all_signs == "64");
   CHECK(again.instances.front().limit->bound.reference.size() == 3);
   CHECK_FALSE(again.instances.back().limit);
+}
+
+TEST_CASE("infinite numbers read back, and bytes that are no text do no harm") {
+  RunRecord record = toy::run_record();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  record.cells[0].residual = infinite;
+  record.cells[0].accuracy = Accuracy{1, 0, 0, 1e-16, 1e-16, infinite, 1};
+  record.sessions[0].folder = "/tmp/r\xe9sultats";
+  const RunRecord again = parse_run_record(to_json_text(record), "run.json");
+  CHECK(again.cells[0].residual == infinite);
+  CHECK(again.cells[0].accuracy->largest_condition == infinite);
+  CHECK(again.cells[0].accuracy->largest_error == 1e-16);
+  CHECK(again.sessions[0].folder == "/tmp/r\uFFFDsultats");
 }
 
 TEST_CASE("particulars, solutions, curves and whether positions are given read back") {

@@ -65,6 +65,20 @@ TEST_CASE("stored paths have the interpolated lengths, and the given ones at cro
   }
 }
 
+TEST_CASE("a scene without a path takes the place of one with") {
+  const Instance instance = load_instance("k33");
+  SilentMonitor monitor;
+  const TestFolder folder;
+  MadeScene made = make_scene(instance, Scene(instance.problem), run_with_plans("k33"), monitor);
+  store_scene(made, folder / "");
+  CHECK(load_scene(folder / "", "k33")->path);
+  made.path.reset();
+  made.record.crossings.clear();
+  made.record.trails.clear();
+  store_scene(made, folder / "");
+  CHECK_FALSE(load_scene(folder / "", "k33")->path);
+}
+
 TEST_CASE("trails go along the path, at its values of t") {
   for (const std::string id : {"k33", "octahedron", "disulfide"}) {
     CAPTURE(id);

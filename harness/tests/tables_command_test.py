@@ -222,6 +222,22 @@ class Report(WithFolder):
         for instance in ("octahedron", "k33"):
             self.assertEqual(text.count(f'id="scene-{instance}"'), 1)
 
+    def test_pages_of_two_instances_by_one_name(self):
+        self.measure()
+        longer = self.folder / "octahedron.json"
+        instance = json.loads((SOURCE / "instances" / "octahedron.json").read_text())
+        instance["constraints"][0]["length"] *= 1.01
+        longer.write_text(json.dumps(instance))
+        other = self.folder / "other"
+        done = run("tables", "table1", "--instances", longer, "--strategies", "full-space", "--repetitions", 3, "--out",
+                   other)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertNotIn("72", done.stdout, "what the paper prints of the shipped octahedron")
+        self.assertIn("octahedron: not the shipped instance", done.stdout)
+        done = run("report", self.folder, other)
+        self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
+        self.assertIn("'octahedron'", done.stderr)
+
     def test_broken_scenes_change_nothing(self):
         self.measure()
         before = {path.name for path in self.folder.iterdir()}

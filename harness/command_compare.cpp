@@ -69,9 +69,10 @@ void add_compare_command(CLI::App& app, Invocation& invocation) {
   command->footer(
       "Any two runs of tables, precision or stability: what they were made with, answers, times and work "
       "that\n"
-      "differ, and cells that only one has. A time is slower or faster when an interval says so that holds "
-      "for\n"
-      "all cells together with 95 %, which takes more repetitions the more cells there are.\n"
+      "differ, and cells that only one has. A time is slower or faster when it differs by more\n"
+      "than --margin, by an interval that holds for all cells together with 95 %, which takes more "
+      "repetitions\n"
+      "the more cells there are.\n"
       "\nThe exit code is 1 when B has regressed: a status, claim, count, proof or accuracy is worse, or a "
       "time\n"
       "on the same processor slower.\n"

@@ -67,12 +67,6 @@ std::vector<Changed> changed_setup(const RunRecord& before, const RunRecord& aft
   return changes;
 }
 
-bool has_same_content(const RunRecord& before, const RunRecord& after, const std::string& id) {
-  const MeasuredInstance* then = find_instance(before, id);
-  const MeasuredInstance* now = find_instance(after, id);
-  return then != nullptr && now != nullptr && then->fingerprint == now->fingerprint;
-}
-
 /// Solved, or refused by the strategy; not left out for want of time or interrupted.
 bool is_measured(const CellRecord& cell) {
   const bool was_run = cell.claim.has_value() || cell.status != RunStatus::timed_out;
@@ -95,14 +89,18 @@ std::vector<CellSpec> only_in_first(const RunRecord& first, const RunRecord& sec
 struct Pair {
   const CellRecord& before;
   const CellRecord& after;
+  bool have_one_reference = false;
 };
 
 std::vector<Pair> pairs_of(const RunRecord& before, const RunRecord& after) {
   std::vector<Pair> pairs;
   for (const CellRecord& cell : before.cells) {
     const CellRecord* other = find_measured(after, cell.spec);
-    const bool is_compared = is_measured(cell) && other != nullptr;
-    if (is_compared && has_same_content(before, after, cell.spec.instance)) pairs.push_back({cell, *other});
+    if (!is_measured(cell) || other == nullptr) continue;
+    const MeasuredInstance* then = find_instance(before, cell.spec.instance);
+    const MeasuredInstance* now = find_instance(after, cell.spec.instance);
+    if (then != nullptr && now != nullptr && then->fingerprint == now->fingerprint)
+      pairs.push_back({cell, *other, then->reference == now->reference});
   }
   return pairs;
 }
@@ -210,7 +208,7 @@ Comparison compare_runs(const RunRecord& before, const RunRecord& after, const C
   const std::vector<Pair> pairs = pairs_of(before, after);
   comparison.compared = static_cast<int>(pairs.size());
   for (const Pair& pair : pairs) {
-    for (AnswerChange& change : compare_answers(pair.before, pair.after))
+    for (AnswerChange& change : compare_answers(pair.before, pair.after, pair.have_one_reference))
       comparison.answers.push_back(std::move(change));
     compare_work(pair, comparison.work);
   }

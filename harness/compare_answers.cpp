@@ -94,9 +94,10 @@ Verdict meaning_of_more(std::string_view count) {
   return is_neutral ? Verdict::different : Verdict::better;
 }
 
-void compare_counts(const Counts& before, const Counts& after, Changes& changes) {
+/// Of a wrong answer no count is better or worse than another.
+void compare_counts(const Counts& before, const Counts& after, bool is_any_flawed, Changes& changes) {
   const auto compare = [&](const std::string& name, const auto& then, const auto& now) {
-    const Verdict more = meaning_of_more(name);
+    const Verdict more = is_any_flawed ? Verdict::different : meaning_of_more(name);
     if constexpr (std::is_same_v<decltype(then), const std::optional<Natural>&>)
       changes.compare(name, then, now, more, count_text);
     else
@@ -147,15 +148,16 @@ void compare_accuracy(const CellRecord& before, const CellRecord& after, Changes
 
 }  // namespace
 
-std::vector<AnswerChange> compare_answers(const CellRecord& before, const CellRecord& after) {
+std::vector<AnswerChange> compare_answers(const CellRecord& before, const CellRecord& after,
+                                          bool have_one_reference) {
   Changes changes(before.spec);
   compare_status(before, after, changes);
   // How far a solve came before its time was up is chance.
   if (before.status == RunStatus::timed_out || after.status == RunStatus::timed_out) return changes.take();
   compare_claim(before, after, changes);
-  compare_counts(before.counts, after.counts, changes);
+  compare_counts(before.counts, after.counts, before.is_flawed() || after.is_flawed(), changes);
   compare_proofs(before, after, changes);
-  compare_accuracy(before, after, changes);
+  if (have_one_reference) compare_accuracy(before, after, changes);
   return changes.take();
 }
 

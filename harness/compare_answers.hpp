@@ -27,7 +27,9 @@ struct AnswerChange {
 /// What differs between two measurements of one cell. Worse is: a status further from an answer, a weaker
 /// claim, fewer solutions found or proven, more paths lost, solutions missed or spurious, an error that the
 /// condition does not explain any more. Better is the reverse; what is neither, such as the number of paths,
-/// is different.
-std::vector<AnswerChange> compare_answers(const CellRecord& before, const CellRecord& after);
+/// is different, and so is any count beside a wrong answer's. Accuracy is compared where both were held
+/// against one reference.
+std::vector<AnswerChange> compare_answers(const CellRecord& before, const CellRecord& after,
+                                          bool have_one_reference);
 
 }  // namespace gcs

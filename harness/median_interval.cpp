@@ -35,13 +35,11 @@ MedianInterval median_interval(std::vector<double> measurements, double wanted) 
 }
 
 MedianRatio median_ratio(const std::vector<double>& before, const std::vector<double>& after, double wanted) {
-  const MedianInterval first = median_interval(before, wanted);
-  const MedianInterval second = median_interval(after, wanted);
-  const double ratio = second.median / first.median;
-  const double down = std::hypot(std::log(second.median / second.low), std::log(first.high / first.median));
-  const double up = std::hypot(std::log(second.high / second.median), std::log(first.median / first.low));
-  return {ratio, ratio * std::exp(-down), ratio * std::exp(up),
-          std::min(first.confidence, second.confidence)};
+  const double of_each = std::sqrt(wanted);
+  const MedianInterval first = median_interval(before, of_each);
+  const MedianInterval second = median_interval(after, of_each);
+  return {second.median / first.median, second.low / first.high, second.high / first.low,
+          first.confidence * second.confidence};
 }
 
 }  // namespace gcs

@@ -30,11 +30,9 @@ struct MedianRatio {
   double confidence = 0;  ///< that `low` and `high` bound the true ratio
 };
 
-/// The ratio of the medians of `after` and `before`, with an interval that is made of theirs, both for
-/// `wanted`: the logarithms of their distances from the medians add as independent errors do, in squares (G.
-/// Zou, A. Donner: Construction of confidence limits about effect measures, Statistics in Medicine 27 (2008),
-/// eq. 7). It supposes nothing of the distributions but that they are independent. Precondition: neither is
-/// empty, and all are positive.
+/// The ratio of the medians of `after` and `before`, which lies between the quotients of the limits of their
+/// intervals when both medians lie in these; each does with the square root of `wanted`. It supposes nothing
+/// of the distributions but that they are independent. Precondition: neither is empty, and all are positive.
 MedianRatio median_ratio(const std::vector<double>& before, const std::vector<double>& after, double wanted);
 
 }  // namespace gcs

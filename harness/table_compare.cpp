@@ -78,19 +78,21 @@ std::string percent_text(double share) { return fmt::format("{:.6g} %", 100 * sh
 /// Of each run, so that the widest interval of order statistics reaches the confidence (see median_ratio).
 int runs_needed(const Comparison& comparison) {
   const double share = (1 - comparison.settings.confidence) / static_cast<double>(comparison.times.size());
-  return static_cast<int>(std::ceil(1 - std::log2(share)));
+  const double of_each = -std::expm1(std::log1p(-share) / 2);
+  return static_cast<int>(std::ceil(1 - std::log2(of_each)));
 }
 
 std::vector<std::string> times_remarks(const Comparison& comparison) {
   const CompareSettings& settings = comparison.settings;
   const auto cells = static_cast<double>(comparison.times.size());
   std::vector<std::string> remarks{
-      "Times: preparing and solving once, medians of the repetitions. Ratio: B / A. Its interval is made of "
-      "those of both medians, which are order statistics and hold whatever the distribution of the times: "
-      "distances from the medians add in squares of their logarithms (Zou, Donner 2008).",
+      "Times: preparing and solving once, medians of the repetitions. Ratio: B / A. Its interval: from B's "
+      "lower limit / A's upper one to B's upper / A's lower. These limits of the medians are order "
+      "statistics "
+      "and hold whatever the distribution of the times.",
       fmt::format(
           "Together: with {}, none of the {} ratios lies outside its interval. For that each interval holds "
-          "with {} (Bonferroni), which takes {} repetitions in both runs; of intervals with 95 % about one "
+          "with {} (Bonferroni), which takes {} repetitions in both runs; of intervals with 95 % up to one "
           "in 20 would miss its ratio by chance.",
           percent_text(settings.confidence), cells, percent_text(1 - (1 - settings.confidence) / cells),
           runs_needed(comparison)),

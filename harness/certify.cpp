@@ -33,14 +33,16 @@ class CertificateProgress {
   std::mutex mutex_;
 };
 
+/// Untried ones where stop is asked for.
 std::vector<Certificate> certificates(const Certifier& certifier, const std::vector<Point>& points,
-                                      int threads, Monitor* monitor) {
+                                      int threads, Monitor* monitor, const std::stop_token& stop) {
   std::vector<Certificate> results(points.size());
   CertificateProgress progress(monitor, points.size());
   const auto step = static_cast<std::size_t>(threads);
   run_on_threads(threads, [&](int thread) {
     const ThreadReserves reserves;
-    for (std::size_t i = static_cast<std::size_t>(thread); i < points.size(); i += step) {
+    for (std::size_t i = static_cast<std::size_t>(thread); i < points.size() && !stop.stop_requested();
+         i += step) {
       results[i] = certifier.certify(points[i]);
       progress.one_more();
     }
@@ -68,8 +70,8 @@ std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certifi
 
 /// How many classes the points are proven to be, each next to a solution of its own.
 std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point>& points, int threads,
-                             Monitor* monitor) {
-  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor);
+                             Monitor* monitor, const std::stop_token& stop) {
+  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor, stop);
   std::vector<bool> counts;
   for (const Certificate& certificate : all) counts.push_back(certificate.is_proven);
   for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror))
@@ -118,12 +120,12 @@ std::uint64_t proven_real(const Assessment& assessment) {
 }  // namespace
 
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
-                                           const std::vector<Figure>& figures, int threads,
-                                           Monitor* monitor) {
+                                           const std::vector<Figure>& figures, int threads, Monitor* monitor,
+                                           const std::stop_token& stop) {
   std::vector<Point> points;
   for (const Figure& figure : figures) points.push_back(equations.coordinates(figure));
   const Certifier certifier(equations.system());
-  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor);
+  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor, stop);
   std::vector<SolutionProof> proofs;
   for (std::size_t i = 0; i < all.size(); ++i) {
     proofs.push_back({all[i]});
@@ -150,7 +152,7 @@ void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs)
 }
 
 void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
-             int threads, Monitor* monitor, Assessment& assessment) {
+             int threads, Monitor* monitor, Assessment& assessment, const std::stop_token& stop) {
   Proofs& proofs = assessment.proofs.emplace();
   if (auto reason = why_not_certified(scene)) {
     proofs.why_none = std::move(*reason);
@@ -160,8 +162,9 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   std::vector<Figure> figures;
   for (const AssessedSolution& solution : assessment.solutions)
     figures.push_back(scene.in_scene_unit(solution.figure));
-  const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads, monitor);
+  const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads, monitor, stop);
   for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].certificate.is_tried()) continue;
     AssessedSolution& solution = assessment.solutions[i];
     const std::string what = objection(solution, all[i], std::ldexp(1.0, scene.unit_exponent()));
     if (!what.empty()) {
@@ -182,7 +185,7 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   assessment.counts.certified = proofs.classes;
   if (generic)
     proofs.generic = proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions,
-                                    threads, monitor);
+                                    threads, monitor, stop);
   set_limit(limits, proofs);
 }
 

@@ -3,6 +3,8 @@
 /// listed and in a class of its own, and that the list is complete where its length meets a limit that
 /// nothing exceeds. (Krawczyk's test with the decimal lengths of the file; solvers/certification/.)
 
+#include <stop_token>
+
 #include "harness/assess.hpp"
 #include "solvers/certification/certificate.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
@@ -24,17 +26,19 @@ struct SolutionProof {
 void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs);
 
 /// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). The same for
-/// any number of threads. `monitor` may be null.
+/// any number of threads, unless stopped: then some are not tried. `monitor` may be null.
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
-                                           const std::vector<Figure>& figures, int threads, Monitor* monitor);
+                                           const std::vector<Figure>& figures, int threads, Monitor* monitor,
+                                           const std::stop_token& stop = {});
 
 /// Sets what no list is longer than.
 void set_limit(const TheoreticalCounts& limits, Proofs& proofs);
 
 /// Fills in `certified`, `error_bound`, counts.certified and `proofs` of an assessment; what cannot be proven
 /// becomes a failed check by the name of "certificate", or "singular" where it is listed as multiple. Where
-/// certificates do not reach the scene proofs.why_none says why. `monitor` may be null.
+/// certificates do not reach the scene proofs.why_none says why. Stopped, it leaves the rest uncertified.
+/// `monitor` may be null.
 void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
-             int threads, Monitor* monitor, Assessment& assessment);
+             int threads, Monitor* monitor, Assessment& assessment, const std::stop_token& stop = {});
 
 }  // namespace gcs

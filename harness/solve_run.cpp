@@ -126,11 +126,17 @@ void note_unlisted(SolveRun& run) {
       fmt::format("{} of the {} solutions are listed; --max-solutions lists more", listed, readable(*all));
 }
 
+/// Of a solve that was stopped, all that it found is certified, and its monitor has heard the last of it.
 void certify_solutions(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report,
-                       Monitor* monitor, SolveRun& run) {
+                       const StopWatch& watch, const RunLimits& limits, Monitor* monitor, SolveRun& run) {
   const auto start = std::chrono::steady_clock::now();
-  certify(scene, counts, report.generic_member, run.threads, monitor, run.assessment);
+  const bool was_stopped = watch.cause() != StopWatch::Cause::none;
+  certify(scene, counts, report.generic_member, run.threads, was_stopped ? nullptr : monitor, run.assessment,
+          was_stopped ? std::stop_token() : watch.token());
   run.timing.certify_s = seconds_since(start);
+  if (was_stopped || watch.cause() == StopWatch::Cause::none) return;
+  set_stopped(run, watch.cause(), limits);
+  run.reason += " while solutions were proven";
 }
 
 /// What is left of all complex solutions are all real ones.
@@ -219,10 +225,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   if (limits.checks_counts || limits.certify) {
     const TheoreticalCounts counts = theoretical_counts(scene.problem());
     if (limits.checks_counts) check_counts(counts, run);
-    // What a solve was at when its time was up is the last that its monitor hears.
-    const bool was_stopped = watch.cause() != StopWatch::Cause::none;
-    if (limits.certify)
-      certify_solutions(scene, counts, report, was_stopped ? nullptr : services.monitor, run);
+    if (limits.certify) certify_solutions(scene, counts, report, watch, limits, services.monitor, run);
   }
   if (limits.only_real) leave_out_complex(run);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);

@@ -114,6 +114,17 @@ TEST_CASE("touching spheres have clusters of four tangents, which are all there 
   }
 }
 
+TEST_CASE("proofs that are stopped leave a list without objections") {
+  const Scene scene(load_instance("octahedron").problem);
+  SolveRun run = run_strategy(find_strategy("cayley-menger"), {}, scene, {});
+  std::stop_source stop;
+  stop.request_stop();
+  certify(scene, theoretical_counts(scene.problem()), {}, 1, nullptr, run.assessment, stop.get_token());
+  CHECK(run.assessment.failed_checks.empty());
+  CHECK(run.assessment.proofs->classes == 0);
+  CHECK(run.assessment.solutions.size() == 8);
+}
+
 TEST_CASE("a shifted solution is caught") {
   for (const Case& one : cases) {
     INFO(one.instance);

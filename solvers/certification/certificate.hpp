@@ -25,6 +25,8 @@ struct Certificate {
   Realness realness = Realness::undecided;  ///< of the solution: of all its unknowns together
   std::string cause;                        ///< why nothing is proven, in words; empty when it is
 
+  /// Whether the point has been looked at.
+  bool is_tried() const { return is_proven || !cause.empty(); }
   /// Whether `enclosure` is one.
   bool is_isolated() const { return is_proven || cluster > 0; }
   /// At least |x_i − solution_i|, for every solution of a cluster.

@@ -48,7 +48,7 @@ Draft five_points_and_a_line() {
 /// p2 p3 p4 stay when t_i w_i·(p_i − p_j) = t_j w_j·(p_i − p_j). Round the cycle that asks for
 ///   Π w_i·(p_i − p_j) = Π w_j·(p_i − p_j),
 /// which these decimals satisfy exactly. With the side p3–p4 open they move then by a mechanism of which d34
-/// has a maximum here; the side is shorter than that by ε, in squares, and there are two solutions at about
+/// has a minimum here; the side is longer than that by ε, in squares, and there are two solutions at about
 /// √ε.
 std::string open_side(const std::string& id, const std::string& epsilon) {
   Draft draft = five_points_and_a_line();
@@ -65,8 +65,8 @@ std::span<const Family> line_families() {
       Family{"collinear-centres", "tangents of spheres whose centres lie on a line but for ε", shrinking(),
              collinear_centres},
       Family{"touching-spheres", "tangents of spheres that touch but for ε", shrinking(), touching_spheres},
-      Family{"open-side", "5p1L with a side longer by ε than an extremum of what the others allow",
-             shrinking(), open_side},
+      Family{"open-side", "5p1L with a side longer by ε than a minimum of what the others allow", shrinking(),
+             open_side},
   };
   return all;
 }

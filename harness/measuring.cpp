@@ -27,7 +27,8 @@ void add_measuring_options(CLI::App& command, const char* files, TableRequest& r
       .add_option("--out", request.out, fmt::format("Folder for run.json, all measurements, and {}", files))
       ->type_name("DIR");
   command.add_flag("--full", request.full,
-                   fmt::format("No limits of time (otherwise {:.0f} s a solve, {:.0f} minutes in all)",
+                   fmt::format("No limits of time (otherwise {:.0f} s a solve, {:.0f} minutes in all, "
+                               "without making references)",
                                *request.limits.cell_limit_s, *request.limits.total_limit_s / 60));
   command.add_flag("--resume", request.resume, "Go on with the run in --out, if there is one; see below");
 }

@@ -8,6 +8,11 @@ install(TARGETS gcsbench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY instances DESTINATION ${data_dir} FILES_MATCHING PATTERN "*.json" PATTERN "README.md")
 install(DIRECTORY results/published results/reference DESTINATION ${data_dir}/results FILES_MATCHING PATTERN "*.json")
 install(FILES LICENSE CITATION.cff README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# What README.md leads to.
+install(FILES results/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
+install(DIRECTORY results/plots DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
+install(FILES solvers/strategies/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers/strategies)
+install(FILES instances/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/instances)
 
 # The program writes its manual page itself.
 set(manual ${PROJECT_BINARY_DIR}/generated/gcsbench.1)

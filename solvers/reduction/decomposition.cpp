@@ -159,7 +159,12 @@ std::vector<bool> present(const Problem& problem, const Part& part) {
   return is_there;
 }
 
-void list_constraints(const Problem& problem, Part& part) {
+void list_constraints(const Problem& problem, const DistanceGraph& graph, Part& part) {
+  if (part.is_hung_point()) {
+    for (const int point : part.base)
+      part.constraints.push_back(graph.constraint(part.points.front(), point));
+    return;
+  }
   const std::vector<bool> is_there = present(problem, part);
   for (int i = 0; i < static_cast<int>(problem.constraints.size()); ++i) {
     const auto& [a, b] = problem.constraints[i].between;
@@ -171,7 +176,6 @@ Part hung_point(const DistanceGraph& graph, const PlacedPoint& placed) {
   Part part{placed.from, {}, {placed.point}, {}};
   std::sort(part.base.begin(), part.base.end());
   part.base_constraints = graph.constraints_between(part.base);
-  for (const int point : part.base) part.constraints.push_back(graph.constraint(placed.point, point));
   return part;
 }
 
@@ -201,8 +205,8 @@ std::vector<Part> decompose(const Problem& problem, Split split) {
   else
     pieces.push_back(core);
   std::vector<Part> parts = joined(graph, problem.dimension, std::move(pieces));
-  for (Part& part : parts) list_constraints(problem, part);
   for (; hung != reduction.placed.end(); ++hung) parts.push_back(hung_point(graph, *hung));
+  for (Part& part : parts) list_constraints(problem, graph, part);
   return parts;
 }
 

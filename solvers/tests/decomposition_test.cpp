@@ -1,8 +1,8 @@
 #include "solvers/reduction/decomposition.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
-#include <numeric>
 #include <set>
 
 #include "solvers/model/structure.hpp"
@@ -31,19 +31,15 @@ void check_parts(const Problem& problem, const std::vector<Part>& parts) {
     for (const int point : part.base) CHECK(placed.count(point) == 1);
     for (const int point : part.points) CHECK(placed.insert(point).second);
     constraints.insert(part.constraints.begin(), part.constraints.end());
+    for (std::size_t i = 0; part.is_hung_point() && i < part.base.size(); ++i) {
+      const std::set<int> ends{part.base[i], part.points.front()};
+      const auto& between = problem.constraints[part.constraints.at(i)].between;
+      CHECK(std::set<int>{between[0], between[1]} == ends);
+    }
     if (!part.is_hung_point()) CHECK(analyse_structure(part_problem(problem, part).problem).well_posed());
   }
   CHECK(placed.size() == problem.points.size());
   CHECK(constraints.size() == problem.constraints.size());
-}
-
-/// The same graph with its points in another order.
-Graph relabelled(Graph graph, RandomNumbers& random) {
-  std::vector<int> number(static_cast<std::size_t>(graph.points));
-  std::iota(number.begin(), number.end(), 0);
-  for (int i = graph.points - 1; i > 0; --i) std::swap(number[i], number[random.index(i + 1)]);
-  for (auto& edge : graph.edges) edge = {number[edge[0]], number[edge[1]]};
-  return graph;
 }
 
 }  // namespace
@@ -63,7 +59,7 @@ TEST_CASE("scenes fall into their parts, whatever the order of the points") {
     Graph graph = samples::chain_of_octahedra(1 + trial % 4);
     const int hung = random.index(6);
     samples::hang_at_random(graph, hung, 0, random);
-    const Problem problem = problem_of(relabelled(graph, random));
+    const Problem problem = problem_of(samples::relabelled(graph, random));
     const auto parts = decompose(problem, Split::all);
     check_parts(problem, parts);
     CHECK(solved_parts(parts) == 1 + trial % 4);
@@ -87,6 +83,19 @@ TEST_CASE("in the plane an edge separates") {
   const auto parts = decompose(problem, Split::all);
   check_parts(problem, parts);
   CHECK(solved_parts(parts) == 2);
+}
+
+TEST_CASE("a simplex between two cores is placed by the distances of its point") {
+  RandomNumbers random(3);
+  const auto [a, b] = samples::k33_graph().edges.front();
+  const std::array graphs{samples::with_simplex_between(samples::k33_graph(), {a, b}),
+                          samples::with_simplex_between(samples::chain_of_octahedra(1), {0, 1, 2})};
+  for (int trial = 0; trial < 20; ++trial) {
+    const Problem problem = problem_of(samples::relabelled(graphs[trial % 2], random));
+    const auto parts = decompose(problem, Split::all);
+    check_parts(problem, parts);
+    CHECK(parts.size() == 3);
+  }
 }
 
 TEST_CASE("what can be placed one by one leaves five points to solve") {

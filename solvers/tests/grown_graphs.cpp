@@ -1,6 +1,7 @@
 #include "solvers/tests/grown_graphs.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace gcs::samples {
@@ -39,6 +40,30 @@ Graph glued(Graph graph, const Graph& other, const std::vector<int>& shared) {
   }
   for (const auto& [a, b] : other.edges)
     if (number[a] != a || number[b] != b) graph.edges.push_back({number[a], number[b]});
+  return graph;
+}
+
+Graph with_simplex_between(const Graph& graph, const std::vector<int>& facet) {
+  Graph both = graph;
+  const int apex = both.points;
+  hang(both, facet);
+  std::vector<int> number(static_cast<std::size_t>(graph.points), -1);
+  for (const int point : facet) number[point] = point == facet.front() ? apex : point;
+  const std::vector<int> shared = number;
+  for (int& point : number)
+    if (point < 0) point = both.points++;
+  for (const auto& [a, b] : graph.edges)
+    if (shared[a] < 0 || shared[b] < 0) both.edges.push_back({number[a], number[b]});
+  return both;
+}
+
+Graph relabelled(Graph graph, RandomNumbers& random) {
+  std::vector<int> number(static_cast<std::size_t>(graph.points));
+  std::iota(number.begin(), number.end(), 0);
+  for (int i = graph.points - 1; i > 0; --i) std::swap(number[i], number[random.index(i + 1)]);
+  for (auto& edge : graph.edges) edge = {number[edge[0]], number[edge[1]]};
+  for (int i = static_cast<int>(graph.edges.size()) - 1; i > 0; --i)
+    std::swap(graph.edges[i], graph.edges[random.index(i + 1)]);
   return graph;
 }
 

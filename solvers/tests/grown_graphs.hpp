@@ -21,6 +21,11 @@ void hang(Graph& graph, const std::vector<int>& from);
 void hang_at_random(Graph& graph, int count, int among, RandomNumbers& random);
 /// Both graphs with the points `shared` of the one also those of the other.
 Graph glued(Graph graph, const Graph& other, const std::vector<int>& shared);
+/// Two of the graph, each with d points in common with a simplex of d + 1 points between them. `facet`: d
+/// points of the graph, pairwise joined.
+Graph with_simplex_between(const Graph& graph, const std::vector<int>& facet);
+/// The same graph with its points and edges in another order.
+Graph relabelled(Graph graph, RandomNumbers& random);
 /// Octahedra, each with a triangle in common with the next.
 Graph chain_of_octahedra(int count);
 

@@ -99,6 +99,17 @@ TEST_CASE("put together, the parts have the solutions of the whole") {
   }
 }
 
+TEST_CASE("what is on both sides of a simplex is put together by it, whatever the order") {
+  RandomNumbers random(13);
+  const auto [a, b] = samples::k33_graph().edges.front();
+  const Graph plane = samples::with_simplex_between(samples::k33_graph(), {a, b});
+  const Graph space = samples::with_simplex_between(samples::chain_of_octahedra(1), {0, 1, 2});
+  for (int trial = 0; trial < 4; ++trial)
+    check_agreement("monodromy",
+                    Scene(samples::placed_at_random(samples::relabelled(plane, random), random)));
+  check_agreement("monodromy", Scene(samples::placed_at_random(samples::relabelled(space, random), random)));
+}
+
 TEST_CASE("points that hang on points of several parts are placed for every choice of sides") {
   RandomNumbers random(12);
   Graph graph = samples::chain_of_octahedra(2);  // 0–2, 3–5 in common, 6–8

@@ -85,7 +85,7 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
   using Realness = Certificate::Realness;
   const bool is_real = solution.figure.is_real();
   const int cluster = proof.certificate.cluster;
-  if (cluster > 0 && cluster != solution.multiplicity)
+  if (cluster > 0 && !proof.fits(solution.multiplicity))
     return fmt::format(
         "is listed with multiplicity {} and is a cluster of {} solutions, multiplicities counted",
         solution.multiplicity, cluster);
@@ -137,10 +137,12 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
     later.same_as = pair.first;
     later.is_proven_same = pair.is_proven;
   }
-  for (SolutionProof& proof : proofs)
-    if (proof.same_as < 0 && proof.certificate.cluster > 0 &&
-        misses_mirror_images(proof.certificate.enclosure, certifier.system().mirror))
-      proof.cluster = proof.certificate.cluster;
+  for (SolutionProof& proof : proofs) {
+    if (proof.certificate.cluster == 0) continue;
+    const int images = meeting_images(proof.certificate.enclosure, certifier.system().mirror);
+    proof.least = (proof.certificate.cluster + images - 1) / images;
+    if (proof.same_as < 0) proof.cluster = proof.least;
+  }
   return proofs;
 }
 
@@ -169,8 +171,9 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
     const std::string what = objection(solution, all[i], std::ldexp(1.0, scene.unit_exponent()));
     if (!what.empty()) {
       const Certificate& certificate = all[i].certificate;
-      const bool is_multiple = !certificate.is_proven && solution.multiplicity > 1 &&
-                               (certificate.cluster == 0 || certificate.cluster == solution.multiplicity);
+      const bool is_multiple =
+          !certificate.is_proven &&
+          (certificate.cluster == 0 ? solution.multiplicity > 1 : all[i].fits(solution.multiplicity));
       assessment.failed_checks.push_back(
           {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
     }

@@ -19,7 +19,15 @@ struct SolutionProof {
   double distance = 0;  ///< at most so far from the figure, in the scene's unit; see SceneEquations::distance
   int same_as = -1;     ///< the first solution of the list that is not proven to be another class; −1: none
   bool is_proven_same = false;  ///< and it is proven to be the same class
-  int cluster = 0;              ///< so many classes, with multiplicities, that no earlier solution stands for
+  int least = 1;                ///< so many classes at least, with multiplicities, are in its enclosure
+  int cluster = 0;              ///< so many of a cluster that no earlier solution stands for
+
+  /// Whether a solution may be listed with that multiplicity. Of its own mirror image it is not known whether
+  /// that is it, or another solution in the enclosure.
+  bool fits(int multiplicity) const {
+    return certificate.is_proven ? multiplicity == 1
+                                 : least <= multiplicity && multiplicity <= certificate.cluster;
+  }
 };
 
 /// Adds the clusters to `proofs`.

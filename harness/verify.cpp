@@ -62,7 +62,7 @@ class Verifier {
     const Certificate& certificate = proofs_[i].certificate;
     const int proven = certificate.is_proven ? 1 : certificate.cluster;
     const int listed = result_.listed.solutions[i].multiplicity;
-    if (listed != proven)
+    if (!proofs_[i].fits(listed))
       mismatch("multiplicity",
                fmt::format("solution {} is listed with multiplicity {}, and {} solutions are proven to lie "
                            "there, counted with multiplicities",
@@ -132,9 +132,10 @@ class Verifier {
     std::size_t i = 0;
     visit_counts(own.counts, [&](const std::string& name, const auto& count) {
       const std::optional<Natural> own_count(count);
+      const auto text = [](const std::optional<Natural>& one) { return one ? one->decimal() : "not known"; };
       if (own_count != given[i])
-        mismatch("count", fmt::format("the count {} is {}, and the list gives {}", name, given[i]->decimal(),
-                                      own_count->decimal()));
+        mismatch("count", fmt::format("the count {} is {}, and the list gives {}", name, text(given[i]),
+                                      text(own_count)));
       ++i;
     });
   }

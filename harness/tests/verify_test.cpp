@@ -125,6 +125,16 @@ TEST_CASE("proofs that are stopped leave a list without objections") {
   CHECK(run.assessment.solutions.size() == 8);
 }
 
+TEST_CASE("counts that one side does not know are caught") {
+  Json result = result_of(cases[1]);
+  result["totals"] = {{"real", nullptr}, {"complex", nullptr}, {"generic", nullptr}};
+  CHECK(mismatches(result).count("count") == 1);
+  result = result_of(cases[1]);
+  result["counts"] = Json::object();
+  result["totals"] = {{"real", 4}, {"complex", nullptr}, {"generic", nullptr}};
+  CHECK(mismatches(result).count("count") == 1);
+}
+
 TEST_CASE("a shifted solution is caught") {
   for (const Case& one : cases) {
     INFO(one.instance);

@@ -133,10 +133,12 @@ std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions,
   return found;
 }
 
-bool misses_mirror_images(const Enclosure& box, const std::vector<int>& mirror) {
+int meeting_images(const Enclosure& box, const std::vector<int>& mirror) {
   const auto groups = sign_groups(mirror);
-  return std::none_of(groups.begin() + 1, groups.end(),
-                      [&](const auto& group) { return !group.empty() && may_agree(box, box, group, -1); });
+  int images = 1;
+  for (auto group = groups.begin() + 1; group != groups.end(); ++group)
+    if (!group->empty() && may_agree(box, box, *group, -1)) images *= 2;
+  return images;
 }
 
 }  // namespace gcs

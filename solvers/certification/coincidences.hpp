@@ -20,7 +20,9 @@ struct Coincidence {
 std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions,
                                       const std::vector<int>& mirror);
 
-/// Whether no mirror image of the box meets it: what it holds are as many classes as solutions.
-bool misses_mirror_images(const Enclosure& box, const std::vector<int>& mirror);
+/// How many of its mirror images, itself among them, may meet the box. Where it is alone what the box holds
+/// are as many classes as solutions; otherwise they are at least so many times fewer, as many as that where
+/// it holds solutions that are their own mirror images.
+int meeting_images(const Enclosure& box, const std::vector<int>& mirror);
 
 }  // namespace gcs

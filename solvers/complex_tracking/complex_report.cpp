@@ -135,7 +135,7 @@ class ComplexReporter {
  private:
   void add_end(const DistinctEnds& distinct, int i) {
     const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
-    const Figure figure = figure_of(distinct[i], is_singular ? singular_uncertainty : next_to_real);
+    const Figure figure = is_singular ? singular_figure(distinct[i]) : figure_of(distinct[i], next_to_real);
     const bool is_isolated = !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
     missing_.too_far += loses_distances(scene_, figure);
     missing_.lonely += is_lonely;
@@ -205,6 +205,19 @@ class ComplexReporter {
     const Figure where = complex_figure(system_, end.x);
     if (std::isfinite(extent(where)))
       lost.condition = std::max(lost.condition, jacobian_condition(scene_, where));
+  }
+
+  /// Newton's method does not settle where a column of the Jacobian vanishes, as at a figure that is its own
+  /// mirror image: there the exact lengths decide whether it is real, and where they do not, to rounding, it
+  /// is one that the real part is.
+  Figure singular_figure(const ComplexVectorX& x) {
+    const Figure figure = figure_of(x, singular_uncertainty);
+    const std::optional<Eigen::VectorXd> real = real_part(x, real_tolerance(x, singular_uncertainty));
+    if (figure.is_real() || !real) return figure;
+    const auto fold = solutions_at_fold(system_, squares_, *real, report_.work);
+    if (fold) return fold->x.empty() ? figure : system_.figure(fold->x.front());
+    const Figure flat = system_.figure(*real);
+    return relative_residual(scene_, flat) <= double_root_residual ? flat : figure;
   }
 
   Figure figure_of(const ComplexVectorX& x, double nearby) const {

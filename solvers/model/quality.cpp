@@ -89,6 +89,16 @@ double rounded_singular_ratio(const Eigen::MatrixXcd& matrix) {
   return ratio <= small ? ratio : singular_ratio(matrix);
 }
 
+/// Where a point lies on a line its row vanishes, and what rounding leaves of it is no direction.
+Eigen::MatrixXcd normalised_line_jacobian(const Scene& scene, const Figure& figure) {
+  Eigen::MatrixXcd jacobian = line_jacobian(scene, figure);
+  for (Eigen::Index row = 0; row < jacobian.rows(); ++row) {
+    const bool vanishes = row < scene.constraint_count() && scene.target_lengths()[row] == 0;
+    jacobian.row(row) /= vanishes ? scene.size() : jacobian.row(row).norm();
+  }
+  return jacobian;
+}
+
 }  // namespace
 
 double relative_residual(const Scene& scene, const Figure& figure) {
@@ -115,10 +125,7 @@ bool loses_distances(const Scene& scene, const Figure& figure) {
 }
 
 double jacobian_condition(const Scene& scene, const Figure& figure) {
-  if (scene.has_lines()) {
-    const Eigen::MatrixXcd jacobian = line_jacobian(scene, figure).rowwise().normalized();
-    return singular_ratio(jacobian);
-  }
+  if (scene.has_lines()) return singular_ratio(normalised_line_jacobian(scene, figure));
   const DistanceSystem system(scene);
   if (system.unknowns() > most_dense_unknowns) return sparse_jacobian_condition(scene, figure);
   Eigen::MatrixXd jacobian(system.equations(), system.unknowns());

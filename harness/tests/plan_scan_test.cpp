@@ -179,3 +179,18 @@ TEST_CASE("solutions on both sides of an extremum are told apart") {
     CHECK(real_figures(solved(with_open_side(top * (1 + gap)), "theta-scan")).empty());
   }
 }
+
+TEST_CASE("a scan that cannot divide by a gap does not say that nothing is there") {
+  // Circles of radius 1 about points 1e-90 apart meet at height ±1.
+  for (const std::string gap : {"1e-70", "1e-77", "1e-78", "1e-90", "1e-120"}) {
+    const std::string text =
+        R"({"format": "gcsbench-instance/1", "id": "gap", "dimension": 2, "points": ["a", "b", "c", "x"],
+            "fixed": {"a": [0, 0], "b": [)" +
+        gap + R"(, 0], "c": [0, 1]}, "constraints": [
+            {"type": "distance", "between": ["x", "a"], "length": 1},
+            {"type": "distance", "between": ["x", "b"], "length": 1}]})";
+    const SolveRun run = solved(parse_instance(text, "gap.json", "").problem, "plan-scan");
+    INFO(gap << ": " << run.reason);
+    CHECK((run.status == RunStatus::partial || run.assessment.solutions.size() == 2));
+  }
+}

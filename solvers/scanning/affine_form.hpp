@@ -134,7 +134,13 @@ AffineForm<N> sqrt(const AffineForm<N>& x) {
   return scaled_and_shifted(x, slope, (top + end) / 2, (top - end) / 2 + 8 * AffineForm<N>::epsilon * high);
 }
 
-/// 1/x by its chord. Precondition: x.low() > 0.
+/// Whether 1/x is bounded, and doubles hold its slope.
+template <int N>
+bool has_reciprocal(const AffineForm<N>& x) {
+  return x.low() > 0 && std::isfinite(1 / (x.low() * x.high()));
+}
+
+/// 1/x by its chord. Precondition: has_reciprocal(x).
 template <int N>
 AffineForm<N> reciprocal(const AffineForm<N>& x) {
   const double low = x.low();

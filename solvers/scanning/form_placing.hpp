@@ -55,7 +55,7 @@ std::optional<TwoPositions<N>> meet_circles(const std::array<FormVector<N>, 2>& 
                                             const std::array<AffineForm<N>, 2>& squares) {
   const FormVector<N> axis = centers[1] - centers[0];
   const AffineForm<N> gap = square(axis[0]) + square(axis[1]);
-  if (!(gap.low() > 0)) return std::nullopt;
+  if (!has_reciprocal(gap)) return std::nullopt;
   const AffineForm<N> one_over_gap = reciprocal(gap);
   const AffineForm<N> fraction = fraction_to_common_plane(gap, one_over_gap, squares[0], squares[1]);
   return TwoPositions<N>{centers[0] + fraction * axis, FormVector<N>{-axis[1], axis[0], AffineForm<N>()},
@@ -70,7 +70,7 @@ std::optional<TwoPositions<N>> meet_spheres(const std::array<FormVector<N>, 3>& 
   const FormVector<N> b = centers[2] - centers[0];
   const FormVector<N> normal = cross(a, b);
   const AffineForm<N> area = square(normal);
-  if (!(area.low() > 0)) return std::nullopt;
+  if (!has_reciprocal(area)) return std::nullopt;
   const AffineForm<N> one_over_area = reciprocal(area);
   const AffineForm<N> aa = square(a);
   const AffineForm<N> bb = square(b);
@@ -90,11 +90,11 @@ std::optional<FormCircle<N>> common_circle(const std::array<FormVector<N>, 2>& c
                                            const FormVector<N>& up) {
   const FormVector<N> axis = centers[1] - centers[0];
   const AffineForm<N> gap = square(axis);
-  if (!(gap.low() > 0)) return std::nullopt;
+  if (!has_reciprocal(gap)) return std::nullopt;
   const AffineForm<N> one_over_gap = reciprocal(gap);
   const FormVector<N> second = up - (dot(up, axis) * one_over_gap) * axis;
   const AffineForm<N> length = square(second);
-  if (!(length.low() > 0)) return std::nullopt;
+  if (!has_reciprocal(length)) return std::nullopt;
   const FormVector<N> second_unit = reciprocal(sqrt(length)) * second;
   const FormVector<N> axis_unit = sqrt(one_over_gap) * axis;
   const AffineForm<N> fraction = fraction_to_common_plane(gap, one_over_gap, squares[0], squares[1]);

@@ -17,7 +17,7 @@ class Narrowing {
     high_.fill(1);
   }
 
-  /// Leaves what satisfies g = 0, or g ≥ 0. False when nothing does.
+  /// Leaves what satisfies g = 0, or g ≥ 0. False when nothing does; where g is not a number, all may.
   bool by_zero(const AffineForm<N>& g) { return by_bound(g) && by_bound(-g); }
   bool by_bound(const AffineForm<N>& g) {
     for (int i = 0; i < N; ++i) {
@@ -29,7 +29,7 @@ class Narrowing {
       if (g.slope[i] < 0) high_[i] = std::min(high_[i], -others / g.slope[i] + margin);
       if (!(low_[i] <= high_[i])) return false;
     }
-    return g.high() >= 0;
+    return !(g.high() < 0);
   }
 
   /// Leaves what of symbol i is between the bounds of `values`.

@@ -119,7 +119,7 @@ class StepPieces {
     gather(step, points, centers, squares);
     const auto circle = common_circle(centers, squares, up);
     if (!circle) return {{}, room_to_meet(centers, squares)};
-    if (!(circle->squared_radius.high() > 0)) return {};
+    if (circle->squared_radius.high() <= 0) return {};
     return {{{circle->at(angle(cell, step.first_angle)), {circle->squared_radius}, {}, {}}}, {}};
   }
 
@@ -157,7 +157,7 @@ class StepPieces {
 
   /// Restricts the piece to heights that `room` and `within`, if given, leave. False where there are none.
   static bool take_heights(const Form& room, const Choice* within, Piece<N>& piece) {
-    if (!(room.high() > 0)) return false;
+    if (room.high() <= 0) return false;
     piece.exists.push_back(room);
     piece.choice.low = std::sqrt(std::max(0.0, room.low()));
     piece.choice.high = std::sqrt(room.high());
@@ -166,14 +166,14 @@ class StepPieces {
     piece.choice.high = std::min(piece.choice.high, within->high);
     piece.exists.push_back(room + -within->low * within->low);
     piece.exists.push_back(-room + within->high * within->high);
-    return piece.choice.low <= piece.choice.high;
+    return !(piece.choice.low > piece.choice.high);
   }
 
   /// By the closed formula or, where that leaves less unknown, by the height. False where there is no point.
   template <std::size_t D>
   static bool place_near_end(const HeightPlacing<D, N>& placing, const Meeting& meeting,
                              const std::vector<Position>& points, Piece<N>& piece) {
-    if (!(meeting.both->discriminant.high() > 0)) return false;
+    if (meeting.both->discriminant.high() <= 0) return false;
     piece.exists.push_back(meeting.both->discriminant);
     piece.position = meeting.both->on(piece.choice.side);
     const auto rough = angle_by_height(meeting.room, piece);
@@ -223,7 +223,7 @@ class StepPieces {
     const auto circle = common_circle(centers, squares, Position{Form(1), Form(), Form()});
     if (!circle) return {{}, room_to_meet(centers, squares)};
     Pieces<N> pieces;
-    if (!(circle->squared_radius.high() > 0)) return pieces;
+    if (circle->squared_radius.high() <= 0) return pieces;
     constexpr double pi = std::numbers::pi;
     if (within) {
       meet_cylinder(*circle, radius_square, *within, pieces.list);
@@ -245,7 +245,7 @@ class StepPieces {
     Position point{Form(), radius * c, radius * s};
     const Form rest = square_of(sphere.constraint) - square(point - points[sphere.center]);
     Pieces<N> pieces;
-    if (!(rest.high() > 0)) return pieces;
+    if (rest.high() <= 0) return pieces;
     const Form x = sqrt(rest);
     for (const int side : {1, -1}) {
       if (side < 0 && step.upper) continue;

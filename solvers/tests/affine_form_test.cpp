@@ -3,6 +3,7 @@
 #include "solvers/scanning/affine_form.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "solvers/tests/quad.hpp"
 #include "solvers/tests/random_numbers.hpp"
@@ -102,4 +103,10 @@ TEST_CASE("remainders fall with the square of the cell") {
     CHECK(value.rest <= 20 * reach * reach + 1e-14);
     CHECK(value.reach() > reach / 10);
   }
+}
+
+TEST_CASE("a number has a reciprocal where doubles hold the slope of it") {
+  CHECK(has_reciprocal(Form(1e-150)));
+  for (const double x : {0.0, -1.0, 1e-160, 1e-300, std::numeric_limits<double>::quiet_NaN()})
+    CHECK_FALSE(has_reciprocal(Form(x)));
 }

@@ -190,7 +190,7 @@ Problem read_problem(const JsonCursor& root) {
   problem.fixed_lines.resize(problem.lines.size());
   if (const auto fixed = root.optional("fixed")) read_fixed(*fixed, problem);
   read_constraints(root.required("constraints"), problem);
-  if (const auto fixed = root.optional("fixed")) check_fixed_around_lines(*fixed, problem);
+  if (const auto fixed = root.optional("fixed")) check_fixed(*fixed, problem);
   check_structure(root, problem);
   if (const auto reference = root.optional("reference")) read_reference_unless_fixed(*reference, problem);
   if (const auto sketch = root.optional("sketch")) read_sketch(*sketch, problem);

@@ -60,11 +60,33 @@ bool coincide(const Eigen::Vector3d& point, const LinePosition& line) {
 }
 
 /// Coordinates relative to the first position and divided by the largest, so that no product overflows.
-struct Normalisation {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  double scale = 1;
-  Eigen::Vector3d operator()(const Eigen::Vector3d& point) const { return point / scale - origin / scale; }
+class Normalisation {
+ public:
+  explicit Normalisation(const std::vector<Eigen::Vector3d>& positions)
+      : half_origin_(positions.front() / 2) {
+    double extent = 0;
+    for (const Eigen::Vector3d& position : positions)
+      extent = std::max(extent, (position / 2 - half_origin_).cwiseAbs().maxCoeff());
+    if (extent > 0) half_scale_ = extent;
+  }
+
+  Eigen::Vector3d operator()(const Eigen::Vector3d& position) const {
+    return (position / 2 - half_origin_) / half_scale_;
+  }
+
+ private:
+  Eigen::Vector3d half_origin_;
+  double half_scale_ = 1;
 };
+
+std::vector<Eigen::Vector3d> all_positions(const Positions& fixed) {
+  std::vector<Eigen::Vector3d> positions;
+  for (const auto& point : fixed.points)
+    if (point) positions.push_back(*point);
+  for (const auto& line : fixed.lines)
+    if (line) positions.push_back(line->point);
+  return positions;
+}
 
 /// Linear conditions on a rigid motion (translation, rotation): it leaves the entity where it is. The plane's
 /// three motions are the translations along x and y and the rotation about z.
@@ -89,12 +111,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> stillness_conditions(const LinePosition
 
 /// True when no rigid motion of the plane or of space keeps all fixed entities where they are.
 bool hold_still(const Positions& fixed, int dimension) {
-  Normalisation normalise;
-  for (const auto& point : fixed.points) {
-    if (!point) continue;
-    normalise.origin = *point;
-    normalise.scale = std::max(normalise.scale, point->cwiseAbs().maxCoeff());
-  }
+  const Normalisation normalise(all_positions(fixed));
   Eigen::Matrix<double, Eigen::Dynamic, 6> conditions(0, 6);
   const auto append = [&](const Eigen::Matrix<double, Eigen::Dynamic, 6>& more) {
     conditions.conservativeResize(conditions.rows() + more.rows(), 6);
@@ -111,6 +128,44 @@ bool hold_still(const Positions& fixed, int dimension) {
   Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(wanted);
   decomposition.setThreshold(rounding);
   return decomposition.rank() == wanted.cols();
+}
+
+/// Of a line: it is placed against fixed points or against free ones.
+void refuse_mixed_neighbours(const JsonCursor& fixed, const Problem& problem) {
+  for (std::size_t line = 0; line < problem.lines.size(); ++line) {
+    const int entity = static_cast<int>(problem.points.size() + line);
+    std::vector<int> held;
+    std::vector<int> free;
+    for (const DistanceConstraint& constraint : problem.constraints) {
+      const auto [point, other] = std::minmax(constraint.between[0], constraint.between[1]);
+      if (other == entity) (problem.is_fixed(point) ? held : free).push_back(point);
+    }
+    if (problem.is_fixed(entity) || held.empty() || free.empty()) continue;
+    fixed.fail("the line '" + problem.lines[line] + "' is placed against fixed points (" +
+                   entity_names(problem, held) + ") and free ones (" + entity_names(problem, free) + ")",
+               "fix all points that the line is placed against, or none");
+  }
+}
+
+/// Doubles hold distances as finely as they hold the coordinates that these are between.
+void refuse_far_origin(const JsonCursor& fixed, const Problem& problem) {
+  constexpr double too_far = 0x1p20;
+  double reach = 0, extent = 0;
+  std::vector<Eigen::Vector3d> positions;
+  for (const DistanceConstraint& constraint : problem.constraints) {
+    const double given = constraint.given.value;
+    reach = std::max(reach, constraint.is_squared ? std::sqrt(given) : given);
+    for (const int end : constraint.between)
+      if (problem.is_point(end) && problem.is_fixed(end)) positions.push_back(*problem.fixed_points[end]);
+  }
+  for (const Eigen::Vector3d& position : positions) {
+    extent = std::max(extent, position.cwiseAbs().maxCoeff());
+    reach = std::max(reach, (position - positions.front()).cwiseAbs().maxCoeff());
+  }
+  if (extent / too_far <= reach) return;
+  fixed.fail(
+      "the fixed points are a million times further from the origin than from each other and from the rest",
+      "put the origin near them: there doubles hold the distances");
 }
 
 void refuse_coincident_fixed_points(const JsonCursor& fixed, const Problem& problem) {
@@ -203,20 +258,9 @@ void read_fixed(const JsonCursor& fixed, Problem& problem) {
   }
 }
 
-void check_fixed_around_lines(const JsonCursor& fixed, const Problem& problem) {
-  for (std::size_t line = 0; line < problem.lines.size(); ++line) {
-    const int entity = static_cast<int>(problem.points.size() + line);
-    std::vector<int> held;
-    std::vector<int> free;
-    for (const DistanceConstraint& constraint : problem.constraints) {
-      const auto [point, other] = std::minmax(constraint.between[0], constraint.between[1]);
-      if (other == entity) (problem.is_fixed(point) ? held : free).push_back(point);
-    }
-    if (problem.is_fixed(entity) || held.empty() || free.empty()) continue;
-    fixed.fail("the line '" + problem.lines[line] + "' is placed against fixed points (" +
-                   entity_names(problem, held) + ") and free ones (" + entity_names(problem, free) + ")",
-               "fix all points that the line is placed against, or none");
-  }
+void check_fixed(const JsonCursor& fixed, const Problem& problem) {
+  refuse_mixed_neighbours(fixed, problem);
+  refuse_far_origin(fixed, problem);
 }
 
 void read_sketch(const JsonCursor& sketch, Problem& problem) {

@@ -11,9 +11,9 @@ namespace gcs {
 /// instance. Precondition: points and lines are read.
 void read_fixed(const JsonCursor& fixed, Problem& problem);
 
-/// A line is placed against fixed points or against free ones. Precondition: constraints and `fixed` are
-/// read.
-void check_fixed_around_lines(const JsonCursor& fixed, const Problem& problem);
+/// A line is placed against fixed points or against free ones, and fixed points are not so far from the
+/// origin that doubles do not hold the distances there. Precondition: constraints and `fixed` are read.
+void check_fixed(const JsonCursor& fixed, const Problem& problem);
 
 /// Reads `sketch` into the problem. Refused: a missing entity, a fixed one elsewhere, the two ends of a
 /// constraint at the same place, and a flat sketch, where all distances are singular. Precondition: all but

@@ -108,6 +108,25 @@ TEST_CASE("fixed positions are read") {
   CHECK_FALSE(problem.fixed_lines[0].has_value());
 }
 
+TEST_CASE("fixed positions of any unit hold the plane still, and must not be far from the origin") {
+  const auto beside = [](double unit, double offset) {
+    const auto constraint = [&](const char* fixed) {
+      return json{{"type", "distance"}, {"between", {"x", fixed}}, {"length", unit}};
+    };
+    return json{{"format", "gcsbench-instance/1"},
+                {"id", "small"},
+                {"dimension", 2},
+                {"points", {"a", "b", "x"}},
+                {"fixed", {{"a", {offset, offset}}, {"b", {offset + unit, offset}}}},
+                {"constraints", {constraint("a"), constraint("b")}}};
+  };
+  for (const double unit : {1e-300, 1e-20, 1e-14, 1.0, 1e20, 1e150})
+    CHECK(parsed(beside(unit, 0)).problem.is_fixed(0));
+  CHECK(parsed(beside(1, 1e6)).problem.is_fixed(0));
+  check_refused(beside(1, 1e9), "/fixed", "put the origin near");
+  check_refused(beside(1024, 1e13), "/fixed", "put the origin near");
+}
+
 TEST_CASE("a point may have the distance zero to a line") {
   json document = with(space(), "/constraints/6/length", 0);
   CHECK(parsed(document).problem.constraints[6].given.value == 0);

@@ -16,10 +16,13 @@ double file_length(const DistanceConstraint& constraint) {
 }
 
 /// The coordinates of a fixed entity, or nothing.
+/// The largest coordinate of a fixed position that distances are measured from.
 double fixed_extent(const Problem& problem) {
   double extent = 0;
-  for (const auto& point : problem.fixed_points)
-    if (point) extent = std::max(extent, point->cwiseAbs().maxCoeff());
+  for (const DistanceConstraint& constraint : problem.constraints)
+    for (const int end : constraint.between)
+      if (problem.is_point(end) && problem.is_fixed(end))
+        extent = std::max(extent, problem.fixed_points[end]->cwiseAbs().maxCoeff());
   for (const auto& line : problem.fixed_lines)
     if (line) extent = std::max(extent, line->point.cwiseAbs().maxCoeff());
   return extent;

@@ -39,8 +39,20 @@ WideVector difference(const WidePoints& points, int a, int b) {
 bool is_in_frame(const ComplexPoints& points, int dimension, const Reference& reference) {
   const bool axis_is = points.col(reference.origin).isZero(0) &&
                        points.col(reference.axis).tail<2>().isZero(0) && points(0, reference.axis).real() > 0;
-  return axis_is &&
-         (dimension == 2 || (points(2, reference.plane) == 0.0 && points(1, reference.plane).real() > 0));
+  return axis_is && (dimension == 2 || reference.plane < 0 ||
+                     (points(2, reference.plane) == 0.0 && points(1, reference.plane).real() > 0));
+}
+
+/// The part of v across the unit vector x, of length 1.
+Eigen::Vector3cd across(const Eigen::Vector3cd& x, const Eigen::Vector3cd& v) {
+  return normalised(v - x * bilinear_product(x, v));
+}
+
+/// The unit vector of an axis whose part across x is not short: 1 − x_k² add up to 2.
+Eigen::Vector3cd some_axis_across(const Eigen::Vector3cd& x) {
+  Eigen::Index axis = 0;
+  (1.0 - x.array().square()).abs().maxCoeff(&axis);
+  return Eigen::Vector3cd::Unit(axis);
 }
 
 /// Column of coordinate `axis` of each point (3·point + axis) among the unknowns; −1: it is given.
@@ -117,17 +129,16 @@ ComplexPoints in_frame(const ComplexPoints& points, int dimension, const Referen
   ComplexPoints moved = points.colwise() - Eigen::Vector3cd(points.col(reference.origin));
   const Eigen::Vector3cd x = normalised(moved.col(reference.axis));
   Eigen::Vector3cd y(-x[1], x[0], 0);
-  if (dimension == 3) {
-    const Eigen::Vector3cd second = moved.col(reference.plane);
-    y = normalised(second - x * bilinear_product(x, second));
-  }
+  const bool has_plane = dimension == 3 && reference.plane >= 0;
+  if (dimension == 3)
+    y = across(x, has_plane ? Eigen::Vector3cd(moved.col(reference.plane)) : some_axis_across(x));
   Eigen::Matrix3cd axes;
   axes.row(0) = x.transpose();
   axes.row(1) = y.transpose();
   axes.row(2) = cross_product(x, y).transpose();
   moved = axes * moved;
   moved.col(reference.axis).tail<2>().setZero();
-  if (dimension == 3) moved(2, reference.plane) = 0;
+  if (has_plane) moved(2, reference.plane) = 0;
   return moved;
 }
 

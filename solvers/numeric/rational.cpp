@@ -41,6 +41,8 @@ double from_ball(const Compute& compute) {
 Rational Rational::from_decimal(const std::string& text) {
   const std::size_t mark = text.find_first_of("eE");
   std::string digits = text.substr(0, mark);
+  if (digits.find('0') != std::string::npos && digits.find_first_not_of("-+.0") == std::string::npos)
+    return Rational(0);
   int exponent = exponent_of(text, mark);
   if (const std::size_t point = digits.find('.'); point != std::string::npos) {
     exponent -= static_cast<int>(digits.size() - point - 1);

@@ -23,6 +23,15 @@ ComplexPoints random_complex(RandomNumbers& numbers, int count) {
 
 }  // namespace
 
+TEST_CASE("two points have a frame in space") {
+  ComplexPoints points(3, 2);
+  points << Complex(1, 2), Complex(2.25, 2), Complex(0, 1), Complex(0, 1.75), 3.0, 3.0;
+  const ComplexPoints moved = in_frame(points, 3, {0, 1, -1});
+  CHECK(moved.col(0).isZero(0));
+  CHECK(moved.col(1).tail<2>().isZero(0));
+  CHECK(std::abs(moved(0, 1) * moved(0, 1) - 1.0) <= 1e-15);  // 1.25² + (0.75 i)²
+}
+
 TEST_CASE("trilateration meets the three squares, on both sides") {
   RandomNumbers numbers(1);
   for (int i = 0; i < 100; ++i) {

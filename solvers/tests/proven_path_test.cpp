@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "solvers/tests/along_polyline.hpp"
 #include "solvers/tests/sample_problems.hpp"
@@ -46,7 +47,46 @@ struct BothPaths {
   TrackedPath proven, followed;
 };
 
+/// The unit circle's Taylor series about an angle.
+ArcSeries about(double angle) {
+  constexpr int order = 12;
+  ArcSeries series(2, order);
+  double factorial = 1;
+  for (int n = 0; n <= order; ++n) {
+    if (n > 0) factorial *= n;
+    series.coefficient(n)[0] = std::cos(angle + n * std::numbers::pi / 2) / factorial;
+    series.coefficient(n)[1] = std::sin(angle + n * std::numbers::pi / 2) / factorial;
+  }
+  return series;
+}
+
+/// Tubes of half length h around it, entered at −0.88 h and left at 0.96 h; the last one ends where the first
+/// began.
+std::vector<ProvenArc> around_circle(double h) {
+  constexpr double whole = 2 * std::numbers::pi;
+  std::vector<ProvenArc> arcs{{about(0), 0, 0.96 * h, 0, 1e-10, 1, {}}};
+  for (double reached = 0.96 * h; reached < whole;) {
+    const double middle = reached + 0.88 * h, last = std::min(0.96 * h, whole - middle);
+    arcs.push_back({about(middle), -0.88 * h, last, reached, 1e-10, 1, {}});
+    reached = middle + last;
+  }
+  return arcs;
+}
+
 }  // namespace
+
+TEST_CASE("every point of a path has its place, however short the last stretch is") {
+  for (double h = 0.4; h < 0.65; h += 0.01) {
+    CAPTURE(h);
+    const std::vector<ProvenArc> arcs = around_circle(h);
+    PathPlaces places(arcs, 1e-7);
+    for (double angle = 0.001; angle < 6.28; angle += 0.001) {
+      const auto place = places.find(Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+      REQUIRE(place);
+      CHECK(*place == Approx(angle).margin(1e-6));
+    }
+  }
+}
 
 TEST_CASE("the points of a careful tracker lie on the proven path in order") {
   const BothPaths paths;

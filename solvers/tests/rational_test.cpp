@@ -19,6 +19,11 @@ TEST_CASE("decimals are exact rational numbers") {
     CHECK_THROWS_AS(Rational::from_decimal(text), std::invalid_argument);
 }
 
+TEST_CASE("zero is zero whatever its exponent") {
+  for (const char* text : {"0e999999999", "-0.00e-2147483648", "0E+99999999999"})
+    CHECK(Rational::from_decimal(text).sign() == 0);
+}
+
 TEST_CASE("a rational number far from 1 is rounded as its double") {
   CHECK(Rational::from_decimal("1e-300").approximate() == 1e-300);
   CHECK((Rational::from_decimal("1e-300") * Rational::from_decimal("1e300")).approximate() == 1.0);

@@ -121,8 +121,8 @@ std::vector<PathNode> polyline(const std::vector<ProvenArc>& arcs, double within
 /// Newton's method for the foot of the perpendicular.
 std::optional<double> PathPlaces::on_arc(std::size_t index, const Eigen::VectorXd& point) const {
   const ProvenArc& arc = arcs_[index];
-  const double extent = arc.last - arc.first;
-  if ((point - arc.curve.coefficient(0)).norm() > 2 * extent) return std::nullopt;
+  const double reach = std::max(std::abs(arc.first), std::abs(arc.last));
+  if ((point - arc.curve.coefficient(0)).norm() > 2 * reach + arc.radius + tolerance_) return std::nullopt;
   double s =
       std::clamp((point - arc.curve.coefficient(0)).dot(arc.curve.coefficient(1)), arc.first, arc.last);
   Eigen::VectorXd here, direction;

@@ -46,7 +46,7 @@ void add_reference_command(CLI::App& app, Invocation& invocation) {
   command->add_option("RESULT", arguments->result, "A result that solve --out wrote")->required();
   command->add_option("--out", arguments->out, "The file to write")->type_name("FILE")->required();
   command->add_option("--digits", arguments->settings.digits, "Significant digits of every number")
-      ->check(CLI::Range(17, 1000))
+      ->check(CLI::Range(17, 250))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--only-real", arguments->settings.only_real, "Leave the complex solutions out");

@@ -52,13 +52,15 @@ SolveReport timed_solve(Strategy& strategy, const SolveRequest& request, Timing&
 }
 
 /// A strategy that throws has a defect, or the machine has no memory left; neither may end a series of runs.
-/// What is wrong with the user's files does.
+/// What is wrong with the user's files and options does.
 SolveReport guarded_solve(Strategy& strategy, const SolveRequest& request, Timing& timing) {
   try {
     return timed_solve(strategy, request, timing);
   } catch (const InputError&) {
     throw;
   } catch (const OutputError&) {
+    throw;
+  } catch (const OptionError&) {
     throw;
   } catch (const std::exception& error) {
     SolveReport report;

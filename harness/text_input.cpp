@@ -14,19 +14,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Instances have less than a megabyte, and tens of thousands of solutions half of this; endless input must
-/// end.
-constexpr std::size_t size_limit = std::size_t{64} << 20;
+/// Instances have less than a megabyte, tens of thousands of solutions tens of them. Endless input must end;
+/// a file ends by itself, and results may be asked for that are larger.
+constexpr std::size_t most_of_file_mib = 4096;
 
 }  // namespace
 
-std::string read_all(std::istream& stream, const std::string& file) {
+std::string read_all(std::istream& stream, const std::string& file, std::size_t most_mib) {
   std::string text;
   std::vector<char> block(std::size_t{1} << 16);
   while (stream.read(block.data(), static_cast<std::streamsize>(block.size())), stream.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > size_limit)
-      throw InputError(file, "", "the input is larger than 64 MiB", "this cannot be what is asked for");
+    if (text.size() > most_mib << 20)
+      throw InputError(file, "", "the input is larger than " + std::to_string(most_mib) + " MiB",
+                       "this cannot be what is asked for");
   }
   if (stream.bad()) throw InputError(file, "", std::string("cannot be read: ") + std::strerror(errno), "");
   return text;
@@ -43,7 +44,7 @@ std::string read_file(const std::string& file, const std::string& remedy) {
     throw InputError(file, "", std::string("cannot be opened: ") + std::strerror(errno),
                      "give a readable file");
   }
-  return read_all(stream, file);
+  return fs::is_regular_file(status) ? read_all(stream, file, most_of_file_mib) : read_all(stream, file);
 }
 
 }  // namespace gcs

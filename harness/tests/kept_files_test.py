@@ -79,6 +79,16 @@ class StartSystems(command_line.CommandLine):
         self.assertEqual(start.read_text(), "old")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["start.json"])
 
+    def test_of_several_parts_none_is_kept(self):
+        start = self.folder / "start.json"
+        done = run("solve", "octahedra@2", "--strategy", "monodromy", "--set", f"save_start={start}")
+        self.assert_one_message(done, BAD_INPUT, start, "several parts", "reduce=off")
+        self.assertFalse(start.exists())
+        done = run("solve", "octahedra@2", "--strategy", "monodromy", "--set", f"save_start={start}", "--set",
+                   "reduce=off")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(start.exists())
+
     def test_what_is_none_is_refused(self):
         self.assert_one_message(run(*self.SOLVE, f"start={self.write(TOY)}"), BAD_INPUT, "toy.json", "/format")
         self.assert_one_message(run(*self.SOLVE, f"start={self.folder}"), BAD_INPUT, self.folder, "a directory")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solvers/complex_tracking/start_store.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/model/solution_classes.hpp"
@@ -142,6 +143,26 @@ std::optional<Natural> generic_classes(const std::vector<SolveReport>& reports, 
   return product;
 }
 
+int solved_parts(const std::vector<Part>& parts) {
+  return static_cast<int>(
+      std::count_if(parts.begin(), parts.end(), [](const Part& part) { return !part.is_hung_point(); }));
+}
+
+/// A start system is that of one part, and what names it does not say of which.
+class NoStartSystems final : public StartStore {
+ public:
+  StartSystem read(const std::string& name, const Family&) const override { refuse(name); }
+  void reserve(const std::string& name) override { refuse(name); }
+  void write(const std::string& name, const Family&, const StartSystem&) override { refuse(name); }
+
+ private:
+  [[noreturn]] static void refuse(const std::string& name) {
+    throw OptionError(
+        "start system " + name +
+        ": the scene is solved in several parts, each with one of its own; give reduce=off too");
+  }
+};
+
 class ReducedStrategy final : public Strategy {
  public:
   ReducedStrategy(const StrategyEntry& inner, const OptionMap& options)
@@ -173,7 +194,7 @@ class ReducedStrategy final : public Strategy {
     for (const Part& part : parts) {
       if (part.is_hung_point()) continue;
       const PartScene part_scene(request.scene.problem(), part);
-      strategy(next++).prepare(request_for(request, part_scene.scene));
+      strategy(next++).prepare(request_for(request, parts, part_scene.scene));
     }
   }
 
@@ -194,15 +215,15 @@ class ReducedStrategy final : public Strategy {
     return *strategies_[number];
   }
 
-  static SolveRequest request_for(const SolveRequest& request, const Scene& part) {
-    return {part,           request.seed,       request.threads,
-            request.stop,   request.monitor,    request.journal,
-            request.starts, request.most_listed};
+  SolveRequest request_for(const SolveRequest& request, const std::vector<Part>& parts, const Scene& part) {
+    StartStore* const starts = solved_parts(parts) == 1 ? request.starts : &no_starts_;
+    return {part,   request.seed,       request.threads, request.stop, request.monitor, request.journal,
+            starts, request.most_listed};
   }
 
   SolveReport solve_on_path(const SolveRequest& request, const std::vector<Part>& parts) {
     const PartScene core(request.scene.problem(), parts.front());
-    SolveReport report = strategy(0).solve(request_for(request, core.scene));
+    SolveReport report = strategy(0).solve(request_for(request, parts, core.scene));
     for (Candidate& candidate : report.candidates)
       candidate.figure = in_whole(request.scene, core, candidate.figure);
     return with_hung_points(request.scene, parts, std::move(report));
@@ -217,7 +238,7 @@ class ReducedStrategy final : public Strategy {
       solved.emplace_back();
       if (part.is_hung_point()) continue;
       const PartScene part_scene(request.scene.problem(), part);
-      reports.push_back(strategy(reports.size()).solve(request_for(request, part_scene.scene)));
+      reports.push_back(strategy(reports.size()).solve(request_for(request, parts, part_scene.scene)));
       const SolveReport& report = reports.back();
       solved.back() = part_solutions(request.scene, part_scene, part, report);
       is_empty = is_empty || (report.status == SolveStatus::complete && claims_all(report.claim) &&
@@ -261,6 +282,7 @@ class ReducedStrategy final : public Strategy {
   bool needs_sketch_;
   bool reduces_;
   std::function<std::unique_ptr<Strategy>()> make_;
+  NoStartSystems no_starts_;
   std::vector<std::unique_ptr<Strategy>> strategies_;  ///< one for each part that is solved
 };
 

@@ -4,7 +4,7 @@
 #include <Eigen/SVD>
 #include <limits>
 
-#include "solvers/numeric/complex_double_double.hpp"
+#include "solvers/model/complex_distances.hpp"
 
 namespace gcs {
 namespace {
@@ -12,49 +12,6 @@ namespace {
 using Complex = std::complex<double>;
 using Vector = Eigen::VectorXcd;
 using Matrix = Eigen::MatrixXcd;
-
-/// The distance equations at complex coordinates.
-class ComplexDistances {
- public:
-  ComplexDistances(const DistanceSystem& system, const std::vector<DoubleDouble>& squares)
-      : system_(system), squares_(squares) {}
-
-  /// (p_a − p_b)·(p_a − p_b)/2 − a²/2
-  Vector value(const Vector& x) const {
-    const Eigen::Matrix3Xd real = system_.figure(x.real()).points, imaginary = height(x);
-    Vector result(system_.equations());
-    for (int e = 0; e < system_.equations(); ++e) {
-      const auto [a, b] = system_.edges()[e];
-      auto sum = widened(Complex(0));
-      for (int axis = system_.is_line(b) ? 1 : 0; axis < system_.dimension(); ++axis) {
-        const auto at = [&](int point) {
-          return system_.is_line(point) ? Complex(0) : Complex(real(axis, point), imaginary(axis, point));
-        };
-        const auto difference = wide_difference(at(a), at(b));
-        sum = sum + difference * difference;
-      }
-      result[e] = (sum - squares_[e]).value() / 2.0;
-    }
-    return result;
-  }
-
-  Matrix jacobian(const Vector& x) const {
-    Eigen::MatrixXd real(system_.equations(), system_.unknowns()), imaginary = real;
-    system_.jacobian(system_.figure(x.real()).points, real);
-    system_.jacobian(height(x), imaginary);
-    return real + Complex(0, 1) * imaginary;
-  }
-
- private:
-  Eigen::Matrix3Xd height(const Vector& x) const {
-    Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, system_.point_count());
-    system_.place(x.imag(), points);
-    return points;
-  }
-
-  const DistanceSystem& system_;
-  const std::vector<DoubleDouble>& squares_;
-};
 
 /// Where Newton's method settles, if it does so no further than `furthest` from its start.
 std::optional<Vector> settled(const ComplexDistances& equations, const Vector& start, double furthest) {

@@ -9,7 +9,7 @@
 #include "solvers/complex_tracking/close_pair.hpp"
 #include "solvers/complex_tracking/distinct_ends.hpp"
 #include "solvers/complex_tracking/shortcomings.hpp"
-#include "solvers/model/complex_points.hpp"
+#include "solvers/model/complex_distances.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/fold_solutions.hpp"
 #include "solvers/model/quality.hpp"
@@ -44,17 +44,8 @@ std::optional<Eigen::VectorXd> real_part(const ComplexVectorX& x, double toleran
 }
 
 Figure complex_figure(const DistanceSystem& system, const ComplexVectorX& x) {
-  Eigen::VectorXd real(system.unknowns()), imaginary(system.unknowns());
-  for (int i = 0; i < system.unknowns(); ++i) {
-    real[i] = x[i].real();
-    imaginary[i] = x[i].imag();
-  }
-  Figure figure = system.figure(real);
-  figure.imaginary = Eigen::Matrix3Xd::Zero(3, system.point_count());
-  system.place(imaginary, figure.imaginary);
-  for (std::size_t i = 0; i < figure.lines.size(); ++i)
-    figure.imaginary_lines.push_back({Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
-  return figure;
+  return complex_figure(system,
+                        Eigen::VectorXcd(Eigen::Map<const Eigen::VectorXcd>(x.data(), system.unknowns())));
 }
 
 /// Whether doubles are known to lie next to different solutions, eight times further apart than the rounding

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "solvers/certification/proven_error.hpp"
+#include "solvers/model/complex_distances.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/quality.hpp"
 
 namespace gcs {
 namespace {
@@ -274,6 +276,14 @@ void SolutionProduct::list_from(int part, bool has_complex, bool has_side) {
   }
 }
 
+/// A complex figure in the scene's frame. Turning by a complex rotation costs accuracy, much where directions
+/// are nearly isotropic.
+Figure SolutionProduct::framed(const Figure& figure) const {
+  const Figure turned = scene_.in_frame(figure);
+  return relative_residual(scene_, turned) <= double_root_residual ? turned
+                                                                   : polished(scene_, squares_, turned);
+}
+
 Candidate SolutionProduct::candidate(bool is_real) const {
   Candidate result;
   bool is_stiff = false;
@@ -283,6 +293,7 @@ Candidate SolutionProduct::candidate(bool is_real) const {
     is_stiff = is_stiff || chosen.is_stiff;
   }
   result.figure = figure_of(positions_, solutions_[0][choices_[0].solution].lines, is_real);
+  if (!is_real && !scene_.has_lines()) result.figure = framed(result.figure);
   if (is_stiff) result.error = proven_error(scene_, squares_, result.figure);
   return result;
 }

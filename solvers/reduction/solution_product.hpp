@@ -71,6 +71,7 @@ class SolutionProduct {
   void list_from(int part, bool has_complex, bool has_side);
   bool may_become_complex(int from);
   Candidate candidate(bool is_real) const;
+  Figure framed(const Figure& figure) const;
   void note(const std::string& sentence);
   bool is_exhausted();
 

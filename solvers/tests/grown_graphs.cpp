@@ -1,6 +1,7 @@
 #include "solvers/tests/grown_graphs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <set>
 
@@ -43,18 +44,36 @@ Graph glued(Graph graph, const Graph& other, const std::vector<int>& shared) {
   return graph;
 }
 
-Graph with_simplex_between(const Graph& graph, const std::vector<int>& facet) {
-  Graph both = graph;
-  const int apex = both.points;
-  hang(both, facet);
-  std::vector<int> number(static_cast<std::size_t>(graph.points), -1);
-  for (const int point : facet) number[point] = point == facet.front() ? apex : point;
+Graph glued_at(Graph graph, const std::vector<int>& facet, const Graph& other,
+               const std::vector<int>& other_facet) {
+  std::vector<int> number(static_cast<std::size_t>(other.points), -1);
+  for (std::size_t i = 0; i < facet.size(); ++i) number[other_facet[i]] = facet[i];
   const std::vector<int> shared = number;
   for (int& point : number)
-    if (point < 0) point = both.points++;
-  for (const auto& [a, b] : graph.edges)
-    if (shared[a] < 0 || shared[b] < 0) both.edges.push_back({number[a], number[b]});
-  return both;
+    if (point < 0) point = graph.points++;
+  for (const auto& [a, b] : other.edges)
+    if (shared[a] < 0 || shared[b] < 0) graph.edges.push_back({number[a], number[b]});
+  return graph;
+}
+
+Graph with_simplex_between(const Graph& graph, const std::vector<int>& facet) {
+  Graph both = graph;
+  std::vector<int> other_side = facet;
+  other_side.front() = both.points;
+  hang(both, facet);
+  return glued_at(both, other_side, graph, facet);
+}
+
+std::vector<std::vector<int>> facets(const Graph& graph) {
+  std::set<std::array<int, 2>> edges;
+  for (const auto& [a, b] : graph.edges) edges.insert({std::min(a, b), std::max(a, b)});
+  std::vector<std::vector<int>> found;
+  for (const auto& [a, b] : edges) {
+    if (graph.dimension == 2) found.push_back({a, b});
+    for (int c = b + 1; graph.dimension == 3 && c < graph.points; ++c)
+      if (edges.count({a, c}) > 0 && edges.count({b, c}) > 0) found.push_back({a, b, c});
+  }
+  return found;
 }
 
 Graph relabelled(Graph graph, RandomNumbers& random) {

@@ -21,6 +21,11 @@ void hang(Graph& graph, const std::vector<int>& from);
 void hang_at_random(Graph& graph, int count, int among, RandomNumbers& random);
 /// Both graphs with the points `shared` of the one also those of the other.
 Graph glued(Graph graph, const Graph& other, const std::vector<int>& shared);
+/// Both graphs with the points `facet` of the one also `other_facet` of the other: in both pairwise joined.
+Graph glued_at(Graph graph, const std::vector<int>& facet, const Graph& other,
+               const std::vector<int>& other_facet);
+/// All sets of d points that are pairwise joined.
+std::vector<std::vector<int>> facets(const Graph& graph);
 /// Two of the graph, each with d points in common with a simplex of d + 1 points between them. `facet`: d
 /// points of the graph, pairwise joined.
 Graph with_simplex_between(const Graph& graph, const std::vector<int>& facet);

@@ -110,6 +110,27 @@ TEST_CASE("what is on both sides of a simplex is put together by it, whatever th
   check_agreement("monodromy", Scene(samples::placed_at_random(samples::relabelled(space, random), random)));
 }
 
+TEST_CASE("scenes grown at random have the same solutions in parts and whole") {
+  RandomNumbers random(14);
+  for (int trial = 0; trial < 12; ++trial) {
+    const Graph core = trial % 2 == 0 ? samples::k33_graph() : samples::octahedron_graph();
+    Graph graph = core;
+    bool has_two_cores = false;
+    while (graph.points < 10) {
+      const auto facets = samples::facets(graph);
+      if (has_two_cores || random.index(2) == 0) {
+        samples::hang_at_random(graph, 1, 0, random);
+      } else {
+        graph = samples::glued_at(graph, facets[random.index(static_cast<int>(facets.size()))], core,
+                                  samples::facets(core).front());
+        has_two_cores = true;
+      }
+    }
+    check_agreement("monodromy",
+                    Scene(samples::placed_at_random(samples::relabelled(graph, random), random)));
+  }
+}
+
 TEST_CASE("points that hang on points of several parts are placed for every choice of sides") {
   RandomNumbers random(12);
   Graph graph = samples::chain_of_octahedra(2);  // 0–2, 3–5 in common, 6–8

@@ -41,12 +41,12 @@ TEST_CASE("infinite numbers read back, and bytes that are no text do no harm") {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   record.cells[0].residual = infinite;
   record.cells[0].accuracy = Accuracy{1, 0, 0, 1e-16, 1e-16, infinite, 1};
-  record.sessions[0].folder = "/tmp/r\xe9sultats";
+  record.sessions[0].folder = "/r\xe9sultats";
   const RunRecord again = parse_run_record(to_json_text(record), "run.json");
   CHECK(again.cells[0].residual == infinite);
   CHECK(again.cells[0].accuracy->largest_condition == infinite);
   CHECK(again.cells[0].accuracy->largest_error == 1e-16);
-  CHECK(again.sessions[0].folder == "/tmp/r\uFFFDsultats");
+  CHECK(again.sessions[0].folder == "/r\uFFFDsultats");
 }
 
 TEST_CASE("particulars, solutions, curves and whether positions are given read back") {

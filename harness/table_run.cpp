@@ -163,10 +163,12 @@ bool is_corrected(const PublishedFigure& figure, const Publications& publication
 }
 
 /// Published counts on the path that are not known to be wrong. What another file publishes is shown only.
-ExpectedCounts expected_counts(const LoadedInstances& loaded, const Publications& publications) {
+ExpectedCounts expected_counts(const LoadedInstances& loaded, const std::vector<MeasuredInstance>& measured,
+                               const Publications& publications) {
   ExpectedCounts expected;
-  for (const Instance& instance : loaded.instances) {
-    if (!is_shipped(instance)) continue;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    if (!measured[i].is_shipped) continue;
+    const Instance& instance = loaded.instances[i];
     for (const PublishedFigure& figure : instance.published) {
       if (figure.quantity != "on path") continue;
       if (!is_corrected(figure, publications))
@@ -326,8 +328,8 @@ RunRecord run_tables(const TableRequest& request, const Publications& publicatio
   add_judges(request, loaded);
   const std::vector<MeasureTask> tasks = tasks_of(request, loaded, programs);
   MeasureSettings settings = settings_of(request);
-  settings.expected = expected_counts(loaded, publications);
   RunRecord record = new_record(request, loaded, settings);
+  settings.expected = expected_counts(loaded, record.instances, publications);
 
   std::optional<RunFolder> folder;
   if (request.out) folder.emplace(*request.out);

@@ -62,6 +62,21 @@ void append(TableSet& set, const TableKind& kind, const RunRecord& part, const P
   for (Drawing& drawing : kind.draw(part)) set.drawings.push_back(std::move(drawing));
 }
 
+/// What they print of the instances that the run has measured, of which other contents may have been given
+/// the same ids.
+Publications publications_on(const RunRecord& run, Publications publications) {
+  const auto is_of_another = [&](const auto& printed) {
+    return std::ranges::any_of(run.instances, [&](const MeasuredInstance& instance) {
+      return instance.id == printed.instance && !instance.is_shipped;
+    });
+  };
+  for (auto& [name, publication] : publications) {
+    std::erase_if(publication.figures, is_of_another);
+    std::erase_if(publication.solutions, is_of_another);
+  }
+  return publications;
+}
+
 /// Why nothing published stands beside an instance of which papers print something.
 void note_altered(const RunRecord& run, const Publications& publications, std::vector<std::string>& lines) {
   for (const MeasuredInstance& instance : run.instances) {
@@ -162,19 +177,6 @@ Publications load_publications() {
 const std::vector<std::string>& paper_instances() {
   static const std::vector<std::string> ids{"octahedron", "disulfide", "dodecagon", "icosahedron"};
   return ids;
-}
-
-Publications publications_on(const RunRecord& run, Publications publications) {
-  const auto is_of_another = [&](const auto& printed) {
-    return std::ranges::any_of(run.instances, [&](const MeasuredInstance& instance) {
-      return instance.id == printed.instance && !instance.is_shipped;
-    });
-  };
-  for (auto& [name, publication] : publications) {
-    std::erase_if(publication.figures, is_of_another);
-    std::erase_if(publication.solutions, is_of_another);
-  }
-  return publications;
 }
 
 TableSet build_tables(const RunRecord& run, const Publications& all) {

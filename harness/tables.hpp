@@ -71,10 +71,6 @@ using Publications = std::map<std::string, Publication, std::less<>>;
 /// Those that the tables name. Throws InputError.
 Publications load_publications();
 
-/// What they print of the instances that the run has measured, of which other contents may have been given
-/// the same ids.
-Publications publications_on(const RunRecord& run, Publications publications);
-
 /// The instances of the tables of Imbach et al., in their order.
 const std::vector<std::string>& paper_instances();
 

@@ -127,7 +127,8 @@ Standing standing_of(const PrintedFigure& figure, const std::optional<Known>& ou
 std::optional<Verdict> verdict(const std::string& quantity, const std::string& row,
                                const std::optional<Known>& ours, const MeasuredInstance& instance,
                                const Publications& publications) {
-  const PrintedFigure* figure = printed_figure(publications, row, instance.id);
+  const PrintedFigure* figure =
+      instance.is_shipped ? printed_figure(publications, row, instance.id) : nullptr;
   if (!ours && figure == nullptr) return std::nullopt;
   Verdict result{quantity, "", std::nullopt, ours ? std::to_string(ours->classes) : "not measured",
                  Standing::open};
@@ -158,8 +159,7 @@ std::string_view word(Standing standing) {
 }
 
 std::vector<Verdict> verdicts(const RunRecord& run, const MeasuredInstance& instance,
-                              const StoredScene* scene, const Publications& all_publications) {
-  const Publications publications = publications_on(run, all_publications);
+                              const StoredScene* scene, const Publications& publications) {
   const auto cells = right_cells(run, instance.id);
   std::vector<Verdict> all;
   const auto add = [&](const std::string& quantity, const std::string& row,

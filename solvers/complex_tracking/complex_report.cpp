@@ -143,7 +143,7 @@ class ComplexReporter {
   void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure) {
     bool is_in_between = !is_multiple_solution(scene_, figure);
     if (paths == 2) {
-      const std::optional<FoldSolutions> fold = fold_at(x);
+      const std::optional<FoldSolutions> fold = fold_at(nearly_real(x));
       if (fold && add_proven_pair(*fold)) return;
       is_in_between |= fold.has_value();
       if (is_in_between && add_close_pair(x)) return;
@@ -160,9 +160,13 @@ class ComplexReporter {
     report_.candidates.push_back({figure, multiplicity, std::numeric_limits<double>::infinity()});
   }
 
-  /// What there is next to an end at which two paths met, if the end is nearly real.
-  std::optional<FoldSolutions> fold_at(const ComplexVectorX& x) {
-    const std::optional<Eigen::VectorXd> real = real_part(x, real_tolerance(x, singular_uncertainty));
+  /// The real part of a singular end, if the end is nearly real.
+  static std::optional<Eigen::VectorXd> nearly_real(const ComplexVectorX& x) {
+    return real_part(x, real_tolerance(x, singular_uncertainty));
+  }
+
+  /// What there is next to a real part, if there is one.
+  std::optional<FoldSolutions> fold_at(const std::optional<Eigen::VectorXd>& real) {
     return real ? solutions_at_fold(system_, squares_, *real, report_.work) : std::nullopt;
   }
 
@@ -203,10 +207,9 @@ class ComplexReporter {
   /// is one that the real part is.
   Figure singular_figure(const ComplexVectorX& x) {
     const Figure figure = figure_of(x, singular_uncertainty);
-    const std::optional<Eigen::VectorXd> real = real_part(x, real_tolerance(x, singular_uncertainty));
+    const std::optional<Eigen::VectorXd> real = nearly_real(x);
     if (figure.is_real() || !real) return figure;
-    const auto fold = solutions_at_fold(system_, squares_, *real, report_.work);
-    if (fold) return fold->x.empty() ? figure : system_.figure(fold->x.front());
+    if (const auto fold = fold_at(real)) return fold->x.empty() ? figure : system_.figure(fold->x.front());
     const Figure flat = system_.figure(*real);
     return relative_residual(scene_, flat) <= double_root_residual ? flat : figure;
   }

@@ -159,6 +159,32 @@ class SixQuadrics {
 
 }  // namespace
 
+/// Counts how often it is evaluated.
+struct Counting {
+  static constexpr int unknowns = 2;
+  CircleAndHyperbola homotopy;
+  std::int64_t& evaluations;
+
+  HomotopyValue<2> at(const ComplexVector<2>& p, Complex t) const {
+    ++evaluations;
+    return homotopy.at(p, t);
+  }
+};
+
+TEST_CASE("every evaluation of a homotopy is counted, and every factorisation") {
+  for (const double b : {2, 4}) {  // regular ends, and double ones
+    std::int64_t evaluations = 0;
+    WorkCounters work;
+    const Counting homotopy{{b == 2 ? 2.5 : 4, b}, evaluations};
+    PathTracker<Counting> tracker(homotopy, work);
+    tracker.follow(corners.front());
+    CHECK(work.evaluations == evaluations);
+    CHECK(work.jacobians == evaluations);
+    CHECK(work.factorisations >= work.newton_iterations + 4 * work.iterations);
+    CHECK(work.factorisations <= evaluations);
+  }
+}
+
 TEST_CASE("four paths end at the four roots") {
   const auto ends = ends_of(CircleAndHyperbola{2.5, 2}, corners);
   for (const auto& end : ends) CHECK(end.kind == PathEnd<2>::Kind::regular);

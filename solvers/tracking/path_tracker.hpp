@@ -142,12 +142,23 @@ class PathTracker {
     return true;
   }
 
+  /// Counts the work of it.
+  HomotopyValue<n> evaluate(const Vector& x, Complex t) {
+    ++work_.evaluations;
+    ++work_.jacobians;
+    return homotopy_.at(x, t);
+  }
+
+  /// Counts the work of it.
+  Eigen::PartialPivLU<ComplexMatrix<n>> factorise(const HomotopyValue<n>& at) {
+    ++work_.factorisations;
+    return at.jacobian.partialPivLu();
+  }
+
   /// dx/dt
   Vector slope(const Vector& x, Complex t) {
-    const HomotopyValue<n> at = homotopy_.at(x, t);
-    ++work_.evaluations;
-    ++work_.factorisations;
-    return -at.jacobian.partialPivLu().solve(at.t_derivative);
+    const HomotopyValue<n> at = evaluate(x, t);
+    return -factorise(at).solve(at.t_derivative);
   }
 
   bool predict(Vector& x, Complex t, Complex dt) {
@@ -165,8 +176,8 @@ class PathTracker {
     constexpr int most_iterations = 3;
     constexpr double furthest = 1e-5, last = 1e-8;
     for (int i = 0; i < most_iterations; ++i) {
-      const HomotopyValue<n> at = homotopy_.at(x, t);
-      const Vector change = at.jacobian.partialPivLu().solve(at.value);
+      const HomotopyValue<n> at = evaluate(x, t);
+      const Vector change = factorise(at).solve(at.value);
       ++work_.newton_iterations;
       x -= change;
       const double length = change.norm() / (1 + x.norm());
@@ -218,19 +229,19 @@ class PathTracker {
   }
 
   /// Of H(·, 1), relative to what moving x by its own size would change.
-  bool is_zero(const Vector& x) const {
-    const HomotopyValue<n> at = homotopy_.at(x, 1);
+  bool is_zero(const Vector& x) {
+    const HomotopyValue<n> at = evaluate(x, 1);
     return at.value.norm() <= zero * at.jacobian.norm() * (1 + x.norm());
   }
 
-  bool is_regular(const Vector& x) const {
-    const HomotopyValue<n> at = homotopy_.at(x, 1);
-    const Eigen::PartialPivLU<ComplexMatrix<n>> lu(at.jacobian);
+  bool is_regular(const Vector& x) {
+    const HomotopyValue<n> at = evaluate(x, 1);
+    const Eigen::PartialPivLU<ComplexMatrix<n>> lu = factorise(at);
     const double reciprocal = lu.rcond(), step = lu.solve(at.value).norm() / (1 + x.norm());
     return reciprocal > singular && step <= std::min(at_rest, convergent * reciprocal);
   }
 
-  End end_at(const Loop& loop) const {
+  End end_at(const Loop& loop) {
     const bool regular = loop.rounds == 1 && is_regular(loop.mean);
     return {regular ? End::Kind::regular : End::Kind::singular, loop.mean, loop.rounds, ""};
   }

@@ -86,7 +86,7 @@ class FullSpace final : public Strategy {
     const TrackedPath path = tracker.run();
     if (!path.proven) {
       report.status = report.status == SolveStatus::complete ? SolveStatus::partial : report.status;
-      report.reason = "jumps are not known, since S could not be proven: " + path.cause;
+      report.reason += separator(report) + "jumps are not known, since S could not be proven: " + path.cause;
       return;
     }
     const std::vector<PathJump> jumps =
@@ -94,8 +94,10 @@ class FullSpace final : public Strategy {
     report.particulars = {{"jumps", static_cast<std::int64_t>(jumps.size())}};
     if (jumps.empty()) return;
     report.status = report.status == SolveStatus::complete ? SolveStatus::partial : report.status;
-    report.reason += (report.reason.empty() ? "" : "; ") + in_words(jumps);
+    report.reason += separator(report) + in_words(jumps);
   }
+
+  static std::string separator(const SolveReport& report) { return report.reason.empty() ? "" : "; "; }
 
   SolveReport solve_with_proof(const Scene& scene, const TrackerContext& context) const {
     CertifiedTracker tracker(scene, options_.fast, context);

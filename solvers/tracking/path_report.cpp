@@ -55,7 +55,7 @@ struct MetSolution {
   bool has_neighbour = false;  ///< so near that an estimate of its error does not tell them apart
 };
 
-/// Makes the report of one path. A shortcoming leaves a complete report partial.
+/// Makes the report of one path. A shortcoming leaves a complete report partial; the first one is named.
 class PathReporter {
  public:
   PathReporter(const Scene& scene, const std::function<Figure(const Eigen::VectorXd&)>& figure_of)
@@ -80,7 +80,7 @@ class PathReporter {
  private:
   void falls_short(const char* reason) {
     if (report_.status == SolveStatus::complete) report_.status = SolveStatus::partial;
-    report_.reason = reason;
+    if (report_.reason.empty()) report_.reason = reason;
   }
 
   Eigen::VectorXd coordinates_of(const Eigen::VectorXd& point) const {

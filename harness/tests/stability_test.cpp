@@ -354,6 +354,17 @@ TEST_CASE("an edge of length 1e-8 refuses no path strategy") {
   check_right(measured({"short-edge@1e-6", "short-edge@1e-8"}, {"full-space", "rcp"}));
 }
 
+TEST_CASE("solutions on S that are as near as an edge of length 1e-8 is short are told apart") {
+  for (const std::string value : {"1e-6", "1e-8"})
+    for (const std::string strategy : {"full-space", "rcp"}) {
+      const Scene scene(load_member("short-edge@" + value).problem);
+      const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
+      INFO(value << ", " << strategy);
+      CHECK(run.status == RunStatus::complete);
+      CHECK(run.assessment.counts.on_path == 4u);
+    }
+}
+
 TEST_CASE("a crossing that is no solution is not part of a complete answer") {
   for (const std::string strategy : {"full-space", "rcp"}) {
     const Scene scene(load_member("short-edge@1e-12").problem);

@@ -131,9 +131,9 @@ class PathReporter {
     if (!refinement.converged || (x - met.x).norm() > largest_refinement * scene_.size() ||
         relative_residual(scene_, candidate.figure) > largest_residual)
       falls_short("a crossing of t = 1 did not refine to a solution");
-    if (!met.has_neighbour) return candidate;
     candidate.error = proven_error(scene_, squares_, candidate.figure);
-    if (!std::isfinite(candidate.error) && jacobian_condition(scene_, candidate.figure) >= stiff_condition)
+    if (met.has_neighbour && !std::isfinite(candidate.error) &&
+        jacobian_condition(scene_, candidate.figure) >= stiff_condition)
       falls_short(not_told_apart);
     return candidate;
   }

@@ -103,6 +103,12 @@ TEST_CASE("the step keeps the last two terms below the tolerance") {
   CHECK(series.step_for(1e-9) == std::numeric_limits<double>::infinity());
 }
 
+TEST_CASE("the step is found of coefficients whose squares overflow") {
+  ArcSeries series(3, 40);
+  for (int n = 0; n <= 40; ++n) series.coefficient(n).setConstant(std::pow(1e5, n));
+  CHECK(series.step_for(1e-7) == Approx(1e-5 * std::pow(1e-7 / std::sqrt(3.0), 1 / 39.0)));
+}
+
 TEST_CASE("half convolutions are half the double sum over lower orders") {
   RandomNumbers random(4);
   for (const int dimension : {2, 3}) {

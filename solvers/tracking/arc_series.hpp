@@ -46,7 +46,7 @@ class ArcSeries {
   double step_for(double tolerance) const {
     double step = std::numeric_limits<double>::infinity();
     for (int n = std::max(2, order() - 1); n <= order(); ++n) {
-      const double size = coefficients_.col(n).norm();
+      const double size = coefficients_.col(n).stableNorm();
       if (size > 0) step = std::min(step, std::pow(tolerance / size, 1.0 / n));
     }
     return step;

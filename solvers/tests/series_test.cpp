@@ -103,10 +103,32 @@ TEST_CASE("the step keeps the last two terms below the tolerance") {
   CHECK(series.step_for(1e-9) == std::numeric_limits<double>::infinity());
 }
 
-TEST_CASE("the step is found of coefficients whose squares overflow") {
+TEST_CASE("the step and the radius are found of coefficients whose squares overflow") {
   ArcSeries series(3, 40);
   for (int n = 0; n <= 40; ++n) series.coefficient(n).setConstant(std::pow(1e5, n));
   CHECK(series.step_for(1e-7) == Approx(1e-5 * std::pow(1e-7 / std::sqrt(3.0), 1 / 39.0)));
+  CHECK(series.radius() == Approx(1e-5));
+}
+
+TEST_CASE("the radius of convergence is seen however weak the singularity, whatever the parity") {
+  for (const int order : {4, 11, 12})
+    for (const int parity : {0, 1, 2}) {
+      ArcSeries series(2, order);
+      for (int n = 0; n <= order; ++n)
+        series.coefficient(n).setConstant(parity == 2 || n % 2 == parity ? 1e-11 * std::pow(8, n) : 0);
+      series.coefficient(0) << 3, 4;
+      CAPTURE(order, parity);
+      if (order > 4) CHECK(series.step_for(1e-7) > 0.125);
+      CHECK((parity == 2 ? series.radius() == Approx(0.125) : series.radius() >= 0.125));
+    }
+}
+
+TEST_CASE("rounding and vanishing coefficients show no radius of convergence") {
+  ArcSeries series(2, 12);
+  for (int n = 0; n <= 12; ++n) series.coefficient(n).setConstant(n < 2 ? 1 : 0);
+  CHECK(series.radius() == std::numeric_limits<double>::infinity());
+  for (int n = 2; n <= 12; ++n) series.coefficient(n).setConstant(1e-17 * std::pow(5, n));
+  CHECK(series.radius() == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("half convolutions are half the double sum over lower orders") {
@@ -166,6 +188,10 @@ TEST_CASE("the series of the half squared lengths are those of the composition")
         CHECK(full == Approx(static_cast<double>(expected[i][n])).margin(1e-12));
       }
     }
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const LengthPath& path : paths)
+      shortest = std::min(shortest, path.value(0.3) / std::max(path.at_sketch, path.at_target));
+    CHECK(series.shortest(0.3) == shortest);
     for (Eigen::Index i = 0; i < 6; ++i) {
       CHECK(series.value(i) == paths[i].value(t0));
       CHECK(series.slope(i) == paths[i].value(t0) * paths[i].slope(t0));

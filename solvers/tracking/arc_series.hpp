@@ -52,6 +52,23 @@ class ArcSeries {
     return step;
   }
 
+  /// An estimate of the radius of convergence: the larger of the last two roots √(|c_(n−2)|/|c_n|). Orders of
+  /// the same parity are compared since the others may vanish. Unlike the size of a term it sees a
+  /// singularity however weak, if only that is the one that the last coefficients come from. Infinite where
+  /// the terms at that distance are the rounding of lower ones. Precondition: order ≥ 4.
+  double radius() const {
+    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+    const double noise = rounding * std::max(1.0, coefficients_.col(0).stableNorm());
+    double radius = 0;
+    for (int n = order() - 1; n <= order(); ++n) {
+      const double size = coefficients_.col(n).stableNorm();
+      const double ratio = std::sqrt(coefficients_.col(n - 2).stableNorm() / size);
+      const bool shows = size * std::pow(ratio, n) > noise;
+      radius = std::max(radius, shows ? ratio : std::numeric_limits<double>::infinity());
+    }
+    return radius;
+  }
+
  private:
   Eigen::MatrixXd coefficients_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 /// When a simplified Newton iteration may stop, and when it must be refused.
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
@@ -54,5 +55,13 @@ class CorrectorTest {
   double previous_ = 0;
   double factor_ = 0;
 };
+
+/// The sign of det B, B = [F_y; tangent]. On an arc of a regular curve F = 0 followed in one direction it is
+/// the same everywhere. Where two arcs nearly cross it differs between what lies straight ahead, which is
+/// the other arc's, and what the arc bends to.
+inline int determinant_sign(const Eigen::PartialPivLU<Eigen::MatrixXd>& lu) {
+  const auto negative = (lu.matrixLU().diagonal().array() < 0).count();
+  return (negative % 2 == 0 ? 1 : -1) * static_cast<int>(lu.permutationP().determinant());
+}
 
 }  // namespace gcs

@@ -61,6 +61,7 @@ bool DistanceCurve::start(int orientation, ArcSeries& series) {
   Eigen::VectorXd tangent = full.kernel().col(0).normalized();
   if (tangent[system_.unknowns()] * orientation < 0) tangent = -tangent;
   factorise(y, tangent);
+  side_ = determinant_sign(lu_);
   expand(y, series);
   return true;
 }
@@ -70,6 +71,7 @@ bool DistanceCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, 
   right_side_[m] = 0;
   residual(y, right_side_.head(m));
   factorise(y, tangent);
+  if (determinant_sign(lu_) != side_) return false;
   CorrectorTest test(tolerance_);
   while (true) {
     correction_ = lu_.solve(right_side_);
@@ -80,6 +82,7 @@ bool DistanceCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, 
     if (verdict == CorrectorTest::Verdict::settled) break;
     residual(y, right_side_.head(m));
   }
+  if (shortest_length(y[m]) < 0) return false;
   if (test.matrix_is_stale()) factorise(y, tangent);
   expand(y, series);
   return true;

@@ -20,6 +20,7 @@ class DistanceCurve {
   Eigen::Index coordinates() const { return system_.unknowns() + 1; }
   bool start(int orientation, ArcSeries& series);
   bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series);
+  double shortest_length(double t) const { return lengths_.shortest(t); }
   void accept() {}
   void reject() {}
   WorkCounters& work() { return work_; }
@@ -45,6 +46,7 @@ class DistanceCurve {
   Eigen::Matrix3Xd moving_;  ///< one coefficient as a figure: zero where the frame fixes a coordinate
   Eigen::MatrixXd bordered_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  int side_ = 0;  ///< the sign of the bordered matrix's determinant, on all of S
   Eigen::VectorXd right_side_, correction_, half_convolution_;
   WorkCounters work_;
 };

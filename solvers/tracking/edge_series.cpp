@@ -1,5 +1,8 @@
 #include "solvers/tracking/edge_series.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace gcs {
 
 LengthSeries::LengthSeries(std::vector<LengthPath> paths, int order) : paths_(std::move(paths)) {
@@ -20,6 +23,13 @@ void LengthSeries::start(double t0) {
     cubic_[e] = b * c;
     quartic_[e] = c * c / 2;
   }
+}
+
+double LengthSeries::shortest(double t) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const LengthPath& path : paths_)
+    shortest = std::min(shortest, path.value(t) / std::max(path.at_sketch, path.at_target));
+  return shortest;
 }
 
 void LengthSeries::known(int n, Eigen::Ref<Eigen::VectorXd> result) {

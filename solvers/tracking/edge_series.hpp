@@ -20,6 +20,9 @@ class LengthSeries {
   void start(double t0);
   double value(Eigen::Index i) const { return value_[i]; }
   double slope(Eigen::Index i) const { return slope_[i]; }
+  /// The least of the lengths at t, each relative to what it is at the sketch or the target, whichever is
+  /// more.
+  double shortest(double t) const;
   const std::vector<LengthPath>& paths() const { return paths_; }
 
   /// To be called for n = 1, 2, … once t_n is known.

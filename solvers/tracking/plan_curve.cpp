@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "solvers/tracking/corrector.hpp"
 
@@ -127,21 +128,39 @@ double PlanCurve::slope(int c) const {
 
 void PlanCurve::border_and_invert(const Eigen::VectorXd& tangent) {
   bordered_.bottomRows<1>() = tangent.transpose() * sensitivity_;
-  bordered_inverse_ = bordered_.partialPivLu().inverse();
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(bordered_);
+  bordered_inverse_ = lu.inverse();
   ++work_.factorisations;
+  side_of_s_ = determinant_sign(lu);
+  for (const Instruction& instruction : plan_.instructions()) side_of_s_ *= instruction.side;
+}
+
+/// What Algorithm 2 makes of the plan at the figure in points_, where it is due.
+std::optional<Plan> PlanCurve::changed_plan() const {
+  if (!options_.swap || !needs_change(plan_, options_.exchange, points_)) return std::nullopt;
+  Plan plan = plan_;
+  if (!change_plan(plan, options_.exchange, points_)) return std::nullopt;
+  return plan;
+}
+
+void PlanCurve::take_plan(Plan plan) {
+  previous_plan_ = std::exchange(plan_, std::move(plan));
+  ++work_.plan_changes;
+  configure();
 }
 
 /// Applies Algorithm 2 to the figure in points_ where it is due, and reads branch and parameters off it.
-void PlanCurve::maintain(double t) {
-  if (options_.swap && needs_change(plan_, options_.exchange, points_)) {
-    Plan before = plan_;
-    if (change_plan(plan_, options_.exchange, points_)) {
-      previous_plan_ = std::move(before);
-      ++work_.plan_changes;
-      configure();
-    }
-  }
+/// False where the plan that is left sees the figure on another arc.
+bool PlanCurve::maintain(double t, const Eigen::VectorXd& tangent) {
+  std::optional<Plan> changed = changed_plan();
   read_parameters(points_, t);
+  if (!changed) return true;
+  differentiate();
+  border_and_invert(tangent);
+  if (side_of_s_ != accepted_side_) return false;
+  take_plan(std::move(*changed));
+  read_parameters(points_, t);
+  return true;
 }
 
 bool PlanCurve::too_near() const {
@@ -154,6 +173,7 @@ void PlanCurve::note_plan() { plans_.push_back({Figure{points_, {}}, parameters_
 void PlanCurve::accept() {
   if (previous_plan_) note_plan();
   previous_plan_.reset();
+  accepted_side_ = side_of_s_;
   const int d = plan_.driving_parameters();
   driving_sum_ += d;
   work_.max_driving_parameters = std::max(work_.max_driving_parameters.value_or(0), d);
@@ -169,8 +189,9 @@ void PlanCurve::reject() {
 }
 
 bool PlanCurve::start(int orientation, ArcSeries& series) {
-  maintain(0);
+  if (std::optional<Plan> changed = changed_plan()) take_plan(std::move(*changed));
   previous_plan_.reset();
+  read_parameters(points_, 0);
   if (!evaluate()) return false;
   note_plan();
   differentiate();
@@ -185,6 +206,7 @@ bool PlanCurve::start(int orientation, ArcSeries& series) {
   Eigen::VectorXd tangent = (sensitivity_ * direction).normalized();
   if (tangent[coordinates_ - 1] * orientation < 0) tangent = -tangent;
   border_and_invert(tangent);
+  accepted_side_ = side_of_s_;
   Eigen::VectorXd y(coordinates_);
   y << Eigen::Map<const Eigen::VectorXd>(Eigen::MatrixXd(points_.topRows(dimension_)).data(),
                                          coordinates_ - 1),
@@ -199,7 +221,7 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
   auto figure = Eigen::Map<Eigen::MatrixXd>(y.data(), dimension_, point_count_);
   points_.topRows(dimension_) = figure;
   if (too_near()) return false;
-  maintain(y[coordinates_ - 1]);
+  if (!maintain(y[coordinates_ - 1], tangent)) return false;
   CorrectorTest test(options_.tolerance);
   for (bool first = true, settled = false;; first = false) {
     if (!evaluate()) return false;
@@ -208,6 +230,7 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
     if (first) {
       differentiate();
       border_and_invert(tangent);
+      if (!previous_plan_ && side_of_s_ != accepted_side_) return false;
     }
     change_.noalias() = bordered_inverse_.leftCols(residual_.size()) * residual_;
     parameters_ -= change_;
@@ -220,6 +243,7 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
     differentiate();
     border_and_invert(tangent);
   }
+  if (shortest_length(parameters_[0]) < 0) return false;
   figure = points_.topRows(dimension_);
   y[coordinates_ - 1] = parameters_[0];
   expand(y, series);

@@ -35,6 +35,7 @@ class PlanCurve {
   Eigen::Index coordinates() const { return coordinates_; }
   bool start(int orientation, ArcSeries& series);
   bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series);
+  double shortest_length(double t) const { return lengths_.shortest(t); }
   void accept();
   void reject();
   WorkCounters& work() { return work_; }
@@ -63,7 +64,9 @@ class PlanCurve {
 
  private:
   void configure();
-  void maintain(double t);
+  std::optional<Plan> changed_plan() const;
+  void take_plan(Plan plan);
+  bool maintain(double t, const Eigen::VectorXd& tangent);
   void note_plan();
   bool too_near() const;
   void border_and_invert(const Eigen::VectorXd& tangent);
@@ -93,6 +96,10 @@ class PlanCurve {
   PlanSweep sweep_;
   Eigen::MatrixXd sensitivity_;
   Eigen::MatrixXd bordered_, bordered_inverse_;
+  /// The sign of the determinant of [f_X, f_t; tangent] in all coordinates, as the plan orders them. It
+  /// changes with the plan, and otherwise not on S.
+  int side_of_s_ = 0;
+  int accepted_side_ = 0;  ///< at the last accepted point
   Eigen::VectorXd right_side_, change_, residual_;
   Eigen::VectorXd constant_, half_convolution_;  ///< per edge
   WorkCounters work_;

@@ -4,21 +4,27 @@
 /// Predictor. The equations are quadratic, so the Taylor coefficients of the curve cost one factorisation and
 /// one pair of triangular solves each. The arc length parameter has no singularity at folds of t, and on a
 /// circle it has none at all, which is why steps are long. The step is that at which the last two terms fall
-/// below the tolerance: it shrinks in proportion to the distance of the nearest complex singularity, hence
-/// with the distance of another arc that bends towards this one.
+/// below the tolerance, and no more than a part of the radius of convergence that the last ratios of
+/// coefficients show: where two arcs nearly cross, the singularity between them is so weak that its terms are
+/// below the tolerance even outside the disc.
 ///
 /// Corrector. Simplified Newton in the hyperplane through the predicted point normal to the tangent, with the
 /// same factorisation that gives the next polynomial. Its contraction measures the distance at which Newton
 /// would leave the path; a step whose corrections do not contract, or that needs more than a few tolerances
 /// of correction, is halved.
 ///
-/// No step jumps: the polynomial at the new point, evaluated one step backwards, must meet the old point.
-/// Both ends of a step then agree on the arc between them. This is a strong test, not a proof.
+/// Three tests stand against jumps to another arc. The polynomial at the new point, evaluated one step
+/// backwards, must meet the old point. The step must not leave the disc of the polynomial at the new point
+/// either. And the curve refuses a point at which the determinant of the corrector's matrix has another sign:
+/// so it has on the far side of a place where two arcs cross or nearly do, however near, which the other
+/// tests do not see below about 1e-11. They are strong tests, not a proof: a step over two such places passes
+/// the third one.
 ///
 /// Crossings of t = 1 are roots of the polynomial. Near an extremum of t that is as near 1 as the series errs
 /// they are not known, and the extremum is recorded, too.
 ///
-/// It fails (with a named cause) where S is singular, or passes a singularity closer than the smallest step.
+/// It fails (with a named cause) where S is singular, or passes a singularity closer than the smallest step,
+/// and where a length vanishes, beyond which the squared equations describe another problem.
 
 #include <algorithm>
 #include <cmath>
@@ -36,16 +42,18 @@ namespace gcs {
 
 /// A curve in coordinates whose last one is t.
 template <class C>
-concept SeriesCurve = requires(C curve, int orientation, Eigen::VectorXd& y, const Eigen::VectorXd& tangent,
-                               ArcSeries& series) {
+concept SeriesCurve = requires(C curve, int orientation, double t, Eigen::VectorXd& y,
+                               const Eigen::VectorXd& tangent, ArcSeries& series) {
   /// Number of coordinates, t included.
   { curve.coordinates() } -> std::convertible_to<Eigen::Index>;
   /// The series at the start, going towards growing t (orientation +1) or falling t; false where S is
   /// singular.
   { curve.start(orientation, series) } -> std::same_as<bool>;
   /// Corrects the predicted point y in the hyperplane normal to the tangent and expands there; false when the
-  /// corrector does not settle.
+  /// corrector does not settle, when y is on another arc, or when a length is negative there.
   { curve.advance(y, tangent, series) } -> std::same_as<bool>;
+  /// The least of the lengths at t, each relative to what it is at the sketch or the target.
+  { curve.shortest_length(t) } -> std::convertible_to<double>;
   /// The last advance is taken, or taken back.
   curve.accept();
   curve.reject();
@@ -68,6 +76,13 @@ struct SeriesTrackerOptions {
 /// distance of the arcs, while a series that is good to 1e-9 one way is good to about 1e-5 the other (its
 /// disc may be smaller by the step).
 inline constexpr double backward_agreement = 1e-3;
+
+/// The part of the radius of convergence, as estimated, that a step may use. Strong singularities keep steps
+/// of order 12 to a third of it.
+inline constexpr double disc_used = 0.75;
+
+/// A length that is down to this part of itself where no step was possible is what makes S singular there.
+inline constexpr double vanished = 1e-8;
 
 /// How far from an extremum of height h of t the crossings next to it may be, in units of sqrt(h/|t''|):
 /// twice where a parabola puts them.
@@ -113,11 +128,12 @@ class SeriesTracker {
   bool step() {
     WorkCounters& work = curve_.work();
     const double far = options_.step_max_far * here_.coefficient(0).lpNorm<Eigen::Infinity>();
-    step_ = std::min(std::max(options_.step_max, far), here_.step_for(options_.tolerance));
+    step_ = std::min(
+        {std::max(options_.step_max, far), here_.step_for(options_.tolerance), disc_used * here_.radius()});
     for (; step_ >= options_.step_min; step_ /= 2) {
       here_.evaluate(step_, predicted_);
       here_.tangent(step_, tangent_);
-      if (curve_.advance(predicted_, tangent_, there_) && agrees_backwards()) {
+      if (curve_.advance(predicted_, tangent_, there_) && step_ <= there_.radius() && agrees_backwards()) {
         curve_.accept();
         ++work.iterations;
         work.smallest_step = std::min(work.smallest_step.value_or(step_), step_);
@@ -133,6 +149,16 @@ class SeriesTracker {
     there_.evaluate(-step_, scratch_);
     scratch_ -= here_.coefficient(0);
     return scratch_.norm() <= backward_agreement * step_ && there_.coefficient(1).dot(tangent_) > 0;
+  }
+
+  Eigen::Index t_row() const { return here_.coefficients().rows() - 1; }
+
+  /// The coefficients of t(s) − 1.
+  std::vector<double> height(const ArcSeries& series) const {
+    std::vector<double> above(static_cast<std::size_t>(options_.order) + 1);
+    for (int n = 0; n <= options_.order; ++n)
+      above[static_cast<std::size_t>(n)] = series.coefficients()(t_row(), n) - (n == 0 ? 1 : 0);
+    return above;
   }
 
   /// Where on this step the path is back at the start with the same tangent; 0: nowhere.
@@ -160,10 +186,8 @@ class SeriesTracker {
 
   /// Crossings of t = 1 on this step up to `end`, and extrema of t next to it.
   void record_crossings(double end) {
-    const Eigen::Index t = here_.coefficients().rows() - 1;
-    std::vector<double> above(static_cast<std::size_t>(options_.order) + 1);
-    for (int n = 0; n <= options_.order; ++n)
-      above[static_cast<std::size_t>(n)] = here_.coefficients()(t, n) - (n == 0 ? 1 : 0);
+    const Eigen::Index t = t_row();
+    const std::vector<double> above = height(here_);
     const bool ends_here = end < step_;
     const double t_at_end = ends_here ? start_[t] : there_.coefficient(0)[t];
     if (!may_vanish(above, end, time_error_at(end)) && (above[0] >= 0) == (t_at_end >= 1)) return;
@@ -195,8 +219,7 @@ class SeriesTracker {
   /// more than so many of the last terms, and stops at the rounding of ill-conditioned points.
   double time_error_at(double s) const {
     const int last = options_.order;
-    const Eigen::Index t = here_.coefficients().rows() - 1;
-    const auto coefficient = [&](int n) { return std::abs(here_.coefficients()(t, n)); };
+    const auto coefficient = [&](int n) { return std::abs(here_.coefficients()(t_row(), n)); };
     const double terms = (coefficient(last) * s + coefficient(last - 1)) * std::pow(s, last - 1);
     return CorrectorTest::first_limit * terms +
            CorrectorTest::settled_limit(here_.coefficient(0).lpNorm<Eigen::Infinity>());
@@ -217,9 +240,11 @@ class SeriesTracker {
   }
 
   std::string too_small() const {
-    return "the step fell below step_min near t = " +
-           std::to_string(here_.coefficients()(here_.coefficients().rows() - 1, 0)) +
-           ": S is singular there or nearly so (hypothesis h1)";
+    const double t = here_.coefficient(0)[t_row()];
+    const bool vanishes = curve_.shortest_length(t) <= vanished;
+    return "the step fell below step_min near t = " + std::to_string(t) +
+           (vanishes ? ": a length vanishes there or nearly so (hypothesis h2)"
+                     : ": S is singular there or nearly so (hypothesis h1)");
   }
 
   void report_progress() {

@@ -277,6 +277,21 @@ TEST_CASE("solutions next to a fold of S are met, and none are where S falls sho
   }
 }
 
+TEST_CASE("next to a fold S crosses t = 1 twice, whichever way and in whatever steps it is followed") {
+  const std::vector<OptionMap> settings{
+      {}, {{"orientation", "backward"}}, {{"tolerance", "5e-8"}}, {{"order", "14"}}};
+  for (const std::string value : {"1e-6", "1e-8", "1e-10"})
+    for (const std::string strategy : {"full-space", "rcp"})
+      for (const OptionMap& options : settings) {
+        const Scene scene(load_member("flat-triangle@" + value).problem);
+        const SolveRun run = run_strategy(find_strategy(strategy), options, scene, {});
+        INFO(value << ", " << strategy << (options.empty() ? "" : ", " + options.begin()->first));
+        CHECK(run.status == RunStatus::complete);
+        CHECK(run.assessment.crossings.size() == 4);
+        CHECK(run.assessment.counts.on_path == 2u);
+      }
+}
+
 TEST_CASE("two solutions between which a path ends are found from there") {
   const std::vector<std::string> close{"flat-triangle@1e-6", "flat-tetrahedron@1e-6", "double-root@1e-4"};
   check_right(measured(close, {"monodromy", "polyhedral"}));

@@ -88,6 +88,12 @@ bool DistanceCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, 
   return true;
 }
 
+void DistanceCurve::renew(ArcSeries& series) {
+  const Eigen::VectorXd y = series.coefficient(0);
+  factorise(y, series.coefficient(1));
+  expand(y, series);
+}
+
 void DistanceCurve::set_differences(int n, const ArcSeries& series) {
   const auto coefficient = series.coefficient(n);
   lengths_.set(n, coefficient[system_.unknowns()]);

@@ -20,6 +20,7 @@ class DistanceCurve {
   Eigen::Index coordinates() const { return system_.unknowns() + 1; }
   bool start(int orientation, ArcSeries& series);
   bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series);
+  void renew(ArcSeries& series);
   double shortest_length(double t) const { return lengths_.shortest(t); }
   void accept() {}
   void reject() {}

@@ -250,6 +250,13 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
   return true;
 }
 
+void PlanCurve::renew(ArcSeries& series) {
+  const Eigen::VectorXd y = series.coefficient(0);
+  differentiate();
+  border_and_invert(series.coefficient(1));
+  expand(y, series);
+}
+
 void PlanCurve::set_differences(int n, const ArcSeries& series) {
   const double* coefficient = series.coefficients().col(n).data();
   lengths_.set(n, coefficient[coordinates_ - 1]);

@@ -35,6 +35,7 @@ class PlanCurve {
   Eigen::Index coordinates() const { return coordinates_; }
   bool start(int orientation, ArcSeries& series);
   bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series);
+  void renew(ArcSeries& series);
   double shortest_length(double t) const { return lengths_.shortest(t); }
   void accept();
   void reject();

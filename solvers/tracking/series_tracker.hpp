@@ -20,8 +20,9 @@
 /// tests do not see below about 1e-11. They are strong tests, not a proof: a step over two such places passes
 /// the third one.
 ///
-/// Crossings of t = 1 are roots of the polynomial. Near an extremum of t that is as near 1 as the series errs
-/// they are not known, and the extremum is recorded, too.
+/// Crossings of t = 1 are roots of the polynomial. Where t may turn round near 1 the polynomial is computed
+/// with the matrix at its own point, not with that of the corrector. Near an extremum of t that is as near 1
+/// as that series errs the crossings are not known, and the extremum is recorded, too.
 ///
 /// It fails (with a named cause) where S is singular, or passes a singularity closer than the smallest step,
 /// and where a length vanishes, beyond which the squared equations describe another problem.
@@ -52,6 +53,8 @@ concept SeriesCurve = requires(C curve, int orientation, double t, Eigen::Vector
   /// Corrects the predicted point y in the hyperplane normal to the tangent and expands there; false when the
   /// corrector does not settle, when y is on another arc, or when a length is negative there.
   { curve.advance(y, tangent, series) } -> std::same_as<bool>;
+  /// Expands again at the point of the last advance, once that is taken, with a matrix at this very point.
+  curve.renew(series);
   /// The least of the lengths at t, each relative to what it is at the sketch or the target.
   { curve.shortest_length(t) } -> std::convertible_to<double>;
   /// The last advance is taken, or taken back.
@@ -137,6 +140,7 @@ class SeriesTracker {
         curve_.accept();
         ++work.iterations;
         work.smallest_step = std::min(work.smallest_step.value_or(step_), step_);
+        if (may_touch(there_)) curve_.renew(there_);
         return true;
       }
       curve_.reject();
@@ -149,6 +153,14 @@ class SeriesTracker {
     there_.evaluate(-step_, scratch_);
     scratch_ -= here_.coefficient(0);
     return scratch_.norm() <= backward_agreement * step_ && there_.coefficient(1).dot(tangent_) > 0;
+  }
+
+  /// Whether t may turn round near 1 on the steps before and after the point of the series.
+  bool may_touch(const ArcSeries& series) const {
+    const double reach = std::max(step_, series.step_for(options_.tolerance));
+    if (std::abs(series.coefficient(0)[t_row()] - 1) > reach) return false;  // |dt/ds| ≤ 1
+    const std::vector<double> above = height(series);
+    return may_vanish(above, reach, 0) && may_vanish(derivative(above), reach, 0);
   }
 
   Eigen::Index t_row() const { return here_.coefficients().rows() - 1; }
@@ -215,8 +227,9 @@ class SeriesTracker {
     path_.touches.push_back(std::move(touch));
   }
 
-  /// A bound on the error of t(s) for all that the corrector shows: it refuses a prediction that is off by
-  /// more than so many of the last terms, and stops at the rounding of ill-conditioned points.
+  /// A bound on the error of t(s) near an extremum, where the series is that at its own point, for all that
+  /// the corrector shows: it refuses a prediction that is off by more than so many of the last terms, and
+  /// stops at the rounding of ill-conditioned points.
   double time_error_at(double s) const {
     const int last = options_.order;
     const auto coefficient = [&](int n) { return std::abs(here_.coefficients()(t_row(), n)); };

@@ -14,7 +14,7 @@ double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares
   double error = std::numeric_limits<double>::infinity();
   if (!figure.is_real() || scene.has_lines()) return error;
   const DistanceSystem system(scene, wide_reference(scene));
-  if (system.unknowns() > most_unknowns || jacobian_condition(scene, figure) < stiff_condition) return error;
+  if (system.unknowns() > most_unknowns || !is_stiff(scene, figure)) return error;
   const Eigen::VectorXd x = system.coordinates(scene.in_frame(figure, system.reference()));
   for (double radius = largest_box * scene.size(); radius > 0x1p-52 * scene.size(); radius /= 8) {
     const Box box{x, Eigen::VectorXd::Constant(x.size(), radius)};

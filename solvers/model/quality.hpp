@@ -23,6 +23,9 @@ double jacobian_condition(const Scene& scene, const Figure& figure);
 /// A solution with a condition number from here on is stiff: which one it is takes a proof.
 inline constexpr double stiff_condition = 1e6;
 
+/// jacobian_condition(scene, figure) ≥ stiff_condition, in a tenth of the time where it is far below.
+bool is_stiff(const Scene& scene, const Figure& figure);
+
 /// The size to which the rounding of a figure's distances is relative: the largest coordinate in modulus, and
 /// for a line how far it is from the points, times the 2-norm of its direction (1 when it is real). Infinite
 /// or not a number where the figure is.

@@ -132,8 +132,7 @@ class PathReporter {
         relative_residual(scene_, candidate.figure) > largest_residual)
       falls_short("a crossing of t = 1 did not refine to a solution");
     candidate.error = proven_error(scene_, squares_, candidate.figure);
-    if (met.has_neighbour && !std::isfinite(candidate.error) &&
-        jacobian_condition(scene_, candidate.figure) >= stiff_condition)
+    if (met.has_neighbour && !std::isfinite(candidate.error) && is_stiff(scene_, candidate.figure))
       falls_short(not_told_apart);
     return candidate;
   }

@@ -136,6 +136,8 @@ TEST_CASE("a start system that is none is refused with the place") {
   check_refused(file, sound, "/solutions/2", Json::array(), "/solutions/2", "exactly");
   check_refused(file, sound, "/solutions/2/1", "1", "/solutions/2/1", "complex number");
   check_refused(file, sound, "/solutions/3/0/0", x * (1 + 1e-6), "/solutions/3", "no solution");
+  // The square of 1e200 is no finite number.
+  check_refused(file, sound, "/solutions/3/0/0", 1e200, "/solutions/3", "no solution");
   check_refused(file, sound, "/solutions/5", solutions[1], "/solutions/5", "solution 1 again");
   check_refused(file, sound, "/extra", 1, "/extra", "unknown field");
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gcs {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 /// 1e-15, and one with an error in any digit that matters to the tracker far more.
 constexpr double residual_limit = 1e-10;
 
-/// The largest residual of an equation, relative to its terms.
+/// The largest residual of an equation, relative to its terms; infinite where one is no finite number.
 double relative_residual(const SquareSystem& system, const ComplexVectorX& x, const ComplexVectorX& squares) {
   const ComplexVectorX found = squares_at(system, x);
   double largest_residual = 0;
@@ -20,7 +21,9 @@ double relative_residual(const SquareSystem& system, const ComplexVectorX& x, co
       const auto [minuend, subtrahend, constant] = system.differences[d];
       size += std::norm(x[minuend] - (subtrahend < 0 ? constant : x[subtrahend]));
     }
-    largest_residual = std::max(largest_residual, std::abs(found[e] - squares[e]) / size);
+    const double residual = std::abs(found[e] - squares[e]) / size;
+    if (!std::isfinite(residual)) return std::numeric_limits<double>::infinity();
+    largest_residual = std::max(largest_residual, residual);
   }
   return largest_residual;
 }
@@ -33,8 +36,7 @@ std::optional<StartDefect> find_defect(const Family& family, const GenericSoluti
   for (std::size_t i = 0; i < generic.solutions.size(); ++i) {
     const int number = static_cast<int>(i);
     const ComplexVectorX& x = generic.solutions[i];
-    // Written so that a residual that is no number is one too large.
-    if (!(relative_residual(family.system, x, generic.squares) <= residual_limit))
+    if (relative_residual(family.system, x, generic.squares) > residual_limit)
       return StartDefect{number, "this is no solution for the generic squared lengths"};
     if (const int twin = known.insert(x, 0); twin != number)
       return StartDefect{number, "this is solution " + std::to_string(twin) + " again, up to reflection"};

@@ -32,6 +32,12 @@ Quartic reversed(Quartic q) {
   return q;
 }
 
+/// q(1) by two sums, of which each range of t that ends there uses one: where they differ in sign each may
+/// leave the zero to the other.
+bool vanishes_at_one(const Quartic& q) {
+  return (polynomial_value(q, 1) < 0) != (polynomial_value(reversed(q), 1) < 0);
+}
+
 /// In ascending order, each once. Neighbouring ranges of t share an end, where a zero is found twice to
 /// rounding; the resolution of real_roots is four times 1e-12.
 void keep_distinct(std::vector<double>& angles) {
@@ -53,6 +59,7 @@ std::vector<double> real_zeros(const TwoHarmonics& f) {
   if (q.back() == 0) angles.push_back(std::numbers::pi);
   for (const double side : {1.0, -1.0}) {
     const Quartic of_side = side > 0 ? q : mirrored(q);
+    if (vanishes_at_one(of_side)) angles.push_back(side * std::numbers::pi / 2);
     for (const double t : real_roots(of_side, 1)) angles.push_back(side * 2 * std::atan(t));
     for (const double s : real_roots(reversed(of_side), 1)) angles.push_back(side * 2 * std::atan2(1, s));
   }

@@ -79,6 +79,27 @@ TEST_CASE("zeros at the ends of the ranges of the half angle are found once") {
   CHECK(real_zeros({0, 0, 0, 0, 1}).size() == 4);
 }
 
+TEST_CASE("a zero at pi/2 or -pi/2 is found whichever sign the sum of the coefficients has by rounding") {
+  // cos1 and sin2 take part in no value at ±π/2, where constant ± sin1 − cos2 is 0 to rounding.
+  const double tenth = 0.1;
+  std::vector<TwoHarmonics> samples{{-0.51, 1.13, 1.28, 0.77, 0.48}};
+  RandomNumbers random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const double constant = std::round(random.uniform(-99, 99)) * tenth;
+    const double cos2 = std::round(random.uniform(-99, 99)) * tenth;
+    samples.push_back({constant, random.uniform(-9, 9), cos2 - constant, cos2, random.uniform(-9, 9)});
+  }
+  for (const TwoHarmonics& f : samples)
+    for (const double side : {1.0, -1.0}) {
+      const double slope = -side * f.cos1 - 2 * f.sin2;
+      if (std::abs(slope) < 1e-3) continue;
+      const std::vector<double> zeros = real_zeros({f.constant, f.cos1, side * f.sin1, f.cos2, f.sin2});
+      INFO(f.constant << " " << f.cos1 << " " << side * f.sin1 << " " << f.cos2 << " " << f.sin2);
+      CHECK(std::count_if(zeros.begin(), zeros.end(),
+                          [&](double zero) { return std::abs(zero - side * pi / 2) <= 1e-10; }) == 1);
+    }
+}
+
 TEST_CASE("a double zero is found as one, as two neighbours, or not at all, and disturbs no other") {
   RandomNumbers random(2);
   for (int i = 0; i < 200; ++i) {

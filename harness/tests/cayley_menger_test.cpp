@@ -54,6 +54,57 @@ Eigen::Matrix3Xd with_short_edge(std::mt19937_64& random, double length) {
   return points;
 }
 
+/// Squared distances in decimals of any number of digits, without the other constraints.
+Problem squared_distances(int points, const std::vector<std::tuple<int, int, std::string>>& squares) {
+  Problem problem = load_instance("octahedron").problem;
+  problem.sketch.reset();
+  problem.points.clear();
+  for (int i = 0; i < points; ++i) problem.points.push_back("p" + std::to_string(i));
+  if (!problem.fixed_points.empty()) problem.fixed_points.resize(problem.points.size());
+  problem.constraints.clear();
+  for (const auto& [a, b, square] : squares)
+    problem.constraints.push_back(
+        {"d" + std::to_string(problem.constraints.size()), {a, b}, {std::stod(square), square}, true});
+  return problem;
+}
+
+/// An octahedron whose Jacobian is singular to 1e-16 where |p0p5|² = 1.176916470405022644509943149310, and
+/// this length a little off.
+Problem near_fold(const std::string& square) {
+  return squared_distances(6, {{0, 1, "1.181882508010782636501266141695"},
+                               {0, 2, "3.857600416192804447826805981928"},
+                               {0, 4, "7.057274285918949183333504297271"},
+                               {0, 5, square},
+                               {1, 2, "5.044360121841088545176053346563"},
+                               {1, 3, "3.367013906010070616787063999509"},
+                               {1, 5, "4.709532796517550387349871118278"},
+                               {2, 3, "14.293928012260412208947681542853"},
+                               {2, 4, "17.822938682958057046375954549281"},
+                               {3, 4, "11.811425916351134261813188823773"},
+                               {3, 5, "8.163219736373605933025295423810"},
+                               {4, 5, "4.978899863579783759328895960774"}});
+}
+
+/// (0, 0, 0), (4, 0, 0), (1, 3, 0), and three more points off this plane, with a point that hangs on the
+/// first three: at |p6p0|² = 5 its place is (2, 1, 0), in their plane.
+Problem hanging_near_its_base(const std::string& square) {
+  return squared_distances(7, {{0, 1, "16"},
+                               {0, 2, "10"},
+                               {0, 4, "5"},
+                               {0, 5, "17"},
+                               {1, 2, "18"},
+                               {1, 3, "21"},
+                               {1, 5, "9"},
+                               {2, 3, "21"},
+                               {2, 4, "5"},
+                               {3, 4, "44"},
+                               {3, 5, "40"},
+                               {4, 5, "36"},
+                               {6, 0, square},
+                               {6, 1, "5"},
+                               {6, 2, "5"}});
+}
+
 int real_ones(const SolveRun& run) {
   const auto& solutions = run.assessment.solutions;
   return static_cast<int>(std::count_if(solutions.begin(), solutions.end(),
@@ -207,6 +258,62 @@ TEST_CASE("a pair of diagonals that escapes to infinity is counted as such") {
     CHECK(run.assessment.counts.at_infinity.value_or(0) + run.assessment.solutions.size() == 8);
     CHECK(holds(problem, run, points));
   }
+}
+
+TEST_CASE("two simple solutions near a fold are no double one, and real on one side of it only") {
+  // plan-scan proves 2 real classes and no other one above the singular length, and none below it; they move
+  // apart with the root of the difference, a thousandth of it being some 1e-7 apart.
+  for (const auto& [square, real] : {std::pair("1.176916471405022644509943149310", 2),
+                                     {"1.176916470415022644509943149310", 2},
+                                     {"1.176916470405122644509943149310", 2},
+                                     {"1.176916470405032644509943149310", 2},
+                                     {"1.176916470405012644509943149310", 0},
+                                     {"1.176916470404922644509943149310", 0},
+                                     {"1.176916470395022644509943149310", 0},
+                                     {"1.176916469405022644509943149310", 0}}) {
+    const SolveRun run = solved(near_fold(square));
+    INFO(square << " " << run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.assessment.solutions.size() == 8);
+    CHECK(real_ones(run) == real);
+    CHECK(run.assessment.counts.singular == 0U);
+    CHECK(run.assessment.failed_checks.empty());
+  }
+}
+
+TEST_CASE("a point that hangs just beside the plane of its base is placed on both sides") {
+  // The squared height over the plane is a tenth of the difference from 5 and more, of either sign: the
+  // octahedron's 4 real classes have 2 real places for it each, or none.
+  for (const std::string reduce : {"on", "off"})
+    for (const auto& [square, real] : {std::pair("5.0000000001", 8),
+                                       {"5.00000000000001", 8},
+                                       {"5.000000000000001", 8},
+                                       {"4.999999999999999", 0},
+                                       {"4.99999999999999", 0},
+                                       {"4.9999999999", 0}}) {
+      const SolveRun run = solved(hanging_near_its_base(square), "cayley-menger", {{"reduce", reduce}});
+      INFO(square << ", reduce " << reduce << ": " << run.reason);
+      const bool is_whole = run.assessment.solutions.size() == 16 && real_ones(run) == real;
+      if (reduce == "off") CHECK(run.status == RunStatus::complete);
+      CHECK((is_whole || run.status == RunStatus::partial));
+    }
+}
+
+TEST_CASE("a point that hangs in the plane of its base has one place of multiplicity two") {
+  const SolveRun run = solved(hanging_near_its_base("5"), "cayley-menger", {{"reduce", "off"}});
+  INFO(run.reason);
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.assessment.solutions.size() == 8);
+  CHECK(real_ones(run) == 4);
+  for (const AssessedSolution& solution : run.assessment.solutions) CHECK(solution.multiplicity == 2);
+}
+
+TEST_CASE("solutions that doubles do not tell apart are not called complete") {
+  // Heights of 1e-14 and less over the plane of the base.
+  const SolveRun run =
+      solved(hanging_near_its_base("5.0000000000000000000000000001"), "cayley-menger", {{"reduce", "off"}});
+  CHECK(run.status == RunStatus::partial);
+  CHECK_THAT(run.reason, Catch::Contains("too near each other to be told apart"));
 }
 
 TEST_CASE("cayley-menger says what it is not for") {

@@ -42,7 +42,17 @@ bool has_real_coefficients(const QuadraticSystem& system) {
   return true;
 }
 
-/// The conjugate of a solution is a solution too: the same one where it lies in the box that holds no other.
+std::string cause_of(const BallKrawczyk::Newton& newton) {
+  if (newton.converged) return "it is so nearly singular that no surroundings are proven to hold it alone";
+  if (newton.is_singular || newton.correction < slow_convergence)
+    return "it is singular: a multiple solution, or several that " + std::to_string(precisions.back()) +
+           " bits do not tell apart";
+  return "Newton's method from it leads to no solution";
+}
+
+}  // namespace
+
+// The conjugate of a solution is a solution too: the same one where it lies in the box that holds no other.
 Certificate::Realness realness(const Enclosure& enclosure) {
   using Realness = Certificate::Realness;
   bool is_own_conjugate = true, is_in_reals = true;
@@ -55,16 +65,6 @@ Certificate::Realness realness(const Enclosure& enclosure) {
   }
   return is_own_conjugate || is_in_reals ? Realness::real : Realness::undecided;
 }
-
-std::string cause_of(const BallKrawczyk::Newton& newton) {
-  if (newton.converged) return "it is so nearly singular that no surroundings are proven to hold it alone";
-  if (newton.is_singular || newton.correction < slow_convergence)
-    return "it is singular: a multiple solution, or several that " + std::to_string(precisions.back()) +
-           " bits do not tell apart";
-  return "Newton's method from it leads to no solution";
-}
-
-}  // namespace
 
 double Certificate::offset(std::size_t i, std::complex<double> x_i) const {
   const std::complex<double> mid = enclosure.mid[i];

@@ -33,6 +33,9 @@ struct Certificate {
   double offset(std::size_t i, std::complex<double> x_i) const;
 };
 
+/// Of the solution in an enclosure, the system having real coefficients.
+Certificate::Realness realness(const Enclosure& enclosure);
+
 class Certifier {
  public:
   explicit Certifier(QuadraticSystem system);

@@ -16,6 +16,10 @@
 /// determine lines no longer, and the status is partial. Multiple lines are not followed, so that there the
 /// status is partial.
 ///
+/// Lines that come out as multiple ones are settled with the exact decimals of the file
+/// (certification/settled_candidates.hpp): as multiple ones, or as several that are proven to be different.
+/// Where neither succeeds, or doubles do not tell them apart, the status is partial.
+///
 /// Complete: the multiplicities of the lines found and of those at infinity (isotropic directions) sum to 12.
 /// Infinitely many solutions are proven and named, with the exact decimals of the file: coinciding and
 /// collinear centres beforehand, others by a common factor of the equations (tangents/exact_spheres.hpp).
@@ -29,6 +33,7 @@
 #include <functional>
 #include <numeric>
 
+#include "solvers/certification/settled_candidates.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/options.hpp"
 #include "solvers/strategy.hpp"
@@ -83,29 +88,63 @@ void report_degenerate(const Scene& scene, const LocalSpheres& local, const Dege
   report.candidates.push_back(candidate_of(scene, local.in_scene({point, direction}), true, 1));
 }
 
-void report_lines(const Scene& scene, const FourSpheres& spheres, const LocalSpheres& local,
+/// Lines that are settled with the file's own numbers. Where lines are missing others that are nearly
+/// singular are settled with them: they may be next to those.
+bool is_doubtful(const Scene& scene, const FoundTangent& line, const Candidate& candidate, bool are_missing) {
+  return line.multiplicity > 1 ||
+         (are_missing && jacobian_condition(scene, candidate.figure) >= stiff_condition);
+}
+
+int accounted_for(const SolveReport& report, int at_infinity) {
+  int sum = at_infinity;
+  for (const Candidate& candidate : report.candidates) sum += candidate.multiplicity;
+  return sum;
+}
+
+/// False where lines lie too near each other to be told apart.
+bool list_lines(const SolveRequest& request, const FourSpheres& spheres, const LocalSpheres& local,
+                const CommonTangents& tangents, SolveReport& report) {
+  const Scene& scene = request.scene;
+  const bool are_missing = tangents.accounted_for() != tangent_count;
+  std::vector<Candidate> doubtful;
+  for (const FoundTangent& found : tangents.lines) {
+    const auto& [line, is_real, multiplicity] = found;
+    Candidate candidate =
+        candidate_of(scene, polished(spheres, local.in_scene(line), is_real, multiplicity, report.work),
+                     is_real, multiplicity);
+    (is_doubtful(scene, found, candidate, are_missing) ? doubtful : report.candidates).push_back(candidate);
+  }
+  const int expected = tangent_count - accounted_for(report, tangents.at_infinity);
+  SettledCandidates found = settled(scene, doubtful, report.candidates, expected, request.stop);
+  std::ranges::move(found.list, std::back_inserter(report.candidates));
+  return found.are_told_apart;
+}
+
+void report_lines(const SolveRequest& request, const FourSpheres& spheres, const LocalSpheres& local,
                   const CommonTangents& tangents, SolveReport& report) {
+  const Scene& scene = request.scene;
   report.generic = tangent_count;
   report.at_infinity = tangents.at_infinity;
-  for (const auto& [line, is_real, multiplicity] : tangents.lines)
-    report.candidates.push_back(
-        candidate_of(scene, polished(spheres, local.in_scene(line), is_real, multiplicity, report.work),
-                     is_real, multiplicity));
-  const int accounted_for = tangents.accounted_for();
-  if (accounted_for == tangent_count) {
+  const bool are_told_apart = list_lines(request, spheres, local, tangents, report);
+  const int accounted_for_here = accounted_for(report, tangents.at_infinity);
+  if (accounted_for_here == tangent_count && are_told_apart) {
     report.status = SolveStatus::complete;
   } else if (have_infinitely_many_tangents(exact_spheres_of(scene))) {
     report.status = SolveStatus::infinite;
     report.reason =
         "the equations of the common tangents leave a curve of complex solutions, although the centres are "
         "not collinear";
-  } else if (accounted_for > tangent_count) {
+  } else if (!are_told_apart || tangents.accounted_for() == tangent_count) {
     report.status = SolveStatus::partial;
-    report.reason = std::to_string(accounted_for) + " lines were found where there are " +
+    report.reason = too_near;
+  } else if (accounted_for_here > tangent_count) {
+    report.status = SolveStatus::partial;
+    report.reason = std::to_string(accounted_for_here) + " lines were found where there are " +
                     std::to_string(tangent_count) + ": rounding makes several of one";
   } else {
     report.status = SolveStatus::partial;
-    report.reason = "of the " + std::to_string(tangent_count) + " lines " + std::to_string(accounted_for) +
+    report.reason = "of the " + std::to_string(tangent_count) + " lines " +
+                    std::to_string(accounted_for_here) +
                     " are accounted for, multiplicities and those at infinity included";
   }
   const auto too_far = std::ranges::count_if(report.candidates, [&](const Candidate& candidate) {
@@ -162,7 +201,7 @@ class SphereTangents final : public Strategy {
     else if (follows_paths_)
       follow(request, spheres, local, report);
     else
-      report_lines(request.scene, spheres, local, common_tangents(local.spheres, report.work), report);
+      report_lines(request, spheres, local, common_tangents(local.spheres, report.work), report);
     return report;
   }
 
@@ -171,7 +210,7 @@ class SphereTangents final : public Strategy {
                      SolveReport& report) {
     FollowedTangents followed =
         follow_tangents(local.spheres, request.seed, request.stop, request.monitor, report.work);
-    report_lines(request.scene, spheres, local, followed.found, report);
+    report_lines(request, spheres, local, followed.found, report);
     report.paths = std::move(followed.paths);
     if (report.paths.back().end == PathRecord::End::stopped) return report_stop(report);
     const bool any_failed = std::any_of(report.paths.begin(), report.paths.end(), [](const PathRecord& path) {

@@ -37,8 +37,9 @@ struct FoundTangent {
   int multiplicity = 1;
 };
 
-/// The multiple solution near `line`: its real part where `is_real`, settled (tangent_refinement.hpp).
-/// Nothing where that is no common tangent to rounding.
+/// The multiple solution near `line`, or the middle of as many simple ones that doubles hardly tell apart:
+/// its real part where `is_real`, settled (tangent_refinement.hpp). Nothing where that is no common tangent
+/// to rounding.
 std::optional<FoundTangent> multiple_tangent(const FourSpheres& spheres, const ComplexTangent& line,
                                              bool is_real, int multiplicity);
 

@@ -153,8 +153,7 @@ void refuse_far_origin(const JsonCursor& fixed, const Problem& problem) {
   double reach = 0, extent = 0;
   std::vector<Eigen::Vector3d> positions;
   for (const DistanceConstraint& constraint : problem.constraints) {
-    const double given = constraint.given.value;
-    reach = std::max(reach, constraint.is_squared ? std::sqrt(given) : given);
+    reach = std::max(reach, constraint.length());
     for (const int end : constraint.between)
       if (problem.is_point(end) && problem.is_fixed(end)) positions.push_back(*problem.fixed_points[end]);
   }

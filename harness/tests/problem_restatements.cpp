@@ -167,6 +167,9 @@ Restatement scaled(const Problem& problem, int exponent) {
   if (restated.sketch) scale(*restated.sketch, factor);
   for (auto& point : restated.fixed_points)
     if (point) scale(*point, factor);
+  for (auto& texts : restated.fixed_point_texts)
+    for (std::string& text : texts)
+      if (!text.empty()) text = times_power_of_two(text, exponent);
   for (auto& line : restated.fixed_lines)
     if (line) scale(*line, factor);
   restated.interpolation.bend *= factor;
@@ -174,12 +177,9 @@ Restatement scaled(const Problem& problem, int exponent) {
 }
 
 Problem with_random_targets(Problem problem, std::mt19937_64& random) {
-  const auto length = [](const DistanceConstraint& c) {
-    return c.is_squared ? std::sqrt(c.given.value) : c.given.value;
-  };
   double longest = 0;
   for (const DistanceConstraint& constraint : problem.constraints)
-    longest = std::max(longest, length(constraint));
+    longest = std::max(longest, constraint.length());
   std::uniform_real_distribution<double> offset(-longest / 6, longest / 6);
   Eigen::Matrix3Xd points = problem.sketch->points;
   for (Eigen::Index i = 0; i < points.cols(); ++i)
@@ -196,6 +196,7 @@ Problem with_random_targets(Problem problem, std::mt19937_64& random) {
 }
 
 std::string times_power_of_two(const std::string& decimal, int exponent) {
+  if (decimal.starts_with('-')) return "-" + times_power_of_two(decimal.substr(1), exponent);
   std::vector<int> digits;
   std::size_t places = 0;
   for (std::size_t i = 0; i < decimal.size(); ++i) {

@@ -26,7 +26,7 @@ struct BoundedLength {
 
 /// From the decimal to the double half a unit in the last place, from its square root at most one more.
 BoundedLength given_length(const DistanceConstraint& constraint) {
-  const double value = constraint.is_squared ? std::sqrt(constraint.given.value) : constraint.given.value;
+  const double value = constraint.length();
   return {value, 2 * epsilon * value + std::numeric_limits<double>::denorm_min()};
 }
 

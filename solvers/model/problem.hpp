@@ -1,9 +1,10 @@
 #pragma once
 /// A point distance problem as a file states it: entities, given distances, and hints for path strategies.
-/// Nothing here is computed, and nothing here tells a solver which problem it is looking at.
+/// Nothing here tells a solver which problem it is looking at.
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ struct DistanceConstraint {
   std::array<int, 2> between{};
   Decimal given;  ///< the length, or its square, in the file's unit; > 0 (≥ 0 for a point–line length)
   bool is_squared = false;
+
+  double length() const { return is_squared ? std::sqrt(given.value) : given.value; }  ///< in the file's unit
 };
 
 /// Which entities fix the frame; −1: not used. Points: origin, axis and (in space) plane.

@@ -11,11 +11,6 @@
 namespace gcs {
 namespace {
 
-double file_length(const DistanceConstraint& constraint) {
-  return constraint.is_squared ? std::sqrt(constraint.given.value) : constraint.given.value;
-}
-
-/// The coordinates of a fixed entity, or nothing.
 /// The largest coordinate of a fixed position that distances are measured from.
 double fixed_extent(const Problem& problem) {
   double extent = 0;
@@ -206,15 +201,15 @@ Reference line_reference(const Problem& problem) {
   for (const DistanceConstraint& c : problem.constraints)
     if (c.between[0] == line || c.between[1] == line) {
       const int point = c.between[0] == line ? c.between[1] : c.between[0];
-      if (reference.height < 0 || file_length(c) > 0) reference.height = point;
-      if (file_length(c) > 0) break;
+      if (reference.height < 0 || c.length() > 0) reference.height = point;
+      if (c.length() > 0) break;
     }
   return reference;
 }
 
 Scene::Scene(Problem problem) : problem_(std::move(problem)), anchored_(anything_fixed(problem_)) {
   double longest = 0;
-  for (const DistanceConstraint& c : problem_.constraints) longest = std::max(longest, file_length(c));
+  for (const DistanceConstraint& c : problem_.constraints) longest = std::max(longest, c.length());
   if (longest == 0) longest = fixed_extent(problem_);
   if (longest > 0) unit_exponent_ = exponent_of(longest);
 

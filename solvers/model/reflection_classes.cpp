@@ -9,6 +9,7 @@
 
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/model/congruence.hpp"
 
 namespace gcs {
 namespace {
@@ -108,6 +109,16 @@ Signature complex_coordinates(const Figure& figure, double size) {
   return signature;
 }
 
+/// Of a line the feet of the perpendiculars.
+ComplexPoints points_to_place(const Figure& figure) {
+  if (!figure.is_real()) return complex_points_and_feet(figure);
+  const std::vector<Eigen::Vector3d> real = points_and_feet(figure);
+  ComplexPoints points(3, static_cast<Eigen::Index>(real.size()));
+  for (std::size_t i = 0; i < real.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) = real[i].cast<std::complex<double>>();
+  return points;
+}
+
 Signature signature_of(const Scene& scene, const Figure& figure) {
   if (!figure.is_real())
     return scene.is_anchored() ? complex_coordinates(figure, scene.size())
@@ -131,8 +142,9 @@ double magnitude(const Signature& signature) {
 /// the search for all.
 class ClassIndex {
  public:
-  /// The first class that the signature equals, or −1.
-  int find(const Signature& signature, double tolerance) const {
+  /// The first class that the signature equals and that may be the figure's, or −1.
+  template <typename MayBe>
+  int find(const Signature& signature, double tolerance, MayBe may_be) const {
     const double sum = total(signature);
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * magnitude(signature);
     int found = -1;
@@ -142,7 +154,7 @@ class ClassIndex {
       for (auto entry = classes.lower_bound(sum - window); entry != end; ++entry) {
         const Member& first = entry->second;
         if ((found < 0 || first.number < found) &&
-            equal(signature, first.signature, std::max(tolerance, first.tolerance)))
+            equal(signature, first.signature, std::max(tolerance, first.tolerance)) && may_be(first.number))
           found = first.number;
       }
     }
@@ -175,18 +187,24 @@ class ClassIndex {
 }  // namespace
 
 ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance) {
-  return reflection_classes(scene, figures, std::vector<double>(figures.size(), tolerance));
+  return reflection_classes(scene, figures, std::vector<ClassTolerance>(figures.size(), {tolerance}));
 }
 
 ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures,
-                                     std::span<const double> tolerances) {
+                                     std::span<const ClassTolerance> tolerances) {
   ReflectionClasses classes;
   ClassIndex index;
   for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
-    const double tolerance = tolerances[i] * scene.size();
+    const double tolerance = tolerances[i].distances * scene.size();
     Signature signature = signature_of(scene, figures[i]);
+    const auto may_be = [&](int number) {
+      const int first = classes.first[number];
+      const double places = std::max(tolerances[i].places, tolerances[first].places) * scene.size();
+      return scene.is_anchored() || !std::isfinite(places) ||
+             may_be_congruent(points_to_place(figures[i]), points_to_place(figures[first]), places);
+    };
     const bool finite = std::isfinite(magnitude(signature));  // else its sum has no place in an order
-    int found = finite ? index.find(signature, tolerance) : -1;
+    int found = finite ? index.find(signature, tolerance, may_be) : -1;
     if (found < 0) {
       found = classes.count();
       classes.first.push_back(i);

@@ -76,6 +76,51 @@ LinePosition line_along(int axis) { return {Eigen::Vector3d::Zero(), Eigen::Vect
 
 }  // namespace
 
+namespace {
+
+/// Four points in a plane and two at small heights over it.
+Figure nearly_flat(double first, double second) {
+  Figure figure;
+  figure.points = Eigen::Matrix3Xd::Zero(3, 6);
+  figure.points << 0, 4, 1, 3, 0, 3, 0, 0, 3, 4, 2, 2, 0, 0, 0, 0, first, second;
+  return figure;
+}
+
+}  // namespace
+
+TEST_CASE("heights over a plane are compared themselves, and not by what distances feel of them") {
+  RandomFigures random;
+  const Scene scene = scene_of(3, 6, 0);
+  for (const double z : {1e-2, 1e-4, 1e-6}) {
+    const Figure same = nearly_flat(z, 2 * z), across = nearly_flat(z, -2 * z);
+    for (const bool is_mirrored : {false, true}) {
+      const std::vector<Figure> figures{same, random.moved(same, is_mirrored), across,
+                                        random.moved(across, is_mirrored)};
+      const std::vector<gcs::ClassTolerance> places(4, {1e-5, 1e-12});
+      CHECK(gcs::reflection_classes(scene, figures, places).class_of == std::vector<int>{0, 0, 1, 1});
+      const std::vector<gcs::ClassTolerance> distances(4, {1e-5});
+      if (z < 1e-3) CHECK(gcs::reflection_classes(scene, figures, distances).count() == 1);
+    }
+  }
+}
+
+TEST_CASE("figures on a line and noise in their places are one class") {
+  RandomFigures random;
+  const Scene scene = scene_of(3, 5, 0);
+  Figure line;
+  line.points = Eigen::Matrix3Xd::Zero(3, 5);
+  line.points.row(0) << 0, 1, 3, -2, 0.5;
+  std::vector<Figure> figures{line};
+  for (int i = 0; i < 20; ++i) {
+    Figure noisy = random.moved(line, i % 2 == 0);
+    for (double& x : noisy.points.reshaped()) x += 1e-13 * random.number();
+    figures.push_back(noisy);
+  }
+  CHECK(
+      gcs::reflection_classes(scene, figures, std::vector<gcs::ClassTolerance>(21, {1e-9, 1e-12})).count() ==
+      1);
+}
+
 TEST_CASE("moved and mirrored figures are one class, others are not") {
   RandomFigures random;
   const Scene scene = scene_of(3, 6, 0);

@@ -1,6 +1,7 @@
 #include "solvers/complex_tracking/trace_test.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -10,27 +11,59 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int most_squares = 6;  // coordinates in E; more cost time, and a few random ones are generic enough
+constexpr int most_coordinates =
+    6;  // in E, at random; more cost time, and a few random ones are generic enough
 
 /// Last ε, of the search's: either s or E is of this order, the other one is not. At 0 pivots vanish.
 constexpr double almost_zero = 1e-9;
 
-/// The system for (x, s, x_a², E, −E, i·s, i·E). The product s·E is 1/4 of (s + E)² − (s − E)², which is
-/// (s − (−E))² + (i·s − i·E)².
+/// Sets of unknowns whose signs change together, and with no others, in all that the equations say.
+class SignComponents {
+ public:
+  explicit SignComponents(const SquareSystem& system) : root_(static_cast<std::size_t>(system.unknowns) + 1) {
+    std::iota(root_.begin(), root_.end(), 0);
+    for (const Difference& d : system.differences) {
+      if (d.subtrahend >= 0) join(d.minuend, d.subtrahend);
+      if (d.constant != 0) join(d.minuend, none());
+    }
+  }
+
+  /// One unknown of each component whose signs can be changed.
+  std::vector<int> representatives() {
+    std::vector<int> first;
+    for (int unknown = 0; unknown < none(); ++unknown)
+      if (find(unknown) == unknown && find(none()) != unknown) first.push_back(unknown);
+    return first;
+  }
+
+ private:
+  /// Stands for the constants, whose signs do not change.
+  int none() const { return static_cast<int>(root_.size()) - 1; }
+  int find(int i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+  void join(int a, int b) { root_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+
+  std::vector<int> root_;
+};
+
+/// The system for (x, s, q_a, E, −E, i·s, i·E) with the squares q_a of E. The product s·E is 1/4 of (s + E)²
+/// − (s − E)², which is (s − (−E))² + (i·s − i·E)².
 class TraceSystem {
  public:
-  TraceSystem(const SquareSystem& lengths, std::mt19937_64& random)
+  TraceSystem(const SquareSystem& lengths, const std::vector<int>& mirror_axes, std::mt19937_64& random)
       : lengths_(lengths), direction_(random_complex_vector(lengths.equations(), random)) {
-    choose_coordinates(random);
-    weights_ = random_complex_vector(static_cast<int>(chosen_.size()), random);
+    choose_squares(mirror_axes, random);
+    weights_ = random_complex_vector(static_cast<int>(squares_.size()), random);
     offset_ = random_complex_vector(1, random).front();
-    const int n = lengths.unknowns, k = static_cast<int>(chosen_.size());
+    const int n = lengths.unknowns, k = static_cast<int>(squares_.size());
     s_ = n;
     square_ = n + 1;
     e_ = n + 1 + k;
     system_.unknowns = n + k + 5;
     add_lengths();
-    for (int i = 0; i < k; ++i) system_.add_equation({{chosen_[i]}}, {{square_ + i, -1}}, 0);
+    for (int i = 0; i < k; ++i) system_.add_equation({squares_[i]}, {{square_ + i, -1}}, 0);
     add_weighted_sum();
     system_.add_equation({}, {{e_, 1}, {e_ + 1, 1}}, 0);
     system_.add_equation({}, {{s_, Complex(0, 1)}, {e_ + 2, -1}}, 0);
@@ -54,18 +87,32 @@ class TraceSystem {
   /// φ at a point, with weights of its own.
   Complex sum_of_squares(const ComplexVectorX& x, const ComplexVectorX& weights) const {
     Complex sum = weights.back() * x[s_];
-    for (std::size_t i = 0; i < chosen_.size(); ++i) sum += weights[i] * x[square_ + static_cast<int>(i)];
+    for (std::size_t i = 0; i < squares_.size(); ++i) sum += weights[i] * x[square_ + static_cast<int>(i)];
     return sum;
   }
-  int weights_needed() const { return static_cast<int>(chosen_.size()) + 1; }
+  int weights_needed() const { return static_cast<int>(squares_.size()) + 1; }
 
  private:
-  void choose_coordinates(std::mt19937_64& random) {
-    chosen_.resize(static_cast<std::size_t>(lengths_.unknowns));
-    std::iota(chosen_.begin(), chosen_.end(), 0);
-    for (std::size_t i = 0; i < chosen_.size(); ++i)
-      std::swap(chosen_[i], chosen_[i + random() % (chosen_.size() - i)]);
-    chosen_.resize(std::min<std::size_t>(chosen_.size(), most_squares));
+  /// Some coordinates at random, and what tells apart the images of a component that are not divided out:
+  /// its distance from another one of the same axis or, where nothing is divided out, from a constant.
+  void choose_squares(const std::vector<int>& mirror_axes, std::mt19937_64& random) {
+    std::vector<int> order(static_cast<std::size_t>(lengths_.unknowns));
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      std::swap(order[i], order[i + random() % (order.size() - i)]);
+    order.resize(std::min<std::size_t>(order.size(), most_coordinates));
+    for (const int unknown : order) squares_.push_back({unknown});
+    std::uniform_real_distribution<double> constant(0.5, 1.5);
+    std::array<int, 3> first_of_axis{-1, -1, -1};
+    for (const int unknown : SignComponents(lengths_).representatives()) {
+      const int axis = mirror_axes[unknown];
+      if (axis < 0)
+        squares_.push_back({unknown, -1, constant(random)});
+      else if (first_of_axis[axis] >= 0)
+        squares_.push_back({first_of_axis[axis], unknown});
+      else
+        first_of_axis[axis] = unknown;
+    }
   }
 
   /// A(x) − s·V
@@ -79,7 +126,7 @@ class TraceSystem {
 
   void add_weighted_sum() {
     std::vector<LinearTerm> terms{{e_, -1}};
-    for (std::size_t i = 0; i < chosen_.size(); ++i)
+    for (std::size_t i = 0; i < squares_.size(); ++i)
       terms.push_back({square_ + static_cast<int>(i), weights_[i]});
     system_.add_equation({}, terms, 0);
   }
@@ -87,8 +134,10 @@ class TraceSystem {
   ComplexVectorX random_point(std::mt19937_64& random) const {
     ComplexVectorX x = random_complex_vector(lengths_.unknowns + 1, random);
     Complex e = -offset_;
-    for (std::size_t i = 0; i < chosen_.size(); ++i) {
-      x.push_back(x[chosen_[i]] * x[chosen_[i]]);
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+      const Difference& d = squares_[i];
+      const Complex difference = x[d.minuend] - (d.subtrahend < 0 ? Complex(d.constant) : x[d.subtrahend]);
+      x.push_back(difference * difference);
       e += weights_[i] * x.back();
     }
     x.insert(x.end(), {e, -e, Complex(0, 1) * x[s_], Complex(0, 1) * e});
@@ -97,7 +146,7 @@ class TraceSystem {
 
   const SquareSystem& lengths_;
   ComplexVectorX direction_;  // V
-  std::vector<int> chosen_;
+  std::vector<Difference> squares_;
   ComplexVectorX weights_;
   Complex offset_;
   SquareSystem system_;
@@ -181,7 +230,7 @@ TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_
                      const TrackingSetup& setup, const MonodromyOptions& options, std::mt19937_64& random,
                      const std::function<bool()>& stopped, const std::function<void(int)>& progress,
                      WorkCounters& work) {
-  const TraceSystem trace(system, random);
+  const TraceSystem trace(system, mirror_axes, random);
   const Elimination elimination = order_elimination(trace.system(), random);
   LegTracking tracking(trace.system(), elimination, setup);
   const FibreTest fibre_test(trace, tracking, random, stopped, work);

@@ -12,10 +12,14 @@
 /// s alone will not do for u: solutions escape to infinity at finite s, where sums have poles. Here
 ///   u = s·E,  E = Σ r_a x_a² − c
 /// with random r over some coordinates and a random c: squares, since the sums of coordinates vanish with
-/// mirror images. Where x escapes at a finite s, E grows as all x_a² do; at s = ∞ placements grow like
-/// s^(1/2), u like s². So φ = Σ r'_a x_a² + r'·s is O(u). The degree of the covering is N + M: N points with
-/// s = 0, which are the solutions sought, and M with E = 0. All of them are searched for by monodromy in A_0
-/// and ε; the sums at three values of ε must lie on a line; then ε goes to almost 0, and N is counted.
+/// mirror images. The equations may have other symmetries, which are not divided out: a component of the
+/// graph that the points at 0 on an axis separate from the rest has images of its own. φ must tell them
+/// apart, or it sums over the half of a fibre as over the whole: E and φ then have the squares of differences
+/// between components too, and where no images are divided out of differences from constants. Where x escapes
+/// at a finite s, E grows as all x_a² do; at s = ∞ placements grow like s^(1/2), u like s². So φ = Σ r'_a
+/// x_a² + r'·s is O(u). The degree of the covering is N + M: N points with s = 0, which are the solutions
+/// sought, and M with E = 0. All of them are searched for by monodromy in A_0 and ε; the sums at three values
+/// of ε must lie on a line; then ε goes to almost 0, and N is counted.
 ///
 /// It is evidence and no proof: φ might be unlucky, and the sums are numbers in floating point.
 

@@ -20,6 +20,8 @@
 #include <memory>
 
 #include "solvers/complex_tracking/complex_strategy.hpp"
+#include "solvers/complex_tracking/endgame.hpp"
+#include "solvers/complex_tracking/mirror_images.hpp"
 #include "solvers/options.hpp"
 #include "solvers/polyhedral/polyhedral_solutions.hpp"
 
@@ -40,6 +42,9 @@ class Found final : public GenericStart {
   bool is_stopped() const override { return generic.stopped; }
   std::string missing() const override {
     if (generic.stopped) return "stopped on the way to random lengths";
+    if (misses_placement)
+      return "the random placement that gives the lengths is not among the " +
+             std::to_string(generic.solutions.size()) + " classes found for them";
     return are_as_many_as_can_be ? "" : generic.missing;
   }
   std::vector<Particular> particulars() const override {
@@ -53,6 +58,7 @@ class Found final : public GenericStart {
   ComplexVectorX placement_squares;
   PolyhedralSolutions generic;
   bool are_as_many_as_can_be = false;  ///< whatever paths were lost
+  bool misses_placement = false;       ///< it is a solution, and not among those found
 };
 
 class Polyhedral final : public ComplexStrategy {
@@ -76,7 +82,15 @@ class Polyhedral final : public ComplexStrategy {
          follows_mirror_images(), setup, request.seed, request.stop, progress},
         found->random, found->work);
     if (!found->generic.missing.empty()) found->are_as_many_as_can_be = limit() == found->solutions().size();
+    found->misses_placement = !has_placement(request, *found);
     return found;
+  }
+
+  static bool has_placement(const SolveRequest& request, const Found& found) {
+    std::mt19937_64 random(request.seed);
+    SolutionSet classes(mirror_axes(request.scene, found.coordinates), random);
+    for (const ComplexVectorX& x : found.solutions()) classes.insert(x, regular_uncertainty);
+    return classes.find(found.placement, regular_uncertainty) >= 0;
   }
 
   Formulation formulation_;

@@ -67,14 +67,30 @@ constexpr double stiff = 1e-8;
 constexpr const char* collinear = "the points that it hangs on are collinear";
 constexpr const char* coinciding = "two of the points that it hangs on coincide, to rounding";
 constexpr const char* nearly_collinear = "the points that it hangs on are collinear, to rounding";
+/// Relative to the terms that cancel: what is smaller is undecided.
+constexpr double least_margin = 1e-9;
+
 constexpr const char* nearly_flat = "it lies, to rounding, in the plane of the points that it hangs on";
+
+/// Precondition: the base is given.
+std::array<Rational, 3> base_squares(const Scene& scene, const Part& part) {
+  std::array<Rational, 3> squares;
+  for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
+    squares[pair] = rational(given_square(scene, part.base_constraints[pair]));
+  return squares;
+}
 
 }  // namespace
 
+std::string why_not_on_base(const Scene& scene, const Part& part) {
+  if (scene.dimension() == 2) return "";
+  const Quotients<Rational> q = in_space(Squares<Rational>{base_squares(scene, part), {}});
+  if (q.V.sign() == 0) return collinear;
+  return std::abs((q.V / q.largest_term_of_V).approximate()) <= least_margin ? nearly_collinear : "";
+}
+
 HungPlace exact_place(const Scene& scene, const Part& hung) {
-  Squares<Rational> squares;
-  for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
-    squares.base[pair] = rational(given_square(scene, hung.base_constraints[pair]));
+  Squares<Rational> squares{base_squares(scene, hung), {}};
   for (int i = 0; i < scene.dimension(); ++i)
     squares.radii[i] = rational(given_square(scene, hung.constraints[i]));
   const Quotients<Rational> q = quotients(scene.dimension(), squares);
@@ -110,8 +126,8 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
   for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
     shortest = std::min(shortest, std::sqrt(std::abs(squares.base[pair])));
   // Relative errors of the base's edges, a thousand times.
-  const double margin =
-      std::max(1e-9, 1e3 * std::numeric_limits<double>::epsilon() * condition * scene.size() / shortest);
+  const double margin = std::max(
+      least_margin, 1e3 * std::numeric_limits<double>::epsilon() * condition * scene.size() / shortest);
   if (!(margin < 1)) {
     place.undecided = coinciding;
     return place;

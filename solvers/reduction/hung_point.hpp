@@ -20,6 +20,10 @@ struct HungPlace {
   std::string undecided;  ///< why it cannot be told where the point is, in words; else empty
 };
 
+/// Why nothing is placed on the part's base: its points are collinear, or so nearly that rounding decides;
+/// empty when they are not. Precondition: the base is given.
+std::string why_not_on_base(const Scene& scene, const Part& part);
+
 /// By the decimals of the file, exactly: whether it is real, and whether it is flat, is proven, and
 /// coordinates are right to rounding. Precondition: the base is given.
 HungPlace exact_place(const Scene& scene, const Part& hung);

@@ -55,7 +55,18 @@ SolutionProduct::SolutionProduct(const Scene& scene, const std::vector<Part>& pa
       positions_(Simplex::Zero(3, scene.point_count())) {
   for (int part = 0; part < static_cast<int>(parts.size()); ++part)
     for (const int point : parts[part].points) home_[point] = part;
+  leave_out_collinear_bases();
   find_dependences();
+}
+
+void SolutionProduct::leave_out_collinear_bases() {
+  for (std::size_t part = 1; part < parts_.size(); ++part) {
+    if (parts_[part].is_hung_point()) continue;
+    const std::string why = why_not_on_base(scene_, parts_[part]);
+    if (why.empty()) continue;
+    note(scene_.problem().name(parts_[part].points.front()) + " and others are not placed: " + why);
+    solutions_[part].clear();
+  }
 }
 
 bool SolutionProduct::is_inside(const std::vector<int>& points, int part) const {
@@ -150,7 +161,7 @@ const std::vector<PartSolution>& SolutionProduct::solutions(int part) {
   if (depends_on_[part].empty()) return solutions_[part];
   std::vector<Choice> now;
   for (const int other : depends_on_[part])
-    now.push_back(is_across_[part] ? choices_[other] : Choice{choices_[other].solution});
+    now.push_back(side_matters_[other] ? choices_[other] : Choice{choices_[other].solution});
   if (now == placed_at_[part]) return solutions_[part];
   placed_at_[part] = std::move(now);
   double condition = 1;
@@ -277,11 +288,12 @@ void SolutionProduct::list_from(int part, bool has_complex, bool has_side) {
 }
 
 /// A complex figure in the scene's frame. Turning by a complex rotation costs accuracy, much where directions
-/// are nearly isotropic.
-Figure SolutionProduct::framed(const Figure& figure) const {
+/// are nearly isotropic; a stiff one needs all of it.
+Figure SolutionProduct::framed(const Figure& figure, bool is_stiff) const {
   const Figure turned = scene_.in_frame(figure);
-  return relative_residual(scene_, turned) <= double_root_residual ? turned
-                                                                   : polished(scene_, squares_, turned);
+  return !is_stiff && relative_residual(scene_, turned) <= double_root_residual
+             ? turned
+             : polished(scene_, squares_, turned);
 }
 
 Candidate SolutionProduct::candidate(bool is_real) const {
@@ -293,7 +305,7 @@ Candidate SolutionProduct::candidate(bool is_real) const {
     is_stiff = is_stiff || chosen.is_stiff;
   }
   result.figure = figure_of(positions_, solutions_[0][choices_[0].solution].lines, is_real);
-  if (!is_real && !scene_.has_lines()) result.figure = framed(result.figure);
+  if (!is_real && !scene_.has_lines()) result.figure = framed(result.figure, is_stiff);
   if (is_stiff) result.error = proven_error(scene_, squares_, result.figure);
   return result;
 }

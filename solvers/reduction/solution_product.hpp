@@ -55,6 +55,7 @@ class SolutionProduct {
   /// A class has the weight 2 for its two sides, 1 when it is flat; or only flat ones count.
   enum class Weighing { sides, flat_only };
 
+  void leave_out_collinear_bases();
   void find_dependences();
   bool is_inside(const std::vector<int>& points, int part) const;
   int last_home(const std::vector<int>& points) const;
@@ -71,7 +72,7 @@ class SolutionProduct {
   void list_from(int part, bool has_complex, bool has_side);
   bool may_become_complex(int from);
   Candidate candidate(bool is_real) const;
-  Figure framed(const Figure& figure) const;
+  Figure framed(const Figure& figure, bool is_stiff) const;
   void note(const std::string& sentence);
   bool is_exhausted();
 

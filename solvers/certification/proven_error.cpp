@@ -1,18 +1,39 @@
 #include "solvers/certification/proven_error.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "solvers/certification/krawczyk.hpp"
+#include "solvers/certification/scene_equations.hpp"
 #include "solvers/model/quality.hpp"
 #include "solvers/model/wide_reference.hpp"
 
 namespace gcs {
 
+namespace {
+
+// The tests take time cubic in the unknowns.
+constexpr int most_unknowns = 300, most_unknowns_in_balls = 100;
+
+/// By a certificate.
+double error_of_complex(const Scene& scene, const Figure& figure) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (why_not_certified(scene) || !is_stiff(scene, figure)) return unknown;
+  const SceneEquations equations(scene);
+  QuadraticSystem system = equations.system();
+  if (system.unknowns > most_unknowns_in_balls) return unknown;
+  const Figure framed = scene.in_frame(figure);
+  const Certificate certificate = Certifier(std::move(system)).certify(equations.coordinates(framed));
+  return certificate.is_proven ? equations.distance(framed, certificate) : unknown;
+}
+
+}  // namespace
+
 double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure) {
   constexpr double largest_box = 1e-6;
-  constexpr int most_unknowns = 300;  // the test takes time cubic in them
   double error = std::numeric_limits<double>::infinity();
-  if (!figure.is_real() || scene.has_lines()) return error;
+  if (!figure.is_real()) return error_of_complex(scene, figure);
+  if (scene.has_lines()) return error;
   const DistanceSystem system(scene, wide_reference(scene));
   if (system.unknowns() > most_unknowns || !is_stiff(scene, figure)) return error;
   const Eigen::VectorXd x = system.coordinates(scene.in_frame(figure, system.reference()));

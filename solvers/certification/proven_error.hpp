@@ -1,5 +1,5 @@
 #pragma once
-/// How far a real solution in doubles is from the solution that it stands for.
+/// How far a solution in doubles is from the solution that it stands for.
 
 #include <vector>
 
@@ -8,9 +8,10 @@
 
 namespace gcs {
 
-/// A proven bound on the error of a real figure in the scene's unit, up to a motion, by Krawczyk's test in
-/// the smallest box that it holds in; for those that are stiff. Infinite for others, where nothing is proven,
-/// for scenes with lines, and above 300 unknowns. `squares`: see target_squares.
+/// A proven bound on the error of a figure in the scene's unit, up to a motion, for those that are stiff: of
+/// a real one by Krawczyk's test in the smallest box that it holds in, of a complex one by a certificate.
+/// Infinite for others, where nothing is proven, for real figures with lines, and above 300 unknowns (100 of
+/// a complex one). `squares`: see target_squares.
 double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure);
 
 }  // namespace gcs

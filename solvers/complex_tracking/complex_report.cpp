@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/certification/near_solutions.hpp"
 #include "solvers/certification/proven_error.hpp"
+#include "solvers/certification/scene_equations.hpp"
 #include "solvers/complex_tracking/close_pair.hpp"
 #include "solvers/complex_tracking/distinct_ends.hpp"
 #include "solvers/complex_tracking/shortcomings.hpp"
@@ -148,8 +150,31 @@ class ComplexReporter {
       is_in_between |= fold.has_value();
       if (is_in_between && add_close_pair(x)) return;
     }
+    if (const auto near = settled_near(x, paths)) {
+      if (std::ssize(near->simple) == paths) return add_simple(near->simple);
+      is_in_between = near->count() != paths;
+    }
     missing_.in_between += is_in_between;
     add_multiple(figure, paths);
+  }
+
+  /// What the file's own numbers make of the place at which so many paths met, if certificates reach it.
+  std::optional<SettledSolutions> settled_near(const ComplexVectorX& x, int paths) {
+    if (paths < 2 || why_not_certified(scene_)) return std::nullopt;
+    const SceneEquations equations(scene_);
+    if (equations.coordinates(complex_figure(system_, x)) != x) return std::nullopt;
+    return settle(equations.system(), {{x, paths}}, paths, {});
+  }
+
+  void add_simple(const std::vector<Certificate>& solutions) {
+    const SceneEquations equations(scene_);
+    for (const Certificate& solution : solutions) {
+      const ComplexVectorX& mid = solution.enclosure.mid;
+      const bool is_real = solution.realness == Certificate::Realness::real;
+      const Figure figure = is_real ? system_.figure(*real_part(mid, std::numeric_limits<double>::infinity()))
+                                    : complex_figure(system_, mid);
+      report_.candidates.push_back({figure, 1, equations.distance(figure, solution)});
+    }
   }
 
   void add_proven(const Figure& figure) {

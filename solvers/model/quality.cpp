@@ -100,10 +100,30 @@ Eigen::MatrixXcd normalised_line_jacobian(const Scene& scene, const Figure& figu
   return jacobian;
 }
 
+/// Of a real figure, its rows normalised.
+Eigen::MatrixXd real_jacobian(const DistanceSystem& system, const Figure& figure) {
+  Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
+  system.jacobian(figure.points, jacobian);
+  jacobian.rowwise().normalize();
+  return jacobian;
+}
+
+/// Likewise of a complex one.
+Eigen::MatrixXcd complex_jacobian(const DistanceSystem& system, const Figure& figure) {
+  Eigen::MatrixXd part(system.equations(), system.unknowns());
+  system.jacobian(figure.points, part);
+  Eigen::MatrixXcd jacobian = part.cast<std::complex<double>>();
+  system.jacobian(figure.imaginary, part);
+  jacobian.imag() = part;
+  jacobian.rowwise().normalize();
+  return jacobian;
+}
+
 /// Whether a condition number is at least stiff_condition by its estimate from a factorisation, to be on the
 /// safe side: the 2-norm's is up to `size` times the 1-norm's, and that of the estimate rarely a tenth too
 /// small.
-bool may_be_stiff(const Eigen::MatrixXd& matrix) {
+template <class Matrix>
+bool may_be_stiff(const Matrix& matrix) {
   constexpr double doubt = 10;
   const double reciprocal = matrix.partialPivLu().rcond();
   return !(reciprocal * stiff_condition >= doubt * static_cast<double>(matrix.rows()));
@@ -138,23 +158,15 @@ double jacobian_condition(const Scene& scene, const Figure& figure) {
   if (scene.has_lines()) return singular_ratio(normalised_line_jacobian(scene, figure));
   const DistanceSystem system(scene);
   if (system.unknowns() > most_dense_unknowns) return sparse_jacobian_condition(scene, figure);
-  Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
-  system.jacobian(figure.points, jacobian);
-  if (figure.is_real()) return singular_ratio<Eigen::MatrixXd>(jacobian.rowwise().normalized());
-  Eigen::MatrixXcd complex = jacobian.cast<std::complex<double>>();
-  system.jacobian(figure.imaginary, jacobian);
-  complex.imag() = jacobian;
-  complex.rowwise().normalize();
-  return rounded_singular_ratio(complex);
+  return figure.is_real() ? singular_ratio(real_jacobian(system, figure))
+                          : rounded_singular_ratio(complex_jacobian(system, figure));
 }
 
 bool is_stiff(const Scene& scene, const Figure& figure) {
-  if (figure.is_real() && !scene.has_lines()) {
-    const DistanceSystem system(scene);
-    Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
-    system.jacobian(figure.points, jacobian);
-    if (system.unknowns() <= most_dense_unknowns && !may_be_stiff(jacobian.rowwise().normalized()))
-      return false;
+  if (const DistanceSystem system(scene); !scene.has_lines() && system.unknowns() <= most_dense_unknowns) {
+    const bool may_be = figure.is_real() ? may_be_stiff(real_jacobian(system, figure))
+                                         : may_be_stiff(complex_jacobian(system, figure));
+    if (!may_be) return false;
   }
   return jacobian_condition(scene, figure) >= stiff_condition;
 }

@@ -4,6 +4,7 @@
 
 #include "harness/instance_io.hpp"
 #include "harness/tests/random_scenes.hpp"
+#include "harness/tests/sanitized.hpp"
 #include "harness/tests/spoiled_strategy.hpp"
 
 using namespace gcs;
@@ -32,7 +33,8 @@ TEST_CASE("more solutions than there can be are caught by the limit") {
 
 TEST_CASE("no strategy finds more on random graphs than there can be") {
   std::size_t solutions = 0;
-  for (std::uint64_t seed = 1; seed <= 4 * scene_kind_count; ++seed) {
+  constexpr std::uint64_t scenes = repetitions(4) * scene_kind_count;
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
     const Problem problem = random_problem(random_scene_kind(seed), seed);
     const Scene scene(problem);
     const TheoreticalCounts counts = theoretical_counts(problem);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -13,6 +14,7 @@
 #include "harness/tests/known_counts.hpp"
 #include "harness/tests/report_agreement.hpp"
 #include "harness/tests/report_difference.hpp"
+#include "harness/tests/sanitized.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/quality.hpp"
@@ -386,8 +388,9 @@ Violations check_restatements(const Subject& subject, const Problem& problem, st
   finder.append(check_restatement(subject, problem, constraints_permuted(problem, random)));
   finder.append(check_restatement(subject, problem, mirrored(problem)));
   finder.append(check_restatement(subject, problem, ends_swapped(problem)));
-  for (const int exponent : {-40, -3, 5, 40})
-    finder.append(check_restatement(subject, problem, scaled(problem, exponent)));
+  constexpr std::array exponents{-40, -3, 5, 40};
+  for (int i = 0; i < repetitions(static_cast<int>(exponents.size())); ++i)
+    finder.append(check_restatement(subject, problem, scaled(problem, exponents[i])));
   return finder.take();
 }
 

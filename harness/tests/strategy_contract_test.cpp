@@ -8,6 +8,7 @@
 #include "harness/instance_io.hpp"
 #include "harness/tests/count_limits.hpp"
 #include "harness/tests/report_agreement.hpp"
+#include "harness/tests/sanitized.hpp"
 
 using namespace gcs;
 using namespace gcs::contract;
@@ -190,7 +191,7 @@ TEST_CASE("all strategies agree on random lengths") {
     const Problem problem = load_instance(id).problem;
     const TheoreticalCounts counts = theoretical_counts(problem);
     std::size_t solutions = 0;
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < repetitions(16); ++i) {
       const Scene scene(with_random_targets(problem, random));
       const std::string name = id + " with random lengths " + std::to_string(i);
       for (const SolveReport& report : check_agreement(scene, counts, subjects(), name))

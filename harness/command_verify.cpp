@@ -7,10 +7,10 @@
 #include <memory>
 #include <string>
 
+#include "harness/argument_checks.hpp"
 #include "harness/certificates_view.hpp"
 #include "harness/commands.hpp"
 #include "harness/progress_line.hpp"
-#include "harness/text_input.hpp"
 #include "harness/verify.hpp"
 #include "solvers/certification/scene_equations.hpp"
 
@@ -29,16 +29,11 @@ std::string summary(const StoredResult& result, const Verification& verification
                                   : fmt::format("{} mismatches", verification.mismatches.size());
   return fmt::format("{}, {}: {}\n", result.instance.id, result.strategy, verdict) +
          certificates_text(verification.proofs, result.listed.solutions.size(),
-                           result.claim == "all complex");
+                           result.claim == Claim::all_complex);
 }
 
 ExitCode verify(const VerifyArguments& arguments, bool quiet) {
-  const bool from_standard_input = arguments.result == "-";
-  const std::string text = from_standard_input ? read_all(std::cin, "-")
-                                               : read_file(arguments.result,
-                                                           "give a file that `gcsbench solve "
-                                                           "--out` has written");
-  const StoredResult result = parse_result(text, arguments.result);
+  const StoredResult result = load_result(arguments.result);
   if (const auto reason = why_not_certified(Scene(result.instance.problem))) {
     std::cerr << "gcsbench: " << *reason << '\n';
     return ExitCode::not_solved;
@@ -62,7 +57,7 @@ void add_verify_command(CLI::App& app, Invocation& invocation) {
   command->add_option("RESULT", arguments->result, "A result that solve --out wrote; - is standard input")
       ->required();
   command->add_option("--threads", arguments->threads, "Threads to use")
-      ->check(CLI::Range(1, 1024))
+      ->transform(whole_number(1, most_threads))
       ->type_name("N")
       ->capture_default_str();
   command->footer(

@@ -76,10 +76,11 @@ std::string reference_text(const StoredResult& result, const ReferenceSettings& 
                      fmt::format("only {} of {} solutions are proven to {} digits", solutions.size(), wanted,
                                  settings.digits),
                      "ask for fewer digits");
-  const JsonValue origin = json_object({{"strategy", json_text(result.strategy)},
-                                        {"claim", json_text(result.claim)},
-                                        {"digits", json_number(settings.digits)},
-                                        {"only_real", json_boolean(settings.only_real)}});
+  const JsonValue origin =
+      json_object({{"strategy", json_text(result.strategy)},
+                   {"claim", json_text(result.claim ? std::string(word(*result.claim)) : "")},
+                   {"digits", json_number(settings.digits)},
+                   {"only_real", json_boolean(settings.only_real)}});
   return fmt::format(
       "{{\"format\": \"{}\",\n \"instance\": {},\n \"origin\": {},\n \"proofs\": {},\n "
       "\"solutions\": [\n  {}\n ]}}\n",

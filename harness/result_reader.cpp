@@ -6,12 +6,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iostream>
 #include <limits>
 
 #include "harness/instance_names.hpp"
 #include "harness/json_cursor.hpp"
 #include "harness/nearest_name.hpp"
 #include "harness/record_fields.hpp"
+#include "harness/text_input.hpp"
 
 namespace gcs {
 namespace {
@@ -62,6 +64,12 @@ Named read_word(const JsonCursor& cursor, const std::array<Named, count>& all) {
   std::vector<std::string> words;
   for (const Named one : all) words.emplace_back(word(one));
   cursor.fail("'" + text + "' is no known word", "give one of " + quoted_list(words));
+}
+
+/// Nothing where there is none, or null.
+std::optional<Claim> read_claim(const JsonCursor& root) {
+  const auto claim = root.optional("claim");
+  return claim && !is_null(*claim) ? std::optional(read_word(*claim, all_claims)) : std::nullopt;
 }
 
 /// A vector of numbers, or of pairs [re, im].
@@ -166,8 +174,7 @@ ProgramAnswer parse_answer(const std::string& text, const Problem& problem, cons
   ProgramAnswer answer;
   if (const auto status = root.optional("status")) answer.status = read_word(*status, all_statuses);
   if (const auto reason = root.optional("reason")) answer.reason = reason->text();
-  const auto claim = root.optional("claim");
-  if (claim && !is_null(*claim)) answer.claim = read_word(*claim, all_claims);
+  answer.claim = read_claim(root).value_or(answer.claim);
   for (const JsonCursor& solution : root.required("solutions").elements())
     answer.solutions.push_back(read_solution(solution, problem));
   if (const auto path = root.optional("path"))
@@ -182,9 +189,8 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   StoredResult result;
   result.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
   result.strategy = root.required("strategy").text();
-  result.status = root.required("status").text();
-  const auto claim = root.optional("claim");
-  if (claim && !is_null(*claim)) result.claim = claim->text();
+  result.status = read_word(root.required("status"), all_statuses);
+  result.claim = read_claim(root);
   for (const JsonCursor& solution : root.required("solutions").elements())
     result.listed.solutions.push_back(read_solution(solution, result.instance.problem));
   if (const auto path = root.optional("path"))
@@ -193,6 +199,13 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   if (const auto totals = root.optional("totals"); totals && !is_null(*totals))
     visit_totals(result.listed.totals.emplace(), count_reader(*totals));
   return result;
+}
+
+StoredResult load_result(const std::string& argument) {
+  const std::string text = argument == "-"
+                               ? read_all(std::cin, argument)
+                               : read_file(argument, "give a file that `gcsbench solve --out` has written");
+  return parse_result(text, argument);
 }
 
 }  // namespace gcs

@@ -1,6 +1,7 @@
 #pragma once
 /// Reads gcsbench-result/1, as far as it speaks of the solutions, whoever wrote it.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,9 @@ namespace gcs {
 struct StoredResult {
   Instance instance;
   std::string strategy;
-  std::string status;  ///< a word of gcsbench-result/1
-  std::string claim;   ///< a word of gcsbench-result/1; empty where the file has null
-  Assessment listed;   ///< solutions, crossings and counts as listed; nothing else
+  RunStatus status = RunStatus::complete;
+  std::optional<Claim> claim;  ///< empty where the file has null
+  Assessment listed;           ///< solutions, crossings and counts as listed; nothing else
 };
 
 /// What an external program answers: a result of which nothing but `solutions` has to be there.
@@ -34,5 +35,8 @@ ProgramAnswer parse_answer(const std::string& text, const Problem& problem, cons
 /// The result in `text`; `file` is for messages. Members that it does not know are passed over. Throws
 /// InputError.
 StoredResult parse_result(const std::string& text, const std::string& file);
+
+/// The result in the file of that name; "-" is standard input. Throws InputError.
+StoredResult load_result(const std::string& argument);
 
 }  // namespace gcs

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "harness/certify.hpp"
 #include "harness/record_fields.hpp"
@@ -30,10 +32,11 @@ class Verifier {
 
   Verification run() {
     for (std::size_t i = 0; i < proofs_.size(); ++i) check_solution(i);
-    const bool is_whole = result_.claim == "all complex" && result_.status == "complete";
-    if (is_whole) check_conjugates();
-    check_counts();
+    if (result_.claim == Claim::all_complex && is_complete()) check_conjugates();
     summarise();
+    check_counts();
+    check_totals();
+    check_limit();
     return std::move(verification_);
   }
 
@@ -41,6 +44,8 @@ class Verifier {
   void mismatch(const char* name, std::string what) {
     verification_.mismatches.push_back({name, std::move(what)});
   }
+
+  bool is_complete() const { return result_.status == RunStatus::complete; }
 
   void check_solution(std::size_t i) {
     const SolutionProof& proof = proofs_[i];
@@ -138,6 +143,41 @@ class Verifier {
                                       text(own_count)));
       ++i;
     });
+  }
+
+  /// Of a product there may be more than are listed.
+  void check_totals() {
+    if (!result_.listed.totals) return;
+    const SolutionTotals& totals = *result_.listed.totals;
+    const auto& solutions = result_.listed.solutions;
+    const Natural listed(solutions.size());
+    const Natural real(static_cast<std::uint64_t>(
+        std::ranges::count_if(solutions, [](const auto& one) { return one.figure.is_real(); })));
+    check_total("real", totals.real, real);
+    check_total("complex", totals.complex, listed);
+    const std::optional<Natural>& all = totals.complex ? totals.complex : totals.real;
+    if (is_complete() && all && *all != listed)
+      mismatch("count", fmt::format("a list that is said to be complete has {} of {} solutions",
+                                    listed.decimal(), all->decimal()));
+  }
+
+  void check_total(const char* name, const std::optional<Natural>& total, const Natural& listed) {
+    if (total && *total < listed)
+      mismatch("count", fmt::format("in all there are {} {} solutions, and {} are listed", total->decimal(),
+                                    name, listed.decimal()));
+  }
+
+  /// No lengths have more solutions than theory allows.
+  void check_limit() {
+    const std::optional<Natural>& limit = verification_.proofs.limit;
+    if (!limit) return;
+    const Counts& counts = result_.listed.counts;
+    for (const auto& [name, count] : {std::pair("real_up_to_reflection", counts.real_up_to_reflection),
+                                      std::pair("complex_up_to_reflection", counts.complex_up_to_reflection),
+                                      std::pair("generic", counts.generic)})
+      if (count && *count > *limit)
+        mismatch("count", fmt::format("the count {} is {}, and no lengths have more than {} solutions", name,
+                                      count->decimal(), limit->decimal()));
   }
 
   void summarise() {

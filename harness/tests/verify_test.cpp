@@ -135,6 +135,37 @@ TEST_CASE("counts that one side does not know are caught") {
   CHECK(mismatches(result).count("count") == 1);
 }
 
+TEST_CASE("totals that the list and theory contradict are caught") {
+  Json result = result_of(cases[1]);
+  const std::uint64_t complex = result["solutions"].size();
+  const auto with_totals = [&](std::uint64_t real, std::uint64_t all, const char* status) {
+    Json other = result;
+    other["status"] = status;
+    other["totals"] = {{"real", real}, {"complex", all}, {"generic", result["counts"]["generic"]}};
+    other["counts"]["real_up_to_reflection"] = real;
+    other["counts"]["complex_up_to_reflection"] = all;
+    other["counts"]["certified"] = other["solutions"].size();
+    return mismatches(other);
+  };
+  CHECK(with_totals(4, complex, "complete").empty());
+  CHECK(with_totals(4, complex - 1, "partial").count("count") == 1);  // fewer than are listed
+  CHECK(with_totals(4, 100, "partial").count("count") == 1);          // more than there can be
+  result["solutions"].erase(complex - 1);
+  CHECK(with_totals(4, complex, "partial").empty());
+  CHECK(with_totals(4, complex, "complete").count("count") == 1);  // not all are listed
+  result = result_of(cases[1]);
+  result["counts"]["generic"] = 999;
+  CHECK(mismatches(result).count("count") == 1);
+}
+
+TEST_CASE("words that a result cannot have are refused") {
+  for (const char* member : {"status", "claim"}) {
+    Json result = result_of(cases[1]);
+    result[member] = "all complexx";
+    CHECK_THROWS_AS(parse_result(result.dump(), "result.json"), InputError);
+  }
+}
+
 TEST_CASE("a shifted solution is caught") {
   for (const Case& one : cases) {
     INFO(one.instance);

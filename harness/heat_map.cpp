@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "harness/html_text.hpp"
+
 namespace gcs {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double width = 241, left = 72, right = 4, line = 8.5, field_height = 7
 std::string text_at(double x, double y, std::string_view anchor, std::string_view text,
                     bool is_bold = false) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor,
-                     is_bold ? " font-weight=\"bold\"" : "", text);
+                     is_bold ? " font-weight=\"bold\"" : "", html_escaped(text));
 }
 
 std::string field_at(double x, double y, double field_width, const HeatMap::Class& one) {
@@ -26,6 +28,12 @@ std::string field_at(double x, double y, double field_width, const HeatMap::Clas
         "stroke-width=\"0.7\"/>\n",
         x + 2, x + field_width - 3, y + 1.5, y + field_height - 1.5);
   return text;
+}
+
+/// Small enough for "1e-15" over the narrowest field.
+std::string caption_over(double x, double y, const std::string& text) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"4.5\">{}</text>\n",
+                     x, y, html_escaped(text));
 }
 
 /// Two classes a line, above the map.
@@ -49,7 +57,7 @@ std::string to_svg(const HeatMap& map) {
       "{:.1f}\" "
       "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{}\" role=\"img\">\n<title>{}</title>\n"
       "<rect width=\"{}\" height=\"{:.1f}\" fill=\"#FFFFFF\"/>\n",
-      85 * height / width, width, height, font, map.description, width, height);
+      85 * height / width, width, height, font, html_escaped(map.description), width, height);
   text += legend(map);
   std::size_t columns = 1;
   for (const HeatMapRow& row : map.rows) columns = std::max(columns, row.fields.size());
@@ -59,6 +67,8 @@ std::string to_svg(const HeatMap& map) {
     const double y = top + line * static_cast<double>(r);
     if (row.fields.empty()) {
       text += text_at(4, y + 6.5, "start", row.label, true);
+      for (std::size_t c = 0; c < row.captions.size(); ++c)
+        text += caption_over(left + field_width * (static_cast<double>(c) + 0.5), y + 7, row.captions[c]);
       continue;
     }
     text += text_at(left - 4, y + 6.2, "end", row.label);

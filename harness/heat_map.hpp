@@ -10,6 +10,7 @@ namespace gcs {
 struct HeatMapRow {
   std::string label;        ///< of a row of fields, or of the block that begins here when there are no fields
   std::vector<int> fields;  ///< numbers of classes; −1: blank
+  std::vector<std::string> captions = {};  ///< of the fields below, where a block begins
 };
 
 struct HeatMap {

@@ -12,8 +12,8 @@ namespace {
 std::string note_marks(const std::vector<int>& notes, const std::string& anchor) {
   std::string marks;
   for (const int note : notes)
-    marks += fmt::format("<a href=\"#{}-note-{}\" aria-label=\"note {}\">{}</a>", anchor, note + 1, note + 1,
-                         note + 1);
+    marks += fmt::format("<a href=\"#{}-note-{}\" aria-label=\"note {}\">[{}]</a>", anchor, note + 1,
+                         note + 1, note + 1);
   return marks.empty() ? "" : "<sup>" + marks + "</sup>";
 }
 

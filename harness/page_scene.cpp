@@ -19,11 +19,16 @@ std::string fact(std::string_view name, const std::string& value) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html_escaped(value));
 }
 
+std::string_view completeness(const SceneRecord& record) {
+  if (record.is_real_proven) return "that there are no more is proven";
+  return record.has_all_real ? "that there are no more is found, not proven" : "there may be more";
+}
+
 std::string solutions_fact(const SceneRecord& record) {
   if (!can_be_drawn(record.instance.problem)) return "not stored: " + record.no_path;
-  if (record.solutions.empty()) return "none is known";
-  return fmt::format("{}, {}({}){}", record.solutions.size(), record.are_proven ? "each certified " : "",
-                     record.source, record.has_all_real ? "" : "; there may be more");
+  if (record.solutions.empty()) return record.is_real_proven ? "none, which is proven" : "none is known";
+  return fmt::format("{}, {}({}); {}", record.solutions.size(), record.are_proven ? "each certified " : "",
+                     record.source, completeness(record));
 }
 
 std::string path_fact(const StoredScene& scene) {
@@ -121,8 +126,9 @@ std::string panel_html(const StoredScene& scene, std::size_t number) {
   const Instance& instance = scene.record.instance;
   if (!can_be_drawn(instance.problem)) return "";
   if (scene.record.solutions.empty() && !scene.path)
-    return "<p class=\"missing\">There is no figure to show: no real solution is known, and no path is "
-           "stored.</p>\n";
+    return fmt::format(
+        "<p class=\"missing\">There is no figure to show: {}, and no path is stored.</p>\n",
+        scene.record.is_real_proven ? "there is no real solution" : "no real solution is known");
   const std::string turning = instance.problem.dimension == 2
                                   ? "drag or use the arrow keys to turn it in its plane"
                                   : "drag or use the arrow keys to turn it";

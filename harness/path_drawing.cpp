@@ -58,11 +58,22 @@ const PlanTrail* shown_trail(const SceneRecord& record) {
   return found == record.trails.end() ? nullptr : &*found;
 }
 
-std::size_t corner_at(const StoredPath& path, double length) {
+PathPosition position_at(const StoredPath& path, double length) {
   const auto after =
       std::upper_bound(path.corners.begin(), path.corners.end(), length,
                        [](double value, const PathCorner& corner) { return value < corner.length; });
-  return after == path.corners.begin() ? 0 : static_cast<std::size_t>(after - path.corners.begin()) - 1;
+  if (after == path.corners.begin()) return {};
+  const auto corner = static_cast<std::size_t>(after - path.corners.begin()) - 1;
+  if (after == path.corners.end()) return {corner, 0};
+  const double begin = path.corners[corner].length;
+  return {corner, (length - begin) / (after->length - begin)};
+}
+
+Figure figure_at(const StoredPath& path, const PathPosition& position) {
+  Figure figure = path.corners[position.corner].figure;
+  if (position.part > 0)
+    figure.points += position.part * (path.corners[position.corner + 1].figure.points - figure.points);
+  return figure;
 }
 
 Drawing draw_path(const StoredScene& scene) {
@@ -90,10 +101,17 @@ Drawing draw_path(const StoredScene& scene) {
   plot.y = axis_over("t", std::min(0.0, least->t), std::max(1.0, most->t));
   plot.series = {{"", PlotMark::line, {{plot.x.low, 1}, {plot.x.high, 1}}}, std::move(curve)};
   const PlanTrail* trail = shown_trail(scene.record);
-  if (trail != nullptr && trail->places.size() > 1 && trail->places.size() <= most_marked_changes) {
+  const std::size_t changed = trail == nullptr ? 0 : trail->places.size() - 1;
+  if (changed > most_marked_changes)
+    plot.description +=
+        fmt::format("; {} changes the plan {} times, which is not marked", trail->label, changed);
+  if (changed > 0 && changed <= most_marked_changes) {
     PlotSeries changes{trail->label + ": plan changed", PlotMark::symbol, {}, green_triangle};
-    for (std::size_t i = 1; i < trail->places.size(); ++i)
-      changes.points.push_back(place(path.corners[corner_at(path, trail->places[i].length)]));
+    for (std::size_t i = 1; i < trail->places.size(); ++i) {
+      const PlanPlace& use = trail->places[i];
+      const Figure figure = figure_at(path, position_at(path, use.length));
+      changes.points.push_back({figure.points(coordinate.axis, coordinate.point), use.t});
+    }
     plot.series.push_back(std::move(changes));
   }
   plot.series.push_back(std::move(sketch));

@@ -28,8 +28,23 @@ std::string name_of(const PathCoordinate& coordinate, const Problem& problem);
 /// The first trail that has places, or nullptr.
 const PlanTrail* shown_trail(const SceneRecord& record);
 
-/// The corner at which the arc length is `length`, or the last one before it.
-std::size_t corner_at(const StoredPath& path, double length);
+/// A place on the polyline: so much of the way from one corner to the next.
+struct PathPosition {
+  std::size_t corner = 0;
+  double part = 0;
+
+  /// Of what has one value at each corner.
+  double between(const std::vector<double>& values) const {
+    const double here = values[corner];
+    return part > 0 ? here + part * (values[corner + 1] - here) : here;
+  }
+};
+
+/// Where the arc length is `length`, between 0 and the whole.
+PathPosition position_at(const StoredPath& path, double length);
+
+/// The figure there.
+Figure figure_at(const StoredPath& path, const PathPosition& position);
 
 /// t over the widest coordinate, with the sketch, the solutions and, up to 100, the changes of plan.
 /// Precondition: the scene has a path.

@@ -18,7 +18,8 @@ constexpr const char* format_name = "gcsbench-published/1";
 std::optional<Correction> correction_of(const Json& json) {
   if (!json.contains("correction")) return std::nullopt;
   const Json& correction = json["correction"];
-  return Correction{correction.at("reason").get<std::string>(), correction.at("source").get<std::string>()};
+  return Correction{correction.at("reason").get<std::string>(), correction.at("source").get<std::string>(),
+                    correction.value("proof", true)};
 }
 
 std::vector<PrintedPoint> points_of(const Json& json) {
@@ -49,6 +50,7 @@ PrintedFigure figure_of(const Json& json) {
   figure.by = json.value("by", "");
   figure.convention = json.value("convention", "");
   figure.remark = json.value("remark", "");
+  figure.chosen = json.value("chosen", "");
   figure.correction = correction_of(json);
   return figure;
 }

@@ -9,10 +9,11 @@
 
 namespace gcs {
 
-/// Why a published figure is known to be wrong, and on whose authority.
+/// Why a published figure is known to be wrong, or does not come out, and on whose authority.
 struct Correction {
   std::string reason;
   std::string source;
+  bool is_proof = true;  ///< false: it does not come out, whatever was tried
 };
 
 /// One printed figure. `place` is "table 1"; `row` says what it is; `by` is the method, empty where there is
@@ -26,6 +27,7 @@ struct PrintedFigure {
   double value = 0;     ///< seconds, milliseconds or plain numbers, as the row says
   std::string printed;  ///< as the paper prints it, with its unit
   std::string remark;   ///< what a reader should know when comparing; may be empty
+  std::string chosen;   ///< why our instance says nothing of the paper's: it was chosen to agree; else empty
   std::optional<Correction> correction;
 };
 

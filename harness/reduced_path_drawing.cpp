@@ -151,8 +151,8 @@ std::string change_plot(const StoredScene& scene, const ReducedPath& reduced, co
   constexpr int green_triangle = 2;
   PlotSeries changes{"plan changed", PlotMark::symbol, {}, green_triangle};
   for (std::size_t i = 1; i < trail.places.size(); ++i) {
-    const std::size_t corner = corner_at(path, trail.places[i].length);
-    const PlotPoint place{reduced.k[corner], trail.places[i].t};
+    const PathPosition position = position_at(path, trail.places[i].length);
+    const PlotPoint place{position.between(reduced.k), trail.places[i].t};
     changes.points.push_back(place);
     if (i <= most_configurations) plot.labels.push_back({place, "(" + letter(i - 1) + ")"});
   }
@@ -167,7 +167,7 @@ std::string change_figures(const StoredScene& scene, const PlanTrail& trail) {
   for (std::size_t i = 1; i < std::min(trail.places.size(), most_configurations + 1); ++i) {
     const PlanPlace& place = trail.places[i];
     shown.push_back({heading(i - 1, place.t),
-                     scene.path->corners[corner_at(*scene.path, place.length)].figure,
+                     figure_at(*scene.path, position_at(*scene.path, place.length)),
                      numbers_of(problem, place.removed),
                      {}});
   }

@@ -73,6 +73,8 @@ ReferenceList read_list(const JsonCursor& root, const Problem& problem, const st
   list.source = file;
   list.has_all_complex = claim == word(Claim::all_complex) && !origin.required("only_real").value().boolean;
   list.has_all_real = claim == word(Claim::all_complex) || claim == word(Claim::all_real);
+  list.is_real_proven = claim == word(Claim::all_real) ||
+                        (list.has_all_real && root.required("proofs").required("complete").value().boolean);
   for (const JsonCursor& solution : root.required("solutions").elements())
     list.solutions.push_back(read_solution(solution, problem));
   return list;
@@ -108,7 +110,7 @@ class ListMaker {
 
   ReferenceList finish(const TheoreticalCounts& limits) {
     list_.has_all_complex = has_all(limits);
-    list_.has_all_real = list_.has_all_real || list_.has_all_complex;
+    list_.is_real_proven = list_.has_all_real = list_.has_all_real || list_.has_all_complex;
     list_.source = "proven in this run";
     return std::move(list_);
   }

@@ -23,6 +23,7 @@ struct ReferenceList {
   std::vector<KnownSolution> solutions;  ///< each in a class of its own
   bool has_all_real = false;             ///< none is missing, by proof or by what a shipped list claims
   bool has_all_complex = false;          ///< likewise
+  bool is_real_proven = false;           ///< that no real one is missing is proven
   /// Which of them lie on the path S through the sketch, by proof; empty: not known.
   std::optional<std::vector<bool>> on_path;
 };

@@ -321,6 +321,12 @@ void require_format(const Json& json, const std::string& file) {
 
 }  // namespace
 
+std::string CellRecord::flaw() const {
+  if (!difference.empty() || !contradicts_reference()) return difference;
+  return fmt::format("Held against proven solutions: {} missed, {} spurious.", accuracy->missed.value_or(0),
+                     accuracy->spurious);
+}
+
 std::optional<std::int64_t> CellRecord::particular(std::string_view name) const {
   const auto found = std::find_if(particulars.begin(), particulars.end(),
                                   [&](const Particular& p) { return p.name == name; });

@@ -75,15 +75,18 @@ struct CellRecord {
   std::optional<double> limit_s;            ///< what a solve that was stopped by its limit was allowed
   std::optional<double> estimate_s;         ///< what a solve that was stopped by its limit would take
   int planned = 0;                          ///< repetitions; 0: not planned yet
-  std::vector<Repetition> repetitions;      ///< empty unless the answer is complete and right
+  std::vector<Repetition> repetitions;      ///< empty unless the answer is right
 
   /// Its claim does not hold.
-  bool is_flawed() const {
-    return !difference.empty() || (accuracy && claim && accuracy->contradicts(*claim));
-  }
-  bool is_right() const { return status == RunStatus::complete && difference.empty(); }
+  bool is_flawed() const { return !difference.empty() || contradicts_reference(); }
+  bool is_right() const { return status == RunStatus::complete && !is_flawed(); }
+  /// Why it is flawed, in a sentence; empty when it is not.
+  std::string flaw() const;
   /// The particular of that name, if the strategy counts it.
   std::optional<std::int64_t> particular(std::string_view name) const;
+
+ private:
+  bool contradicts_reference() const { return accuracy && claim && accuracy->contradicts(*claim); }
 };
 
 /// A constraint as the file states it.

@@ -119,10 +119,11 @@ PlanTrail read_trail(const JsonCursor& cursor) {
 std::string to_json_text(const SceneRecord& record) {
   const Problem& problem = record.instance.problem;
   return fmt::format(
-      "{{\"format\": \"{}\",\n \"instance\": {},\n \"source\": {},\n \"proven\": {},\n \"all_real\": {},\n "
+      "{{\"format\": \"{}\",\n \"instance\": {},\n \"source\": {},\n \"proven\": {},\n \"all_real\": {}, "
+      "\"all_real_proven\": {},\n "
       "\"solutions\": {},\n \"no_path\": {},\n \"crossings\": {},\n \"trails\": {}}}\n",
       format_name, to_text(record.instance.document, -1), to_text(json_text(record.source), -1),
-      record.are_proven, record.has_all_real,
+      record.are_proven, record.has_all_real, record.is_real_proven,
       lines_of(record.solutions, [&](const ShownSolution& s) { return solution_value(problem, s); }),
       to_text(json_text(record.no_path), -1), lines_of(record.crossings, crossing_value),
       lines_of(record.trails, trail_value));
@@ -137,6 +138,7 @@ SceneRecord parse_scene_record(const std::string& text, const std::string& file)
   record.source = root.required("source").text();
   record.are_proven = read_boolean(root.required("proven"));
   record.has_all_real = read_boolean(root.required("all_real"));
+  if (const auto proven = root.optional("all_real_proven")) record.is_real_proven = read_boolean(*proven);
   record.no_path = root.required("no_path").text();
   for (const JsonCursor& entry : root.required("solutions").elements())
     record.solutions.push_back(read_solution(entry, record.instance.problem));

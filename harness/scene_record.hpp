@@ -44,6 +44,7 @@ struct SceneRecord {
   std::string source;                                 ///< where the solutions come from, for a person
   bool are_proven = false;                            ///< each of them
   bool has_all_real = false;                          ///< none is missing, as far as the source can tell
+  bool is_real_proven = false;                        ///< that none is missing is proven
   std::string no_path;                                ///< why S is not stored; empty when it is
   std::vector<std::optional<MetSolution>> crossings;  ///< of t = 1, in the order of S; empty: in no list
   std::vector<PlanTrail> trails;

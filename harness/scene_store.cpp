@@ -50,6 +50,7 @@ void take_proven(const ReferenceList& list, SceneRecord& record) {
   record.source = list.source;
   record.are_proven = true;
   record.has_all_real = list.has_all_real && !is_cut;
+  record.is_real_proven = list.is_real_proven && !is_cut;
 }
 
 /// The real solutions of the strategy that lists most of them.
@@ -74,7 +75,7 @@ void take_listed(const Scene& scene, Monitor& progress, SceneRecord& record) {
 void take_solutions(const Instance& instance, const Scene& scene, Monitor& progress, SceneRecord& record) {
   std::optional<ReferenceList> list;
   if (!why_not_certified(scene)) list = reference_for(instance, scene, limit_s, progress);
-  if (list && !list->solutions.empty())
+  if (list && (!list->solutions.empty() || list->is_real_proven))
     take_proven(*list, record);
   else
     take_listed(scene, progress, record);
@@ -133,6 +134,14 @@ PlanTrail make_trail(const CellRecord& cell, const Scene& scene, const std::vect
     if (!length) {
       trail.places.clear();
       trail.cause = fmt::format("at t = {:.4f} it is not on S: it has jumped to another path", use.t);
+      return trail;
+    }
+    const double before =
+        trail.places.empty() ? 0 : std::ldexp(trail.places.back().length, -scene.unit_exponent());
+    if (*length < before - same_place * scene.size()) {
+      if (&use == &uses.back()) break;  // the last step passes the sketch, where S begins again
+      trail.places.clear();
+      trail.cause = fmt::format("at t = {:.4f} it is on an earlier part of S: it has jumped", use.t);
       return trail;
     }
     PlanPlace place{use.t, std::ldexp(*length, scene.unit_exponent()), {}};
@@ -205,7 +214,8 @@ bool can_be_drawn(const Problem& problem) {
 
 MadeScene make_scene(const Instance& instance, const Scene& scene, const RunRecord& run, Monitor& progress) {
   progress.progress("scene of " + instance.id, -1);
-  MadeScene made{{instance, {}, "", false, false, "", {}, {}}, std::nullopt};
+  MadeScene made;
+  made.record.instance = instance;
   if (!can_be_drawn(instance.problem)) {
     made.record.no_path = fmt::format("there are more than {} entities", most_drawn_entities);
     return made;

@@ -112,10 +112,11 @@ Table build_paths(const RunRecord& run) {
   }
   table.remarks = {
       defaults_remark,
-      "Times: preparing and solving once on one thread, median of interleaved repetitions; ± half of its 95% "
-      "interval. rel.: time relative to the first row of the group. An answer that differs from the "
-      "strategies' "
-      "defaults has no time."};
+      fmt::format(
+          "Times: preparing and solving once on one thread, median of interleaved repetitions; {}. rel.: "
+          "time relative to the first row of the group. An answer that differs from the strategies' "
+          "defaults has no time.",
+          spread_remark)};
   return table;
 }
 
@@ -157,8 +158,9 @@ Table build_savings(const RunRecord& run) {
   table.remarks = {
       "Solutions up to reflection: all complex ones, of plan-scan the real ones, of rcp those on S. Each row "
       "names the option that switches the saving off; digits: every solution is proven and refined to so "
-      "many. Times: preparing and solving once on one thread, median of interleaved "
-      "repetitions; ± half of its 95% interval."};
+      "many.",
+      fmt::format("Times: preparing and solving once on one thread, median of interleaved repetitions; {}.",
+                  spread_remark)};
   return table;
 }
 

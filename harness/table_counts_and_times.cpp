@@ -104,10 +104,9 @@ class Builder {
         "Beside the times of HOM4PS-2.0 stand those of our polyhedral homotopies, with 2^m paths in the "
         "coordinates, which HOM4PS-2.0 must have followed, and with few in another formulation, and of "
         "monodromy, for the same solutions.",
-        "Times: preparing and solving once on one thread, median of interleaved repetitions; ± half of its "
-        "95% "
-        "interval. Published times: " +
-            paper_.machine + "; ours: " + run_.environment.cpu + ".",
+        "Times: preparing and solving once on one thread, median of interleaved repetitions; " +
+            std::string(spread_remark) + ". Published times: " + paper_.machine +
+            "; ours: " + run_.environment.cpu + ".",
     };
     for (const MeasuredInstance& instance : run_.instances) {
       const auto remark = paper_.instance_remarks.find(instance.id);

@@ -10,7 +10,11 @@
 namespace gcs {
 namespace {
 
-std::string spread_text(const MedianInterval& interval) {
+/// Of too few runs there is no interval, but all of them.
+std::string spread_text(const MedianInterval& interval, std::size_t runs) {
+  if (runs == 1) return "(1 run)";
+  if (interval.confidence < wanted_confidence)
+    return fmt::format("({}–{}, {} runs)", duration_text(interval.low), duration_text(interval.high), runs);
   const double percent = 100 * interval.relative_half_width();
   return percent < 1 ? "±<1%" : fmt::format("±{:.0f}%", percent);
 }
@@ -24,9 +28,8 @@ std::string obstacle_word(const CellRecord& cell) {
 /// Why the cell has no right answer: a word with the reason in a footnote.
 TableCell obstacle(Table& table, const CellRecord* cell) {
   if (cell == nullptr) return {"not measured", {}};
-  const std::string reason =
-      fmt::format("{}, {}: {}", cell->spec.instance, label_of(cell->spec),
-                  cell->status == RunStatus::complete ? cell->difference : cell->reason);
+  const std::string reason = fmt::format("{}, {}: {}", cell->spec.instance, label_of(cell->spec),
+                                         cell->status == RunStatus::complete ? cell->flaw() : cell->reason);
   return {obstacle_word(*cell), {table.footnote(reason)}};
 }
 
@@ -51,9 +54,11 @@ TableCell printed_entry(Table& table, const PrintedFigure* figure) {
   TableCell cell{figure->printed, {}};
   if (figure->correction) {
     cell.notes.push_back(table.footnote(
-        fmt::format("Known to be wrong. {} ({})", figure->correction->reason, figure->correction->source)));
+        fmt::format("{}. {} ({})", figure->correction->is_proof ? "Known to be wrong" : "Not reproduced",
+                    figure->correction->reason, figure->correction->source)));
   }
-  if (!figure->remark.empty()) cell.notes.push_back(table.footnote(figure->remark));
+  for (const std::string& text : {figure->remark, figure->chosen})
+    if (!text.empty()) cell.notes.push_back(table.footnote(text));
   return cell;
 }
 
@@ -61,14 +66,14 @@ std::optional<MedianInterval> total_time(const CellRecord* cell) {
   if (cell == nullptr || cell->repetitions.empty()) return std::nullopt;
   std::vector<double> seconds;
   for (const Repetition& repetition : cell->repetitions) seconds.push_back(repetition.total_s());
-  return median_interval(std::move(seconds));
+  return median_interval(std::move(seconds), wanted_confidence);
 }
 
 TableCell time_entry(Table& table, const CellRecord* cell) {
   if (cell == nullptr || !cell->is_right()) return obstacle(table, cell);
   const auto time = total_time(cell);
   if (!time) return {"not timed", {}};
-  return {duration_text(time->median) + " " + spread_text(*time), {}};
+  return {duration_text(time->median) + " " + spread_text(*time, cell->repetitions.size()), {}};
 }
 
 TableCell answer_entry(Table& table, const CellRecord* cell, std::optional<double> value) {

@@ -28,8 +28,16 @@ TableCell printed_entry(Table& table, const PrintedFigure* figure);
 /// there are no times.
 std::optional<MedianInterval> total_time(const CellRecord* cell);
 
-/// "2.13 ms ±3%", where ± is half of the median's interval. Without times: why.
+/// "2.13 ms ±3%", where ± is half of the median's interval, or with the range of too few runs
+/// (spread_remark). Without times: why.
 TableCell time_entry(Table& table, const CellRecord* cell);
+
+/// Of the intervals in tables.
+inline constexpr double wanted_confidence = 0.95;
+
+/// What ± means in every table.
+inline constexpr const char* spread_remark =
+    "± half of the median's 95% interval, which takes 6 runs; of fewer, the shortest and the longest";
 
 /// A number that the cell's answer gives, shown even when the answer is wrong (with a footnote); without an
 /// answer: why.

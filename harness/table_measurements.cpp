@@ -29,7 +29,7 @@ TableCell verdict_entry(Table& table, const CellRecord& cell) {
   if (cell.is_right()) return {"right", {}};
   const bool complete = cell.status == RunStatus::complete;
   return {complete ? "wrong" : std::string(word(cell.status)),
-          {table.footnote(complete ? cell.difference : cell.reason)}};
+          {table.footnote(complete ? cell.flaw() : cell.reason)}};
 }
 
 }  // namespace

@@ -118,10 +118,9 @@ class Builder {
         defaults_remark,
         "δ: the length of a step along S in (X, t), X in the file's unit with mode=paper, otherwise in the "
         "scene's.",
-        "Times: preparing and solving once on one thread, median of interleaved repetitions; ± half of its "
-        "95% "
-        "interval. Published times: " +
-            paper_.machine + "; ours: " + run_.environment.cpu + ".",
+        "Times: preparing and solving once on one thread, median of interleaved repetitions; " +
+            std::string(spread_remark) + ". Published times: " + paper_.machine +
+            "; ours: " + run_.environment.cpu + ".",
         "Published: " + paper_.citation + ".",
     };
     return std::move(table_);

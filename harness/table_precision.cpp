@@ -24,7 +24,8 @@ constexpr double least_error = 1e-17;
 /// To which error a problem counts as solved in the profiles.
 constexpr double solved_error = 1e-12;
 
-/// Cells do the same job when they claim the same: all of S, or all real solutions.
+/// Who follows S is held against those that do; all others find all real solutions when nothing is missed,
+/// and some of them the complex ones too.
 enum class Job { path, all };
 
 Job job_of(const CellRecord& cell) {
@@ -84,8 +85,8 @@ Table build_instance(const RunRecord& run, const MeasuredInstance& instance) {
       "size from every proven solution, or listed twice. – where the reference cannot tell.",
       "Reference: " + instance.reference + ".",
       fmt::format("Times: preparing, solving and refining once on one thread, median of interleaved "
-                  "repetitions; ± half of its 95% interval; {}.",
-                  run.environment.cpu)};
+                  "repetitions; {}. {}.",
+                  spread_remark, run.environment.cpu)};
   return table;
 }
 
@@ -100,19 +101,27 @@ std::map<std::string, int> styles_of(const RunRecord& run) {
   return styles;
 }
 
+/// In seconds. Flawed answers are not repeated: of these, what the assessed solve took.
+std::optional<double> drawn_time(const CellRecord& cell) {
+  if (const auto time = total_time(&cell)) return time->median;
+  const bool is_timed = cell.status == RunStatus::complete && cell.warm_up_s > 0;
+  return is_timed ? std::optional(cell.warm_up_s) : std::nullopt;
+}
+
 /// Decimal logarithms of time in seconds and of the largest error; nothing where there is no time.
 std::optional<PlotPoint> place_of(const CellRecord& cell) {
-  const auto time = total_time(&cell);
+  const auto time = drawn_time(cell);
   if (!time || !cell.accuracy || cell.accuracy->met == 0) return std::nullopt;
   const double floor = std::max(least_error * std::pow(10.0, -std::max(0, cell.spec.digits - 17)), 1e-300);
-  return PlotPoint{std::log10(time->median), std::log10(std::max(cell.accuracy->largest_error, floor))};
+  return PlotPoint{std::log10(*time), std::log10(std::max(cell.accuracy->largest_error, floor))};
 }
 
 /// The cells that no other of the same job beats in time and in error.
 PlotSeries pareto_front(const std::vector<const CellRecord*>& cells, Job job) {
   std::vector<PlotPoint> points;
   for (const CellRecord* cell : cells)
-    if (const auto place = place_of(*cell); place && job_of(*cell) == job && is_flawless(*cell->accuracy))
+    if (const auto place = place_of(*cell);
+        place && job_of(*cell) == job && cell->is_right() && is_flawless(*cell->accuracy))
       points.push_back(*place);
   std::sort(points.begin(), points.end());
   PlotSeries front{"", PlotMark::line, {}};
@@ -132,9 +141,9 @@ std::vector<PlotSeries> series_of(const std::vector<const CellRecord*>& cells,
         one.points.push_back(*place);
     if (!one.points.empty()) series.push_back(std::move(one));
   }
-  PlotSeries flawed{"missed/spurious", PlotMark::circle, {}};
+  PlotSeries flawed{"missed, spurious or wrong", PlotMark::circle, {}};
   for (const CellRecord* cell : cells)
-    if (const auto place = place_of(*cell); place && !is_flawless(*cell->accuracy))
+    if (const auto place = place_of(*cell); place && !(cell->is_right() && is_flawless(*cell->accuracy)))
       flawed.points.push_back(*place);
   if (!flawed.points.empty()) series.push_back(std::move(flawed));
   return series;
@@ -150,9 +159,11 @@ std::array<double, 2> range_of(const std::vector<PlotSeries>& series, std::size_
 
 std::optional<Drawing> draw_instance(const RunRecord& run, const MeasuredInstance& instance) {
   Plot plot;
-  plot.description = "Error against run time on " + instance.id +
-                     ", one mark for each setting of a strategy; a Pareto front for the strategies that "
-                     "follow S and one for those that find all solutions";
+  plot.description =
+      "Error against run time on " + instance.id +
+      ", one mark for each setting of a strategy; a Pareto front for the strategies that "
+      "follow S and one for those that find all real solutions, or the complex ones too; an error below "
+      "1e-17 is drawn there";
   plot.series = series_of(cells_of(run, instance.id), styles_of(run));
   const auto times = range_of(plot.series, 0), errors = range_of(plot.series, 1);
   if (times[0] > times[1]) return std::nullopt;
@@ -247,7 +258,7 @@ std::vector<Drawing> draw_precision(const RunRecord& run) {
   };
   for (const MeasuredInstance& instance : run.instances) add(draw_instance(run, instance));
   add(draw_profile(run, Job::path, "precision-profile-path", "all solutions on S"));
-  add(draw_profile(run, Job::all, "precision-profile-all", "all solutions"));
+  add(draw_profile(run, Job::all, "precision-profile-all", "all real solutions, or the complex ones too,"));
   return drawings;
 }
 

@@ -44,9 +44,8 @@ bool shows(const RunRecord& run, const std::string& id) {
 
 std::string times_remark(const RunRecord& run) {
   return fmt::format(
-      "Times: preparing and solving once on one thread, median of interleaved repetitions; ± half of its 95% "
-      "interval; {}.",
-      run.environment.cpu);
+      "Times: preparing and solving once on one thread, median of interleaved repetitions; {}. {}.",
+      spread_remark, run.environment.cpu);
 }
 
 /// The printed length between the two, or nullptr.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -18,8 +19,10 @@ TableCell speed_up_entry(Table& table, const CellRecord* slow, const CellRecord*
   const auto fast_time = total_time(fast);
   if (!fast_time) return time_entry(table, fast);
   if (!slow_time) return time_entry(table, slow);
-  return {fmt::format("{} ({}–{})", number_text(slow_time->median / fast_time->median),
-                      number_text(slow_time->low / fast_time->high),
+  const std::string ratio = number_text(slow_time->median / fast_time->median);
+  if (std::min(slow_time->confidence, fast_time->confidence) < wanted_confidence)
+    return {ratio, {table.footnote("Of fewer than 6 runs: too few for an interval.")}};
+  return {fmt::format("{} ({}–{})", ratio, number_text(slow_time->low / fast_time->high),
                       number_text(slow_time->high / fast_time->low)),
           {}};
 }

@@ -15,7 +15,7 @@ namespace gcs {
 namespace {
 
 /// What a strategy made of a member, from the best to the worst.
-enum class Outcome { sharp, fair, inexact, refused, wrong, not_run };
+enum class Outcome { sharp, fair, inexact, some, nothing_to_measure, refused, wrong, not_run };
 
 /// Beyond this quotient an error has another cause than the condition of the solution.
 constexpr double far_off = 1000;
@@ -27,10 +27,12 @@ bool is_refusal(const CellRecord& cell) {
 Outcome outcome_of(const CellRecord& cell) {
   if (is_refusal(cell)) return Outcome::refused;
   if (cell.status == RunStatus::infinite)
-    return is_ill_posed(cell.spec.instance) ? Outcome::sharp : Outcome::wrong;
+    return is_ill_posed(cell.spec.instance) ? Outcome::nothing_to_measure : Outcome::wrong;
   if (cell.status != RunStatus::complete) return Outcome::not_run;
   if (cell.is_flawed()) return Outcome::wrong;
   if (!cell.accuracy || !cell.accuracy->missed) return Outcome::not_run;
+  if (*cell.accuracy->missed > 0) return Outcome::some;
+  if (cell.accuracy->met == 0) return Outcome::nothing_to_measure;
   if (cell.accuracy->largest_quotient <= explained_quotient) return Outcome::sharp;
   return cell.accuracy->largest_quotient <= far_off ? Outcome::fair : Outcome::inexact;
 }
@@ -173,13 +175,15 @@ std::vector<Drawing> draw_stability(const RunRecord& run) {
   map.classes = {{"error up to 10 cond·u", "#0072B2"},
                  {"up to 1000 cond·u", "#56B4E9"},
                  {"more", "#F0E442"},
+                 {"some of the solutions, as said", "#CC79A7"},
+                 {"right that there are none, or infinite", "#009E73"},
                  {"refused, with the reason", "#C0C0C0"},
                  {"wrong", "#D55E00", true},
                  {"not run, or no reference", "#F0F0F0"}};
   for (const Family* family : families_of(run)) {
-    map.rows.push_back({std::string(family->name), {}});
+    map.rows.push_back({std::string(family->name), {}, family->values});
     for (const std::string& strategy : strategies_of(run, *family)) {
-      HeatMapRow row{short_name(strategy), {}};
+      HeatMapRow row{short_name(strategy), {}, {}};
       for (const CellRecord* cell : cells_of(run, *family, strategy))
         row.fields.push_back(cell == nullptr ? -1 : static_cast<int>(outcome_of(*cell)));
       map.rows.push_back(std::move(row));

@@ -96,7 +96,7 @@ std::vector<Table> build_tangents(const RunRecord& run, const Publication& paper
       "Published: " + paper.citation +
           ", section 4.1; counts of lines: the demonstrations of PHCpack, and "
           "what the footnotes name.",
-      fmt::format("Times: median of interleaved repetitions; ± half of its 95% interval. Ours: {}.",
+      fmt::format("Times: median of interleaved repetitions; {}. Ours: {}.", spread_remark,
                   run.environment.cpu)};
   return {table};
 }

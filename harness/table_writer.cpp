@@ -147,6 +147,9 @@ std::string notes_of(const Table& table, const TableRow& row) {
 
 // ---- LaTeX
 
+/// A float of more would run off the page.
+constexpr std::size_t latex_rows_on_a_page = 45;
+
 std::string latex_escaped(std::string_view text) {
   static constexpr auto rules = std::to_array<Replacement>({
       {"\\", "\\textbackslash{}"},
@@ -177,6 +180,7 @@ std::string latex_escaped(std::string_view text) {
       {"≠", "$\\ne$"},
       {"−", "$-$"},
       {"·", "$\\cdot$"},
+      {"--", "-{}-"},
       {"–", "--"},
       {"—", "---"},
       {"…", "\\dots{}"},
@@ -191,7 +195,7 @@ std::string latex_escaped(std::string_view text) {
 std::string latex_marked(const std::string& text, const std::vector<int>& notes) {
   if (notes.empty()) return latex_escaped(text);
   std::string marks;
-  for (const int note : notes) marks += fmt::format("{}{}", marks.empty() ? "" : ",", note + 1);
+  for (const int note : notes) marks += fmt::format("[{}]", note + 1);
   return fmt::format("{}\\textsuperscript{{{}}}", latex_escaped(text), marks);
 }
 
@@ -221,6 +225,43 @@ std::string latex_row(const Table& table, const TableRow& row) {
   std::string line = label;
   for (const TableCell& cell : row.cells) line += " & " + latex_marked(cell.text, cell.notes);
   return line + " \\\\\n";
+}
+
+std::string latex_title(const Table& table) {
+  return fmt::format("\\caption{{{}}}\n\\label{{tab:{}}}", latex_escaped(table.caption), table.name);
+}
+
+std::string latex_rows(const Table& table) {
+  std::string text;
+  for (const TableRow& row : table.rows) text += latex_row(table, row);
+  return text;
+}
+
+/// Up to its notes, which stand within it.
+std::string latex_float(const Table& table) {
+  return fmt::format(
+      "\\begin{{table}}\n\\centering\n{}\n\\begin{{tabular}}{{l{}}}\n\\toprule\n{}\\midrule\n{}\\bottomrule\n"
+      "\\end{{tabular}}\n",
+      latex_title(table), std::string(table.column_count(), 'r'), latex_header(table), latex_rows(table));
+}
+
+/// The header stands on every page.
+std::string latex_pages(const Table& table) {
+  const std::string header = fmt::format("\\toprule\n{}\\midrule\n", latex_header(table));
+  return fmt::format(
+      "\\begin{{longtable}}{{l{}}}\n{} \\\\\n{}\\endfirsthead\n{}\\endhead\n\\bottomrule\n\\endfoot\n{}"
+      "\\end{{longtable}}\n",
+      std::string(table.column_count(), 'r'), latex_title(table), header, header, latex_rows(table));
+}
+
+std::string latex_notes(const Table& table) {
+  std::string text;
+  for (std::size_t i = 0; i < table.footnotes.size(); ++i)
+    text += fmt::format("\n{{\\footnotesize\\textsuperscript{{[{}]}} {}\\par}}\n", i + 1,
+                        latex_escaped(table.footnotes[i]));
+  for (const std::string& remark : table.remarks)
+    text += fmt::format("\n{{\\footnotesize {}\\par}}\n", latex_escaped(remark));
+  return text;
 }
 
 }  // namespace
@@ -260,19 +301,9 @@ std::string to_csv(const Table& table) {
 }
 
 std::string to_latex(const Table& table) {
-  std::string text = fmt::format("\\begin{{table}}\n\\centering\n\\caption{{{}}}\n\\label{{tab:{}}}\n",
-                                 latex_escaped(table.caption), table.name);
-  text += fmt::format("\\begin{{tabular}}{{l{}}}\n\\toprule\n", std::string(table.column_count(), 'r'));
-  text += latex_header(table) + "\\midrule\n";
-  for (const TableRow& row : table.rows) text += latex_row(table, row);
-  text += "\\bottomrule\n\\end{tabular}\n";
-  for (std::size_t i = 0; i < table.footnotes.size(); ++i) {
-    text +=
-        fmt::format("\n\\footnotesize\\textsuperscript{{{}}} {}\n", i + 1, latex_escaped(table.footnotes[i]));
-  }
-  for (const std::string& remark : table.remarks)
-    text += fmt::format("\n\\footnotesize {}\n", latex_escaped(remark));
-  return text + "\\end{table}\n";
+  const bool is_long = table.rows.size() > latex_rows_on_a_page;
+  const std::string text = is_long ? latex_pages(table) : latex_float(table);
+  return text + latex_notes(table) + (is_long ? "" : "\\end{table}\n");
 }
 
 std::span<const TableFormat> table_formats() {

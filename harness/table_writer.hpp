@@ -18,8 +18,9 @@ std::string to_markdown(const Table& table);
 /// out.
 std::string to_csv(const Table& table);
 
-/// A table environment for booktabs. Everything that LaTeX would interpret is escaped, and the mathematical
-/// characters that tables use become commands, so that the output is ASCII where the text allows it.
+/// For booktabs; a table environment or, with more rows than a page has, a longtable. Everything that LaTeX
+/// would interpret is escaped, and the mathematical characters that tables use become commands, so that the
+/// output is ASCII where the text allows it.
 std::string to_latex(const Table& table);
 
 /// One output format: how it is asked for, its file extension (without a dot), and its writer.

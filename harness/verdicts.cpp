@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "harness/exec_strategy.hpp"
 #include "harness/table_entries.hpp"
+#include "solvers/certification/figure_distance.hpp"
 
 namespace gcs {
 namespace {
@@ -69,18 +71,35 @@ std::optional<Known> complex_solutions(const std::vector<const CellRecord*>& cel
       &RecordedProofs::classes, &RecordedProofs::is_complete, "each certified, and no lengths have more");
 }
 
+/// All real solutions certified that a scan of ours leaves: where it is complete, it proves that there are no
+/// others.
+std::optional<Known> scanned_solutions(const std::vector<const CellRecord*>& cells) {
+  for (const CellRecord* cell : cells) {
+    if (cell->claim != Claim::all_real || exec_command(cell->spec.strategy) || !cell->proofs) continue;
+    const auto number = small(cell->counts.real_up_to_reflection);
+    if (number && cell->proofs->real == *number)
+      return Known{*number, true,
+                   fmt::format("each certified, and the scan excludes others ({})", label_of(cell->spec))};
+  }
+  return std::nullopt;
+}
+
 /// A stored list counts where no cell has certificates.
 std::optional<Known> real_solutions(const std::vector<const CellRecord*>& cells, const StoredScene* scene) {
   auto known = best(
       cells, [](const CellRecord& cell) { return small(cell.counts.real_up_to_reflection); },
       &RecordedProofs::real, &RecordedProofs::decides_real,
       "each certified, and all complex solutions are known");
+  if (!known || !known->is_proven)
+    if (auto scanned = scanned_solutions(cells)) return scanned;
   const bool is_certified = std::any_of(cells.begin(), cells.end(),
                                         [](const CellRecord* cell) { return cell->proofs.has_value(); });
   if (is_certified || scene == nullptr || !scene->record.are_proven) return known;
   const SceneRecord& record = scene->record;
-  return Known{record.solutions.size(), false,
-               "each certified (" + record.source + "); that there are no more is not proven here"};
+  return Known{record.solutions.size(), record.is_real_proven,
+               fmt::format("each certified ({}); {}", record.source,
+                           record.is_real_proven ? "that there are no more is proven"
+                                                 : "that there are no more is not proven here")};
 }
 
 std::optional<Known> solutions_on_path(const std::vector<const CellRecord*>& cells,
@@ -110,23 +129,26 @@ const PrintedFigure* printed_figure(const Publications& publications, const std:
 }
 
 /// How many printed solutions make one class; nothing for another convention.
-std::optional<std::uint64_t> per_class(const PrintedFigure& figure, const MeasuredInstance& instance) {
+std::optional<std::uint64_t> per_class(const PrintedFigure& figure, const MeasuredInstance& instance,
+                                       const StoredScene* scene) {
   if (figure.convention == "all signs") return instance.has_given_positions ? 1U : 1U << instance.dimension;
   if (figure.convention == "up to reflection" || figure.convention == "lines") return 1;
+  if (figure.convention == "fixed frame" && scene != nullptr)
+    return mirror_images(Scene(scene->record.instance.problem)).size();
   return std::nullopt;
 }
 
+/// Of an instance that was chosen to agree with the paper, agreement proves nothing.
 Standing standing_of(const PrintedFigure& figure, const std::optional<Known>& ours,
-                     const MeasuredInstance& instance) {
-  if (figure.correction) return Standing::refuted;
-  const auto factor = per_class(figure, instance);
-  if (!ours || !ours->is_proven || !factor) return Standing::open;
+                     std::optional<std::uint64_t> factor) {
+  if (figure.correction) return figure.correction->is_proof ? Standing::refuted : Standing::open;
+  if (!ours || !ours->is_proven || !factor || !figure.chosen.empty()) return Standing::open;
   return figure.value == static_cast<double>(ours->classes * *factor) ? Standing::proven : Standing::refuted;
 }
 
 std::optional<Verdict> verdict(const std::string& quantity, const std::string& row,
                                const std::optional<Known>& ours, const MeasuredInstance& instance,
-                               const Publications& publications) {
+                               const StoredScene* scene, const Publications& publications) {
   const PrintedFigure* figure =
       instance.is_shipped ? printed_figure(publications, row, instance.id) : nullptr;
   if (!ours && figure == nullptr) return std::nullopt;
@@ -134,9 +156,10 @@ std::optional<Verdict> verdict(const std::string& quantity, const std::string& r
                  Standing::open};
   if (figure != nullptr) {
     result.printed = figure->printed + " (" + figure->convention + ")";
-    result.printed_standing = standing_of(*figure, ours, instance);
+    result.printed_standing = standing_of(*figure, ours, per_class(*figure, instance, scene));
     if (figure->correction)
       result.reason = "Printed: " + figure->correction->reason + " (" + figure->correction->source + ") ";
+    if (!figure->chosen.empty()) result.reason = "Printed: " + figure->chosen + " ";
   }
   if (!ours) return result;
   result.our_standing = ours->is_proven ? Standing::proven : Standing::open;
@@ -164,7 +187,8 @@ std::vector<Verdict> verdicts(const RunRecord& run, const MeasuredInstance& inst
   std::vector<Verdict> all;
   const auto add = [&](const std::string& quantity, const std::string& row,
                        const std::optional<Known>& ours) {
-    if (auto one = verdict(quantity, row, ours, instance, publications)) all.push_back(std::move(*one));
+    if (auto one = verdict(quantity, row, ours, instance, scene, publications))
+      all.push_back(std::move(*one));
   };
   add("complex", "complex", complex_solutions(cells));
   add("real", "real", real_solutions(cells, scene));

@@ -110,7 +110,9 @@ TEST_CASE("figures of a scene are its graph and its path") {
 
 TEST_CASE("a printed number is refuted, proven or open as ours is") {
   RunRecord run = toy::run_record();
-  const Publications papers = load_publications();
+  Publications papers = load_publications();
+  for (auto& [name, paper] : papers)
+    for (PrintedFigure& figure : paper.figures) figure.chosen.clear();
   const MeasuredInstance& octahedron = run.instances[0];
   auto all = verdicts(run, octahedron, nullptr, papers);
   CHECK(verdict_on(all, "complex").printed_standing == Standing::refuted);
@@ -132,6 +134,42 @@ TEST_CASE("a printed number is refuted, proven or open as ours is") {
 
   const StoredScene scene = stored_scene(load_instance("octahedron"));
   CHECK(verdict_on(verdicts(run, octahedron, &scene, papers), "on S").printed_standing == Standing::proven);
+}
+
+TEST_CASE("what an instance was chosen for proves nothing of the paper's") {
+  RunRecord run = toy::run_record();
+  for (CellRecord& cell : run.cells)
+    if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{8, 4, true, true};
+  const Verdict real = verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "real");
+  CHECK(real.our_standing == Standing::proven);
+  CHECK(real.printed_standing == Standing::open);
+  CHECK(real.reason.find("chosen") != std::string::npos);
+}
+
+TEST_CASE("a number that does not come out is open, and not refuted") {
+  RunRecord run = toy::run_record();
+  MeasuredInstance icosahedron = run.instances[0];
+  icosahedron.id = "icosahedron";
+  const Verdict on_path = verdict_on(verdicts(run, icosahedron, nullptr, load_publications()), "on S");
+  CHECK(on_path.printed_standing == Standing::open);
+  CHECK(on_path.reason.find("no reading that was tried") != std::string::npos);
+}
+
+TEST_CASE("a scan of ours proves that no real solution is missing, and a program's claim does not") {
+  RunRecord run = toy::run_record();
+  CellRecord& cell = run.cells.front();
+  cell.status = RunStatus::complete;
+  cell.difference.clear();
+  cell.claim = Claim::all_real;
+  cell.counts.real_up_to_reflection = Natural(4);
+  cell.proofs = RecordedProofs{4, 4, false, false};
+  cell.spec.strategy = "plan-scan";
+  const auto standing = [&] {
+    return verdict_on(verdicts(run, run.instances[0], nullptr, {}), "real").our_standing;
+  };
+  CHECK(standing() == Standing::proven);
+  cell.spec.strategy = "exec:scan";
+  CHECK(standing() == Standing::open);
 }
 
 TEST_CASE("solutions in clusters are all with multiplicities, and their number is not proven") {

@@ -16,8 +16,6 @@ double distance(const Figure& figure, const DistanceConstraint& c) {
   return (figure.points.col(c.between[0]) - figure.points.col(c.between[1])).norm();
 }
 
-double length(const DistanceConstraint& c) { return c.is_squared ? std::sqrt(c.given.value) : c.given.value; }
-
 /// a(t) of constraint `i` as theory states it: linear, the bent one less bend·t² and more bend·t.
 double length_at(const Problem& problem, std::size_t i, double t) {
   const DistanceConstraint& c = problem.constraints[i];
@@ -25,7 +23,7 @@ double length_at(const Problem& problem, std::size_t i, double t) {
   const int bent = problem.interpolation.bent < 0 ? last : problem.interpolation.bent;
   const double bend = static_cast<int>(i) == bent ? problem.interpolation.bend : 0;
   const double sketched = distance(*problem.sketch, c);
-  return -bend * t * t + (length(c) - sketched + bend) * t + sketched;
+  return -bend * t * t + (c.length() - sketched + bend) * t + sketched;
 }
 
 constexpr std::string_view chain = R"({
@@ -55,7 +53,7 @@ TEST_CASE("stored paths have the interpolated lengths, and the given ones at cro
       CHECK(corner.t == Approx(1).margin(tolerance));
       CHECK(scene.record.crossings[k]);
       for (const DistanceConstraint& c : problem.constraints)
-        CHECK(distance(corner.figure, c) == Approx(length(c)).epsilon(1e-12));
+        CHECK(distance(corner.figure, c) == Approx(c.length()).epsilon(1e-12));
     }
     std::set<int> met;
     for (const auto& crossing : scene.record.crossings) met.insert(crossing->solution);
@@ -102,6 +100,15 @@ TEST_CASE("trails go along the path, at its values of t") {
       CHECK(t == Approx(place.t).margin(5e-3));
     }
   }
+}
+
+TEST_CASE("a plan that is changed at the sketch stands before its successor, and none past the end") {
+  const StoredScene scene = stored_scene(load_instance("dodecagon"));
+  REQUIRE(scene.record.trails.size() == 1);
+  const auto& places = scene.record.trails.front().places;
+  REQUIRE(places.size() == 2);
+  for (const PlanPlace& place : places) CHECK(place.length == Approx(0).margin(1e-4));
+  CHECK(places[0].removed != places[1].removed);
 }
 
 TEST_CASE("scenes without a path say why, and list their real solutions") {

@@ -81,11 +81,13 @@ Eigen::VectorXd PaperPlanHomotopy::parameters(const Eigen::Matrix3Xd& points, do
 }
 
 Eigen::VectorXd PaperPlanHomotopy::start() {
-  if (options_.swap && needs_change(plan_, options_.rule, sketch_) &&
-      change_plan(plan_, options_.rule, sketch_))
-    ++work_.plan_changes;
-  find_branch(sketch_);
   note_plan(sketch_, 0);
+  if (options_.swap && needs_change(plan_, options_.rule, sketch_) &&
+      change_plan(plan_, options_.rule, sketch_)) {
+    ++work_.plan_changes;
+    note_plan(sketch_, 0);
+  }
+  find_branch(sketch_);
   return parameters(sketch_, 0);
 }
 

@@ -189,11 +189,13 @@ void PlanCurve::reject() {
 }
 
 bool PlanCurve::start(int orientation, ArcSeries& series) {
+  plans_.push_back({Figure{points_, {}}, 0, plan_.removed()});
   if (std::optional<Plan> changed = changed_plan()) take_plan(std::move(*changed));
+  const bool is_changed = previous_plan_.has_value();
   previous_plan_.reset();
   read_parameters(points_, 0);
+  if (is_changed) note_plan();
   if (!evaluate()) return false;
-  note_plan();
   differentiate();
   const Eigen::Index d = plan_.driving_parameters();
   Eigen::VectorXd direction = Eigen::VectorXd::Unit(1, 0);

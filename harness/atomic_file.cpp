@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <iostream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -101,6 +102,17 @@ void AtomicFile::commit(std::string_view text) {
   if (written_ != target_ && rename(written_.c_str(), target_.c_str()) != 0) fail(errno);
   close(descriptor_);
   descriptor_ = -1;
+}
+
+Output::Output(const std::string& place) {
+  if (place != "-") file_.emplace(place);
+}
+
+void Output::commit(std::string_view text) {
+  if (file_)
+    file_->commit(text);
+  else
+    std::cout << text;
 }
 
 void remove_leftovers(const fs::path& folder) {

@@ -2,7 +2,9 @@
 /// Writes a file all at once or not at all.
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace gcs {
@@ -39,6 +41,19 @@ class AtomicFile {
   std::filesystem::path
       written_;  ///< a new file beside the target, or the target when that is no regular file
   int descriptor_ = -1;
+};
+
+/// A file that will be written later, or standard output, which "-" stands for.
+class Output {
+ public:
+  /// Throws OutputError when the file cannot be written.
+  explicit Output(const std::string& place);
+
+  /// Writes all of `text`, as AtomicFile does. Call once.
+  void commit(std::string_view text);
+
+ private:
+  std::optional<AtomicFile> file_;  ///< empty: standard output
 };
 
 /// Removes the new files that killed processes left in the folder before they were renamed: those that no

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "harness/argument_checks.hpp"
 #include "harness/commands.hpp"
 #include "harness/table_compare.hpp"
 #include "harness/table_output.hpp"
@@ -42,13 +43,6 @@ ExitCode compare(const CompareArguments& arguments) {
   return comparison.has_regressed() ? ExitCode::check_failed : ExitCode::done;
 }
 
-/// CLI11's own check lets "nan" through.
-std::string sensible_margin(const std::string& text) {
-  double value = 0;
-  const bool ok = CLI::detail::lexical_cast(text, value) && value >= 0 && value <= 1e6;
-  return ok ? "" : "expected a percentage from 0 to 1000000, not " + text;
-}
-
 }  // namespace
 
 void add_compare_command(CLI::App& app, Invocation& invocation) {
@@ -61,10 +55,11 @@ void add_compare_command(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--margin", arguments->margin_percent,
                    "Medians that differ by less are alike: two runs of one program do, too")
-      ->check(sensible_margin)
+      ->check(number_between(0, 1e6, "a percentage from 0 to 1000000"))
       ->type_name("PERCENT")
       ->capture_default_str();
   command->add_option("--out", arguments->out, "Folder for the tables as Markdown, CSV and LaTeX")
+      ->check(place_name())
       ->type_name("DIR");
   command->footer(
       "Any two runs of tables, precision or stability: what they were made with, answers, times and work "

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "harness/argument_checks.hpp"
 #include "harness/commands.hpp"
 #include "harness/counts_view.hpp"
 #include "harness/instance_io.hpp"
@@ -40,10 +41,7 @@ void add_count_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<CountArguments>();
   CLI::App* command =
       app.add_subcommand("count", "How many complex solutions there are at generic lengths, without solving");
-  command
-      ->add_option("INSTANCE", arguments->instance,
-                   "A file, - for standard input, or the id of a shipped instance")
-      ->required();
+  add_instance_argument(*command, arguments->instance);
   command->add_flag("--json", arguments->json, "As JSON");
   command->footer("Example:\n  gcsbench count dodecagon\n");
   command->callback(

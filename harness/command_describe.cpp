@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/argument_checks.hpp"
 #include "harness/commands.hpp"
 #include "harness/counts_view.hpp"
 #include "harness/instance_io.hpp"
@@ -339,10 +340,7 @@ ExitCode run(const DescribeArguments& arguments) {
 void add_describe_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<DescribeArguments>();
   CLI::App* command = app.add_subcommand("describe", "What is known of an instance before solving it");
-  command
-      ->add_option("INSTANCE", arguments->instance,
-                   "A file, - for standard input, or the id of a shipped instance")
-      ->required();
+  add_instance_argument(*command, arguments->instance);
   command->add_flag("--json", arguments->json, "As JSON");
   command->footer("Example:\n  gcsbench describe disulfide --json\n");
   command->callback(

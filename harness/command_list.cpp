@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "harness/commands.hpp"
+#include "harness/families.hpp"
 #include "harness/instance_io.hpp"
 #include "harness/json_build.hpp"
 #include "solvers/strategy.hpp"
@@ -19,14 +21,29 @@ namespace gcs {
 namespace {
 
 struct ListArguments {
-  std::string what;  ///< "instances", "strategies", or empty for both
+  std::string what;  ///< "instances", "families" or "strategies"; empty: everything
   bool json = false;
 };
 
-std::vector<Instance> all_instances() {
-  std::vector<Instance> instances;
-  for (const std::string& id : shipped_instances()) instances.push_back(load_instance(id));
-  return instances;
+struct FoundInstances {
+  std::vector<Instance> readable;
+  std::vector<std::string> messages;  ///< what is wrong with the others
+};
+
+FoundInstances find_instances() {
+  FoundInstances found;
+  for (const std::string& id : shipped_instances()) try {
+      found.readable.push_back(load_instance(id));
+    } catch (const InputError& error) {
+      found.messages.emplace_back(error.what());
+    }
+  return found;
+}
+
+std::vector<Family> all_families() {
+  std::vector<Family> all;
+  for (const auto kind : {families(), growing_families()}) all.insert(all.end(), kind.begin(), kind.end());
+  return all;
 }
 
 JsonValue instances_value(const std::vector<Instance>& instances) {
@@ -39,6 +56,15 @@ JsonValue instances_value(const std::vector<Instance>& instances) {
                                   {"lines", json_count(instance.problem.lines.size())},
                                   {"constraints", json_count(instance.problem.constraints.size())},
                                   {"sketch", json_boolean(instance.problem.sketch.has_value())}}));
+  return json_array(std::move(values));
+}
+
+JsonValue families_value() {
+  std::vector<JsonValue> values;
+  for (const Family& family : all_families())
+    values.push_back(json_object({{"name", json_text(std::string(family.name))},
+                                  {"summary", json_text(std::string(family.summary))},
+                                  {"members", json_texts(family.members())}}));
   return json_array(std::move(values));
 }
 
@@ -80,6 +106,14 @@ void print_instances(const std::vector<Instance>& instances) {
   }
 }
 
+void print_families() {
+  const std::vector<Family> all = all_families();
+  const std::size_t width = widest(all, [](const Family& family) { return family.name; });
+  for (const Family& family : all)
+    std::cout << fmt::format("{:{}}  {}: @{}\n", family.name, width, family.summary,
+                             fmt::join(family.values, ", @"));
+}
+
 void print_strategies() {
   const std::size_t width = widest(all_strategies(), [](const StrategyEntry& entry) { return entry.name; });
   for (const StrategyEntry& entry : all_strategies())
@@ -100,35 +134,55 @@ void print_left_out() {
                              part.option);
 }
 
-void print_json(const ListArguments& arguments) {
+/// In this order.
+constexpr std::array kinds{"instances", "families", "strategies"};
+
+bool shows(const ListArguments& arguments, std::string_view kind) {
+  return arguments.what.empty() || arguments.what == kind;
+}
+
+void print_json(const ListArguments& arguments, const std::vector<Instance>& instances) {
   JsonMembers members;
-  if (arguments.what != "strategies") members.emplace_back("instances", instances_value(all_instances()));
-  if (arguments.what != "instances") members.emplace_back("strategies", strategies_value());
+  if (shows(arguments, "instances")) members.emplace_back("instances", instances_value(instances));
+  if (shows(arguments, "families")) members.emplace_back("families", families_value());
+  if (shows(arguments, "strategies")) members.emplace_back("strategies", strategies_value());
   if (arguments.what.empty()) members.emplace_back("left_out", left_out_value());
   std::cout << to_text(json_object(std::move(members)), 1) << '\n';
 }
 
-void print_text(const ListArguments& arguments) {
-  const bool both = arguments.what.empty();
-  if (both) std::cout << "instances:\n";
-  if (arguments.what != "strategies") print_instances(all_instances());
-  if (both) std::cout << "\nstrategies:\n";
-  if (arguments.what != "instances") print_strategies();
-  if (arguments.what != "instances") print_left_out();
+void print_text(const ListArguments& arguments, const std::vector<Instance>& instances) {
+  const char* separator = "";
+  for (const std::string_view kind : kinds) {
+    if (!shows(arguments, kind)) continue;
+    if (arguments.what.empty()) std::cout << separator << kind << ":\n";
+    separator = "\n";
+    if (kind == "instances") print_instances(instances);
+    if (kind == "families") print_families();
+    if (kind == "strategies") print_strategies();
+  }
+  if (shows(arguments, "strategies")) print_left_out();
 }
 
 ExitCode list(const ListArguments& arguments) {
-  arguments.json ? print_json(arguments) : print_text(arguments);
-  return ExitCode::done;
+  const FoundInstances found = shows(arguments, "instances") ? find_instances() : FoundInstances{};
+  arguments.json ? print_json(arguments, found.readable) : print_text(arguments, found.readable);
+  std::cout.flush();
+  for (const std::string& message : found.messages) std::cerr << "gcsbench: " << message << '\n';
+  return found.messages.empty() ? ExitCode::done : ExitCode::bad_input;
 }
 
 }  // namespace
 
 void add_list_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ListArguments>();
-  CLI::App* command = app.add_subcommand("list", "What there is: instances and strategies");
-  command->add_option("WHAT", arguments->what, "instances or strategies; both when it is left out")
-      ->check(CLI::IsMember({"instances", "strategies"}));
+  CLI::App* command =
+      app.add_subcommand("list", "What there is: instances, families of them, and strategies");
+  command
+      ->add_option(
+          "WHAT", arguments->what,
+          "instances, families (of which any member may be given as INSTANCE) or strategies; all when it "
+          "is left out")
+      ->check(CLI::IsMember({"instances", "families", "strategies"}));
   command->add_flag("--json", arguments->json, "As JSON, with every option of every strategy");
   command->callback(
       [&invocation, arguments] { invocation.action = [arguments] { return list(*arguments); }; });

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "harness/argument_checks.hpp"
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
 #include "harness/instance_io.hpp"
@@ -34,9 +35,10 @@ ExitCode give_up(const std::string& reason, ExitCode code) {
 
 ExitCode write_path(const PathArguments& arguments, bool quiet) {
   const Instance instance = load_instance(arguments.instance);
+  require_another_file(arguments.out, instance.origin);
   const Scene scene(instance.problem);
   if (const auto reason = why_not_proven(scene)) return give_up(*reason, ExitCode::not_solved);
-  AtomicFile file(arguments.out);
+  Output out(arguments.out);
   catch_interrupts();
   const StopWatch watch(std::nullopt);
   ProgressLine progress(!quiet);
@@ -47,15 +49,8 @@ ExitCode write_path(const PathArguments& arguments, bool quiet) {
   const TrackedPath path = tracker.run();
   if (path.end == TrackedPath::End::stopped) return give_up("interrupted", ExitCode::interrupted);
   if (!path.proven) return give_up("gave up: " + path.cause, ExitCode::not_solved);
-  file.commit(path_text(instance, scene, tracker.arcs(), arguments.within));
+  out.commit(path_text(instance, scene, tracker.arcs(), arguments.within));
   return ExitCode::done;
-}
-
-/// CLI11's own check lets "nan" through.
-std::string sensible_radius(const std::string& text) {
-  double value = 0;
-  const bool ok = CLI::detail::lexical_cast(text, value) && value >= 1e-5 && value <= 0.1;
-  return ok ? "" : "expected a number from 1e-5 to 0.1, not " + text;
 }
 
 }  // namespace
@@ -63,15 +58,15 @@ std::string sensible_radius(const std::string& text) {
 void add_path_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<PathArguments>();
   CLI::App* command = app.add_subcommand("path", "Write the path S, proven, as a polyline for plots");
-  command
-      ->add_option("INSTANCE", arguments->instance,
-                   "A file, - for standard input, or the id of a shipped instance")
+  add_instance_argument(*command, arguments->instance);
+  command->add_option("--out", arguments->out, "The file to write, as JSON; - is standard output")
+      ->check(output_name())
+      ->type_name("FILE")
       ->required();
-  command->add_option("--out", arguments->out, "The file to write, as JSON")->type_name("FILE")->required();
   command
       ->add_option("--within", arguments->within,
                    "How far S may be from the polyline, relative to the scene's size")
-      ->check(sensible_radius)
+      ->check(number_between(1e-5, 0.1, "a number from 1e-5 to 0.1"))
       ->type_name("R")
       ->capture_default_str();
   command->footer(

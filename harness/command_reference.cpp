@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
+#include "harness/argument_checks.hpp"
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
 #include "harness/progress_line.hpp"
 #include "harness/reference_io.hpp"
-#include "harness/text_input.hpp"
 #include "solvers/certification/scene_equations.hpp"
 
 namespace gcs {
@@ -23,18 +23,18 @@ struct ReferenceArguments {
 };
 
 ExitCode write_reference(const ReferenceArguments& arguments, bool quiet) {
-  const StoredResult result = parse_result(
-      read_file(arguments.result, "give a file that `gcsbench solve --out` has written"), arguments.result);
+  require_another_file(arguments.out, arguments.result);
+  const StoredResult result = load_result(arguments.result);
   if (const auto reason = why_not_certified(Scene(result.instance.problem))) {
     std::cerr << "gcsbench: " << *reason << '\n';
     return ExitCode::not_solved;
   }
-  AtomicFile file(arguments.out);
+  Output out(arguments.out);
   const std::string text = [&] {
     ProgressLine progress(!quiet);
     return reference_text(result, arguments.settings, progress);
   }();
-  file.commit(text);
+  out.commit(text);
   return ExitCode::done;
 }
 
@@ -43,15 +43,19 @@ ExitCode write_reference(const ReferenceArguments& arguments, bool quiet) {
 void add_reference_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ReferenceArguments>();
   CLI::App* command = app.add_subcommand("reference", "Write a result's solutions, proven, with many digits");
-  command->add_option("RESULT", arguments->result, "A result that solve --out wrote")->required();
-  command->add_option("--out", arguments->out, "The file to write")->type_name("FILE")->required();
+  command->add_option("RESULT", arguments->result, "A result that solve --out wrote; - is standard input")
+      ->required();
+  command->add_option("--out", arguments->out, "The file to write; - is standard output")
+      ->check(output_name())
+      ->type_name("FILE")
+      ->required();
   command->add_option("--digits", arguments->settings.digits, "Significant digits of every number")
-      ->check(CLI::Range(17, 250))
+      ->transform(whole_number(17, 250))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--only-real", arguments->settings.only_real, "Leave the complex solutions out");
   command->add_option("--threads", arguments->settings.threads, "Threads to use")
-      ->check(CLI::Range(1, 1024))
+      ->transform(whole_number(1, most_threads))
       ->type_name("N")
       ->capture_default_str();
   command->footer(

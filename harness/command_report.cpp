@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/argument_checks.hpp"
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
 #include "harness/page.hpp"
@@ -42,7 +43,7 @@ bool is_wanted(const ReportArguments& arguments, std::string_view format) {
 }
 
 std::filesystem::path folder_of_run(const std::filesystem::path& run) {
-  return std::filesystem::is_directory(run) ? run : run.parent_path();
+  return std::filesystem::is_directory(run) ? run : std::filesystem::absolute(run).parent_path();
 }
 
 /// Beside the run, unless the user names a folder.
@@ -144,10 +145,12 @@ void add_report_command(CLI::App& app, Invocation& invocation) {
           "--format", arguments->formats,
           "md, csv, tex (tables), svg, pdf (figures), html (the page), separated by commas; default: all")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(all_formats()));
   command
       ->add_option("--out", arguments->out,
                    "Folder for the files; default: beside each run, the page beside the first")
+      ->check(place_name())
       ->type_name("DIR");
   command->footer(
       "The page, report.html, is one file that needs nothing else: tables, figures, and every instance with "

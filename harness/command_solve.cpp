@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/argument_checks.hpp"
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
 #include "harness/environment.hpp"
@@ -70,14 +70,11 @@ ExitCode exit_code(const SolveRun& run) {
 
 /// Standard output gets the JSON when it was asked for there, else the summary of what was run.
 void print_answer(const SolveArguments& arguments, const Instance& instance, const SolveRun& run,
-                  std::optional<AtomicFile>& file) {
+                  std::optional<Output>& out) {
   const std::string result =
       arguments.out.empty() ? "" : result_text(instance, run, capture_environment(run.threads));
-  if (arguments.out == "-") {
-    std::cout << result;
-    return;
-  }
-  if (file) file->commit(result);
+  if (out) out->commit(result);
+  if (arguments.out == "-") return;
   if (run.status != RunStatus::unsupported) std::cout << solve_summary(instance, run);
 }
 
@@ -106,8 +103,10 @@ ExitCode solve(const SolveArguments& arguments, bool quiet) {
   const StrategyEntry entry = find_strategy_or_program(arguments.strategy);
   const OptionMap options = parse_settings(entry, arguments.settings);
   const Instance instance = load_instance(arguments.instance);
-  std::optional<AtomicFile> file;
-  if (!arguments.out.empty() && arguments.out != "-") file.emplace(arguments.out);
+  require_another_file(arguments.out, instance.origin);
+  require_another_file(arguments.out, arguments.resume);
+  std::optional<Output> out;
+  if (!arguments.out.empty()) out.emplace(arguments.out);
   const std::unique_ptr<FileJournal> journal = open_journal(arguments, entry, options, instance);
 
   catch_interrupts();
@@ -119,7 +118,7 @@ ExitCode solve(const SolveArguments& arguments, bool quiet) {
     return run_strategy(entry, options, scene, limits, {&progress, journal.get()});
   }();
   if (journal) run.timing.recalled_steps = journal->recalled();
-  print_answer(arguments, instance, run, file);
+  print_answer(arguments, instance, run, out);
   complain_about(run);
   return exit_code(run);
 }
@@ -150,26 +149,8 @@ std::string settings_help() {
          "(solvers/strategies/README.md).\n";
 }
 
-/// CLI11 takes -1 and what is beyond 64 bits for the largest number there is.
-std::string seed_number(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool ok = error == std::errc() && end == text.data() + text.size();
-  return ok ? "" : "expected a whole number from 0 to 18446744073709551615, not " + text;
-}
-
-/// CLI11's own check lets "nan" through.
-std::string positive_and_finite(const std::string& text) {
-  double value = 0;
-  const bool ok = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
-  return ok ? "" : "expected a number of seconds > 0, not " + text;
-}
-
 void add_options(CLI::App& command, SolveArguments& arguments) {
-  command
-      .add_option("INSTANCE", arguments.instance,
-                  "A file, - for standard input, or the id of a shipped instance")
-      ->required();
+  add_instance_argument(command, arguments.instance);
   command
       .add_option(
           "--strategy", arguments.strategy,
@@ -182,20 +163,22 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
   command
       .add_option("--out", arguments.out,
                   "Write the result as JSON; - is standard output, which then holds it alone")
+      ->check(output_name())
       ->type_name("FILE");
   command.add_option("--seed", arguments.limits.seed, "Seed of everything random")
-      ->check(seed_number)
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--threads", arguments.limits.threads, "Threads that the strategy may use")
-      ->check(CLI::Range(1, 1024))
+      ->transform(whole_number(1, most_threads))
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--time-limit", arguments.limits.time_limit_s, "Time after which the solve is stopped")
       ->type_name("SECONDS")
-      ->check(positive_and_finite);
+      ->check(number_between(std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max(),
+                             "a number of seconds > 0"));
   command.add_option("--max-solutions", arguments.limits.max_solutions, "List at most so many solutions")
-      ->check(CLI::PositiveNumber)
+      ->transform(whole_number(1, std::numeric_limits<std::size_t>::max()))
       ->type_name("N");
   command
       .add_option("--solutions", arguments.solutions,
@@ -206,6 +189,7 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
   command
       .add_option("--resume", arguments.resume,
                   "Keep a journal in FILE; when it is there, go on where it ends, with the same result")
+      ->check(place_name())
       ->type_name("FILE");
   command.footer(settings_help);
 }

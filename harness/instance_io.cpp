@@ -61,7 +61,7 @@ Instance load_made(const std::string& id) {
   const std::vector<std::string> members = family->members();
   if (std::find(members.begin(), members.end(), id) == members.end())
     throw InputError("'" + id + "'", "", "the family has no such member",
-                     "did you mean '" + nearest_name(id, members) + "'?");
+                     "did you mean '" + nearest_name(id, members) + "'? It has " + quoted_list(members));
   return load_member(id);
 }
 

@@ -98,6 +98,9 @@ std::string JsonCursor::text() const {
 std::string JsonCursor::name() const {
   const std::string result = text();
   if (result.empty()) fail("the name is empty", "give at least one character");
+  const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+  if (std::any_of(result.begin(), result.end(), is_control))
+    fail("the name has a control character", "leave it out: names are shown as they are");
   return result;
 }
 

@@ -44,7 +44,7 @@ class JsonCursor {
   std::vector<JsonCursor> elements(std::size_t count, const std::string& of_what) const;
 
   std::string text() const;
-  /// A text with at least one character.
+  /// A text with at least one character and no control character.
   std::string name() const;
   Decimal number() const;
   /// `dimension` coordinates; in the plane z = 0.

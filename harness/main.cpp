@@ -6,6 +6,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,12 +76,29 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
+void append_options(const CLI::App& app, std::vector<std::string>& names) {
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+}
+
+/// What is wrong with a word that looks like an option and is none of the command's, if there is one.
+std::optional<std::string> unknown_option(const CLI::App& app) {
+  std::vector<std::string> names;
+  append_options(app, names);
+  for (const CLI::App* command : app.get_subcommands()) append_options(*command, names);
+  for (const std::string& word : app.remaining(true)) {
+    if (!word.starts_with('-') || word == "-" || word == "--") continue;
+    const std::string name = word.substr(0, word.find('='));
+    return fmt::format("there is no option {}; did you mean {}?", name, gcs::nearest_name(name, names));
+  }
+  return std::nullopt;
+}
+
 /// What is wrong when no command was recognised.
 std::string no_command(const CLI::App& app) {
   const auto names = command_names(app);
   const auto words = app.remaining();
   if (words.empty()) return "expected a command: " + gcs::quoted_list(names);
-  if (words.front().starts_with('-')) return "there is no option " + words.front();
   return fmt::format("there is no command '{}'; did you mean '{}'?", words.front(),
                      gcs::nearest_name(words.front(), names));
 }
@@ -91,9 +109,11 @@ ExitCode after_parse_error(const CLI::App& app, const CLI::ParseError& error) {
     app.exit(error);
     return ExitCode::done;
   }
-  const bool lacks_command =
-      error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && app.get_subcommands().empty();
-  return fail((lacks_command ? no_command(app) : error.what()) + "\n" + usage(app));
+  const auto is = [&](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
+  std::optional<std::string> message;
+  if (is(CLI::ExitCodes::ExtrasError) || is(CLI::ExitCodes::RequiredError)) message = unknown_option(app);
+  if (!message && is(CLI::ExitCodes::ExtrasError) && app.get_subcommands().empty()) message = no_command(app);
+  return fail(message.value_or(error.what()) + "\n" + usage(app));
 }
 
 ExitCode run(const CLI::App& app, const gcs::Invocation& invocation) {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <utility>
 
+#include "harness/argument_checks.hpp"
 #include "harness/progress_line.hpp"
 #include "harness/stop_conditions.hpp"
 #include "harness/table_output.hpp"
@@ -17,14 +18,16 @@ void add_measuring_options(CLI::App& command, const char* files, TableRequest& r
       .add_option("--strategies", request.strategies,
                   "Only these strategies, or external programs exec:COMMAND, separated by commas")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAME,...");
   command
       .add_option("--repetitions", request.repetitions,
                   "Runs of every cell; default: as time allows, at least 3")
-      ->check(CLI::Range(1, 1000000))
+      ->transform(whole_number(1, 1000000))
       ->type_name("N");
   command
       .add_option("--out", request.out, fmt::format("Folder for run.json, all measurements, and {}", files))
+      ->check(place_name())
       ->type_name("DIR");
   command.add_flag("--full", request.full,
                    fmt::format("No limits of time (otherwise {:.0f} s a solve, {:.0f} minutes in all, "

@@ -151,8 +151,15 @@ std::string quality(const std::vector<AssessedSolution>& solutions) {
                       range(solutions, &AssessedSolution::condition) + ", of the scaled Jacobian");
 }
 
+/// [I] measures steps in the file's unit of length.
+std::string_view step_unit(const OptionMap& options) {
+  const auto mode = options.find("mode");
+  return mode != options.end() && mode->second == "paper" ? "the file's unit" : "units of the scene";
+}
+
 /// The counters that are not zero, in the order of the result file.
-std::string work(const WorkCounters& counters) {
+std::string work(const SolveRun& run) {
+  const WorkCounters& counters = run.work;
   std::string text;
   const auto append = [&](std::int64_t count, std::string_view what) {
     if (count != 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
@@ -168,7 +175,7 @@ std::string work(const WorkCounters& counters) {
   std::string lines = text.empty() ? "" : summary_line("work", text);
   if (counters.smallest_step)
     lines += summary_line("smallest step",
-                          fmt::format("{:.3g}, in the unit of step_max", *counters.smallest_step));
+                          fmt::format("{:.3g}, in {}", *counters.smallest_step, step_unit(run.options)));
   if (counters.mean_driving_parameters && counters.max_driving_parameters)
     lines += summary_line(
         "driving", fmt::format("{:.3g} parameters on average, {} at most", *counters.mean_driving_parameters,
@@ -233,7 +240,7 @@ std::string solve_summary(const Instance& instance, const SolveRun& run) {
          solution_counts(instance.problem, assessment.counts, run.claim) + path_counts(assessment.counts) +
          proofs_text(assessment) + growths(assessment.ends) + path_proofs(assessment.ends) +
          crossings_table(assessment) + quality(assessment.solutions) + particulars(run.particulars) +
-         work(run.work) + time(run) + failed_checks(assessment.failed_checks);
+         work(run) + time(run) + failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

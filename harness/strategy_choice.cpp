@@ -62,6 +62,7 @@ OptionMap parse_settings(const StrategyEntry& entry, std::span<const std::string
     if (!options.emplace(name, setting.substr(equals + 1)).second)
       throw UsageError(fmt::format("--set {}: option '{}' is given twice", setting, name));
   }
+  entry.make(complete_options(entry, options));  // throws
   return options;
 }
 

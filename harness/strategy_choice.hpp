@@ -18,8 +18,8 @@ StrategyEntry find_strategy_or_program(const std::string& name);
 StrategyEntry find_strategy_or_program(std::string&& name) = delete;
 
 /// The options of `settings`, each "option=value". Throws UsageError for another shape, a name that the
-/// strategy does not have (with the nearest one), or a name given twice. Values are checked by the strategy
-/// itself.
+/// strategy does not have (with the nearest one), or a name given twice, and OptionError for a value that the
+/// strategy does not take.
 OptionMap parse_settings(const StrategyEntry& entry, std::span<const std::string> settings);
 
 }  // namespace gcs

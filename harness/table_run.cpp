@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <set>
 
 #include "harness/commands.hpp"
 #include "harness/counts_view.hpp"
 #include "harness/exec_strategy.hpp"
 #include "harness/instance_io.hpp"
 #include "harness/instance_judge.hpp"
+#include "harness/nearest_name.hpp"
 #include "harness/run_folder.hpp"
 #include "harness/scene_store.hpp"
 #include "harness/stop_conditions.hpp"
@@ -317,6 +319,23 @@ void require_known_strategies(const TableRequest& request) {
     if (!exec_command(name)) find_strategy(name);
 }
 
+/// Throws UsageError where no table shows anything of what was asked for.
+void require_tasks(const TableRequest& request, const std::vector<MeasureTask>& tasks) {
+  if (!tasks.empty()) return;
+  std::set<std::string> strategies, instances;
+  for (const std::string& name : request.tables) {
+    const TableKind& kind = table_named(name);
+    if (why_unavailable(kind)) return;
+    instances.insert(kind.instances().begin(), kind.instances().end());
+    for (const Variant& variant : kind.variants()) strategies.insert(variant.strategy);
+  }
+  const auto listed = [](const std::set<std::string>& names) {
+    return quoted_list(std::vector<std::string>(names.begin(), names.end()));
+  };
+  throw UsageError(fmt::format("nothing to measure: {} shows {} on {}, and nothing that was asked for",
+                               quoted_list(request.tables), listed(strategies), listed(instances)));
+}
+
 }  // namespace
 
 RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress) {
@@ -327,6 +346,7 @@ RunRecord run_tables(const TableRequest& request, const Publications& publicatio
   LoadedInstances loaded = load_all(instances_to_load(request), table_named(request.tables.front()).load);
   add_judges(request, loaded);
   const std::vector<MeasureTask> tasks = tasks_of(request, loaded, programs);
+  require_tasks(request, tasks);
   MeasureSettings settings = settings_of(request);
   RunRecord record = new_record(request, loaded, settings);
   settings.expected = expected_counts(loaded, record.instances, publications);

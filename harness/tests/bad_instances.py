@@ -58,6 +58,8 @@ TETRAHEDRA = [("p1", "p2"), ("p1", "p3"), ("p2", "p3"), ("p1", "p4"), ("p2", "p4
 
 # name: (content, what the message must name)
 BAD_FILES = {
+    "control character in a name": (changed(points=["p1", "p2", "p3\x1b[31m", "p4"]), "control character"),
+    "length below full precision": (with_constraint(0, length=1e-310), "full precision"),
     "empty": ("", ""),
     "blank": ("  \n", ""),
     "broken JSON": (json.dumps(TOY)[:-10], ""),

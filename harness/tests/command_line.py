@@ -8,8 +8,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
+# Every script of tests is called with PROGRAM SOURCE_DIR [unittest arguments].
+PROGRAM, SOURCE = os.path.abspath(sys.argv[1]), Path(sys.argv[2]).resolve()
 
 DONE, CHECK_FAILED, BAD_INPUT, NOT_SOLVED, INTERRUPTED = 0, 1, 2, 3, 130
 
@@ -17,19 +17,27 @@ DONE, CHECK_FAILED, BAD_INPUT, NOT_SOLVED, INTERRUPTED = 0, 1, 2, 3, 130
 ENDLESS = ["solve", "icosahedron", "--strategy", "full-space", "--set", "step_max=1e-6"]
 
 
-def run(*arguments, text_in="", cwd=None):
+def argv(*arguments):
+    return [PROGRAM, *map(str, arguments)]
+
+
+def run(*arguments, text_in="", cwd=SOURCE):
     """Runs the program; returns the completed process with text streams."""
-    return subprocess.run([PROGRAM, *map(str, arguments)], input=text_in, capture_output=True, text=True,
-                          timeout=120, cwd=cwd or SOURCE, check=False)
+    return subprocess.run(argv(*arguments), input=text_in, capture_output=True, text=True, timeout=300, cwd=cwd,
+                          check=False)
 
 
-class CommandLine(unittest.TestCase):
-    """Shared checks."""
+class WithFolder(unittest.TestCase):
+    """Each test has a folder of its own."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
+
+
+class CommandLine(WithFolder):
+    """Shared checks."""
 
     def write(self, content, name="toy.json"):
         path = self.folder / name
@@ -69,9 +77,6 @@ class CommandLine(unittest.TestCase):
             self.assertIn(word, done.stderr)
 
 
-def main():
-    """Runs the tests of the script: its arguments are PROGRAM SOURCE_DIR [unittest arguments]."""
-    global PROGRAM, SOURCE
-    PROGRAM = os.path.abspath(sys.argv.pop(1))
-    SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+def main(**how):
+    """Runs the tests of the script that was called."""
+    return unittest.main(argv=[sys.argv[0], *sys.argv[3:]], **how)

@@ -6,13 +6,11 @@ Usage: command_line_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import json
 import subprocess
-import sys
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
 from bad_instances import BAD_FILES, TOY, changed, with_constraint
-from command_line import BAD_INPUT, DONE, run
+from command_line import BAD_INPUT, DONE, SOURCE, argv, run
 
 
 class BadFiles(command_line.CommandLine):
@@ -70,10 +68,29 @@ class Usage(command_line.CommandLine):
             "endless time": (solve + ["--time-limit", "inf"], "--time-limit"),
             "no solutions": (solve + ["--max-solutions", "0"], "--max-solutions"),
             "other solutions": (solve + ["--solutions", "some"], "--solutions"),
+            "misspelt option that is required": (["solve", "octahedron", "--stategy", "rcp"], "did you mean --strategy"),
+            "seed that is no number": (solve + ["--seed", "0x10"], "whole number"),
+            "option for a file's name": (solve + ["--out", "--certify"], "./--certify"),
+            "empty file's name": (solve + ["--out", ""], "--out"),
+            "empty journal's name": (["solve", "octahedron", "--strategy", "monodromy", "--resume", ""], "--resume"),
+            "folder like an option": (["tables", "table1", "--out", "--resume"], "--out"),
+            "nothing to measure": (["tables", "table1", "--strategies", "theta-scan", "--instances", "octahedron"],
+                                   "nothing to measure"),
         }
         for name, (arguments, mentioned) in cases.items():
             with self.subTest(name):
                 self.assert_usage_error(run(*arguments), mentioned)
+
+    def test_numbers_are_decimal(self):
+        for given, seed in [("010", 10), ("08", 8), ("1", 1)]:
+            done = run("solve", "k33", "--strategy", "rcp", "--seed", given, "--out", "-")
+            self.assertEqual(json.loads(done.stdout)["seed"], seed)
+        self.assertEqual(run("solve", "k33", "--strategy", "rcp", "--time-limit", "010").returncode, DONE)
+
+    def test_names_after_a_list_are_no_part_of_it(self):
+        done = run("precision", "--strategies", "rcp", "no-such")
+        self.assertEqual(done.returncode, BAD_INPUT)
+        self.assertIn("no shipped instance", done.stderr)
 
     def test_option_value(self):
         for value in ["fast", "", "1e999", "-3", "nan"]:
@@ -96,21 +113,36 @@ class ListAndDescribe(command_line.CommandLine):
     def test_list(self):
         text = run("list").stdout
         data = json.loads(run("list", "--json").stdout)
-        self.assertEqual(sorted(data), ["instances", "left_out", "strategies"])
+        self.assertEqual(sorted(data), ["families", "instances", "left_out", "strategies"])
+        for one in data["families"]:
+            self.assertIn(one["name"], text)
         for one in data["instances"]:
             self.assertIn(one["id"], text)
         for one in data["strategies"]:
             self.assertIn(one["name"], text)
-        ids = [path.stem for path in (command_line.SOURCE / "instances").glob("*.json") if path.stem != "schema"]
+        ids = [path.stem for path in (SOURCE / "instances").glob("*.json") if path.stem != "schema"]
         self.assertEqual([one["id"] for one in data["instances"]], sorted(ids))
 
     def test_list_one_kind_one_line_each(self):
-        for what in ["instances", "strategies"]:
+        for what in ["instances", "families", "strategies"]:
             data = json.loads(run("list", what, "--json").stdout)
             self.assertEqual(list(data), [what])
             lines = run("list", what).stdout.splitlines()
             present = [line for line in lines if not line.startswith("off in this build: ")]
             self.assertEqual(len(present), len(data[what]))
+
+    def test_what_cannot_be_read_is_named_and_the_rest_listed(self):
+        (self.folder / "instances").mkdir()
+        self.write("{", "instances/broken.json")
+        done = run("list", cwd=self.folder)
+        self.assertEqual(done.returncode, BAD_INPUT)
+        self.assertIn("instances/broken.json", done.stderr)
+        self.assertIn("\noctahedron ", done.stdout)
+        self.assertIn("\nplan-scan ", done.stdout)
+
+    def test_members_of_families_are_instances(self):
+        for one in json.loads(run("list", "families", "--json").stdout)["families"]:
+            self.assertEqual(run("describe", one["members"][0]).returncode, DONE, one["name"])
 
     def test_every_shipped_instance_is_described(self):
         for one in json.loads(run("list", "instances", "--json").stdout)["instances"]:
@@ -177,10 +209,29 @@ class Output(command_line.CommandLine):
     def test_a_full_disk(self):
         self.assertEqual(run(*self.SOLVE, "/dev/full").returncode, BAD_INPUT)
         with open("/dev/full", "w", encoding="ascii") as full:
-            done = subprocess.run([command_line.PROGRAM, *self.SOLVE, "-"], stdout=full, stderr=subprocess.PIPE, text=True,
-                                  cwd=command_line.SOURCE, check=False)
+            done = subprocess.run(argv(*self.SOLVE, "-"), stdout=full, stderr=subprocess.PIPE, text=True,
+                                  cwd=SOURCE, check=False)
         self.assertEqual(done.returncode, BAD_INPUT)
         self.assertIn("standard output", done.stderr)
+
+    def test_replaces_nothing_that_the_run_uses(self):
+        mine = self.write(TOY)
+        before = mine.read_text()
+        for command in (["solve", mine, "--strategy", "rcp"], ["path", mine]):
+            with self.subTest(command):
+                self.assert_usage_error(run(*command, "--out", mine), "would replace")
+                self.assertEqual(mine.read_text(), before)
+        journal = self.folder / "journal"
+        self.assert_usage_error(run("solve", "octahedron", "--strategy", "monodromy", "--resume", journal, "--out", journal),
+                                "would replace")
+        self.assertFalse(journal.exists())
+
+    def test_dash_is_standard_output_everywhere(self):
+        path = run("path", "k33", "--out", "-")
+        self.assertEqual(json.loads(path.stdout)["format"], "gcsbench-path/1")
+        result = run("solve", "octahedron", "--strategy", "cayley-menger", "--out", "-").stdout
+        reference = run("reference", "-", "--out", "-", text_in=result)
+        self.assertEqual(json.loads(reference.stdout)["format"], "gcsbench-reference/1")
 
 
 if __name__ == "__main__":

@@ -5,11 +5,9 @@ Usage: compare_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import json
-import sys
 import tempfile
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
 from command_line import BAD_INPUT, CHECK_FAILED, DONE, run
 

@@ -5,20 +5,10 @@ Usage: count_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import json
-import subprocess
-import sys
 import unittest
-from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
-
-DONE, BAD_INPUT = 0, 2
-
-
-def run(*arguments, text_in=""):
-    return subprocess.run([PROGRAM, *arguments], input=text_in, capture_output=True, text=True, timeout=120, cwd=SOURCE,
-                          check=False)
+import command_line
+from command_line import BAD_INPUT, DONE, run
 
 
 class Count(unittest.TestCase):
@@ -90,6 +80,4 @@ class Count(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM = str(Path(sys.argv.pop(1)).resolve())
-    SOURCE = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    command_line.main()

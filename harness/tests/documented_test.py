@@ -7,20 +7,19 @@ Usage: documented_test.py PROGRAM SOURCE_DIR [unittest arguments]
 import os
 import re
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
+import command_line
+from command_line import PROGRAM, SOURCE
 
 
 class Documented(unittest.TestCase):
     def test_an_instance_of_ones_own_from_nothing_to_solved(self):
         text = (SOURCE / "instances" / "README.md").read_text(encoding="utf-8")
         script = re.search(r"```sh\n(.*?)```", text, re.DOTALL).group(1)
-        path = f"{Path(PROGRAM).resolve().parent}:{os.environ['PATH']}"
+        path = f"{Path(PROGRAM).parent}:{os.environ['PATH']}"
         with tempfile.TemporaryDirectory() as folder:
             done = subprocess.run(["bash", "-eu", "-c", script], capture_output=True, text=True, timeout=120, cwd=folder,
                                   env={**os.environ, "PATH": path}, check=False)
@@ -32,5 +31,4 @@ class Documented(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    command_line.main()

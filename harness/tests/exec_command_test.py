@@ -9,15 +9,12 @@ import os
 import shlex
 import signal
 import subprocess
-import sys
-import tempfile
 import textwrap
 import time
-import unittest
 from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
+import command_line
+from command_line import PROGRAM, SOURCE, argv, run
 
 # Sides 3, 4, 5: one class, two mirror images.
 TRIANGLE = {"format": "gcsbench-instance/1", "id": "triangle", "title": "Right triangle", "dimension": 2,
@@ -34,11 +31,9 @@ def answer(*solutions, **members):
     return {"solutions": list(solutions), **members}
 
 
-class ExternalProgram(unittest.TestCase):
+class ExternalProgram(command_line.WithFolder):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         self.instance = self.write("triangle.json", json.dumps(TRIANGLE))
         self.out = self.folder / "result.json"
 
@@ -57,7 +52,7 @@ class ExternalProgram(unittest.TestCase):
         return "exec:cat " + shlex.quote(self.write("answer", text if isinstance(text, str) else json.dumps(text)))
 
     def command(self, strategy, *more, instance=None):
-        return [PROGRAM, "--quiet", "solve", instance or self.instance, "--strategy", strategy, "--out", str(self.out), *more]
+        return argv("--quiet", "solve", instance or self.instance, "--strategy", strategy, "--out", self.out, *more)
 
     def solve(self, strategy, *more, instance=None, env=None):
         done = subprocess.run(self.command(strategy, *more, instance=instance), capture_output=True, timeout=120,
@@ -138,7 +133,7 @@ class ExternalProgram(unittest.TestCase):
                                           ("hoffmann-yuan", "theta-scan", "real_up_to_reflection"),
                                           ("tangents-durand", "sphere-tangents", "complex_up_to_reflection")]:
             inner = self.solve(strategy, instance=instance).result
-            command = "exec:" + shlex.join([PROGRAM, "--quiet", "solve", "-", "--strategy", strategy, "--out", "-"])
+            command = "exec:" + shlex.join(argv("--quiet", "solve", "-", "--strategy", strategy, "--out", "-"))
             done = self.solve(command, instance=instance)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.result["claim"], inner["claim"])
@@ -297,8 +292,7 @@ class ExternalProgram(unittest.TestCase):
     # ---- tables
 
     def run_program(self, *arguments):
-        return subprocess.run([PROGRAM, "--quiet", *arguments], capture_output=True, text=True, timeout=300, cwd=SOURCE,
-                              check=False)
+        return run("--quiet", *arguments)
 
     def test_tables_show_a_program_in_short_beside_the_others_and_it_leaves_no_zombies(self):
         zombies = self.folder / "zombies"
@@ -337,7 +331,7 @@ class ExternalProgram(unittest.TestCase):
         self.assertIn("8 up to reflection", done.stdout)
 
     def test_precision_and_stability_measure_a_program(self):
-        inner = "exec:" + shlex.join([PROGRAM, "--quiet", "solve", "-", "--strategy", "full-space", "--out", "-"])
+        inner = "exec:" + shlex.join(argv("--quiet", "solve", "-", "--strategy", "full-space", "--out", "-"))
         for arguments in [("precision", "k33"), ("stability", "near-miss")]:
             done = self.run_program(*arguments, "--strategies", inner, "--repetitions", "1")
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -345,5 +339,4 @@ class ExternalProgram(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    command_line.main()

@@ -12,13 +12,11 @@ import resource
 import shlex
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
-from command_line import BAD_INPUT, CHECK_FAILED, DONE, INTERRUPTED, NOT_SOLVED, run
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, INTERRUPTED, NOT_SOLVED, SOURCE, argv, run
 
 TABLES = ["tables", "table1", "--instances", "k33", "--strategies", "full-space,rcp", "--repetitions", 2]
 MEASURING = {
@@ -50,8 +48,8 @@ class HostilePlaces(command_line.CommandLine):
 
     def start(self, *arguments):
         """The program in the background, which does not outlive the test."""
-        process = subprocess.Popen([command_line.PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True, cwd=command_line.SOURCE)
+        process = subprocess.Popen(argv(*arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   cwd=SOURCE)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.wait)
@@ -104,8 +102,7 @@ class Folders(HostilePlaces):
 class FileLimits(HostilePlaces):
     def limited(self, arguments, size):
         """Runs where no file may be larger than `size` bytes."""
-        return subprocess.run([command_line.PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-                              timeout=120, cwd=command_line.SOURCE, check=False,
+        return subprocess.run(argv(*arguments), capture_output=True, text=True, timeout=120, cwd=SOURCE, check=False,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
 
     def test_are_said_and_nothing_is_lost(self):
@@ -134,14 +131,14 @@ class Disks(HostilePlaces):
         seen, inside = os.pipe()
         with os.fdopen(seen) as report:
             done = subprocess.run(["unshare", "-m", "bash", "-c", f"exec 3>&{inside}; " + "\n".join(shell)],
-                                  capture_output=True, text=True, timeout=120, cwd=command_line.SOURCE,
+                                  capture_output=True, text=True, timeout=120, cwd=SOURCE,
                                   check=False, pass_fds=[inside])
             os.close(inside)
             self.seen = report.read()
         return done
 
     def program(self, *arguments):
-        return [command_line.PROGRAM, *arguments]
+        return argv(*arguments)
 
     def test_full(self):
         for name, command in MEASURING.items():

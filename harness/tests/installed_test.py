@@ -6,13 +6,13 @@ Usage: installed_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import json
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
+import command_line
+from command_line import PROGRAM, run
+
 
 LISTS = "project(example CXX)\nfind_package(gcsbench REQUIRED)\n" \
         "add_executable(example example.cpp)\ntarget_link_libraries(example gcsbench::solvers)\n"
@@ -77,10 +77,9 @@ class Installed(unittest.TestCase):
                      f"-DCMAKE_CXX_COMPILER={self.compiler}"])
         self.called(["cmake", "--build", project / "build"])
         shown = self.called([project / "build" / "example"]).split()
-        listed = json.loads(self.called([PROGRAM, "list", "strategies", "--json"]))["strategies"]
+        listed = json.loads(run("list", "strategies", "--json").stdout)["strategies"]
         self.assertEqual(shown, [one["name"] for one in listed])
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    command_line.main()

@@ -7,13 +7,11 @@ Usage: kept_files_test.py PROGRAM SOURCE_DIR [unittest arguments]
 import json
 import signal
 import subprocess
-import sys
 import time
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
 from bad_instances import TOY
-from command_line import BAD_INPUT, INTERRUPTED, NOT_SOLVED, run
+from command_line import BAD_INPUT, INTERRUPTED, NOT_SOLVED, SOURCE, argv, run
 
 
 class Journal(command_line.CommandLine):
@@ -21,9 +19,9 @@ class Journal(command_line.CommandLine):
 
     def interrupted(self, journal, sent):
         """Starts to solve and sends the signal once some results are in the journal."""
-        command = [command_line.PROGRAM, *self.SOLVE, "--resume", journal]
-        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              cwd=command_line.SOURCE) as process:
+        solve = argv(*self.SOLVE, "--resume", journal)
+        with subprocess.Popen(solve, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              cwd=SOURCE) as process:
             while process.poll() is None and (not journal.exists() or journal.stat().st_size < 1 << 18):
                 time.sleep(0.01)
             process.send_signal(sent)
@@ -59,6 +57,12 @@ class Journal(command_line.CommandLine):
         done = run("solve", "octahedron", "--strategy", "full-space", "--resume", self.folder / "x.journal")
         self.assert_usage_error(done, "--resume", "full-space keeps no journal", "monodromy")
         self.assertFalse((self.folder / "x.journal").exists())
+
+    def test_none_is_begun_with_options_that_are_refused(self):
+        journal = self.folder / "journal"
+        done = run("solve", "octahedron", "--strategy", "monodromy", "--set", "arcs=1", "--resume", journal)
+        self.assert_one_message(done, BAD_INPUT, "arcs=1")
+        self.assertFalse(journal.exists())
 
 
 class StartSystems(command_line.CommandLine):

@@ -12,14 +12,12 @@ import os
 import random
 import signal
 import subprocess
-import sys
 import time
 import unittest
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
-from command_line import BAD_INPUT, DONE, NOT_SOLVED
+from command_line import BAD_INPUT, DONE, NOT_SOLVED, SOURCE, argv
 
 KILLS = 20
 LIMIT_S = 120
@@ -58,21 +56,21 @@ def results(record):
 
 class KilledRuns(command_line.CommandLine):
     def command(self, arguments, folder, *more):
-        return [command_line.PROGRAM, *map(str, arguments), "--out", str(folder), *more]
+        return argv(*arguments, "--out", folder, *more)
 
     def whole(self, arguments, limit_s):
         """The record of a run that nothing interrupts, and its seconds."""
         folder = self.folder / "whole"
         begin = time.monotonic()
         done = subprocess.run(self.command(arguments, folder), capture_output=True, text=True, timeout=limit_s,
-                              cwd=command_line.SOURCE, check=False)
+                              cwd=SOURCE, check=False)
         self.assertIn(done.returncode, (DONE, NOT_SOLVED), done.stderr)
         return json.loads((folder / "run.json").read_text()), time.monotonic() - begin
 
     def killed(self, arguments, folder, after_s):
         """Starts or resumes the run and kills it after so many seconds; True when it was done before."""
         with subprocess.Popen(self.command(arguments, folder, "--resume"), stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL, cwd=command_line.SOURCE) as process:
+                              stderr=subprocess.DEVNULL, cwd=SOURCE) as process:
             try:
                 self.assertIn(process.wait(timeout=after_s), (DONE, NOT_SOLVED))
                 return True
@@ -137,7 +135,7 @@ class Resume(command_line.CommandLine):
         super().setUp()
         self.run_folder = self.folder / "run"
         self.file = self.run_folder / "run.json"
-        self.toy = self.write(json.loads((command_line.SOURCE / "instances" / "k33.json").read_text())
+        self.toy = self.write(json.loads((SOURCE / "instances" / "k33.json").read_text())
                               | {"id": "mine"}, "mine.json")
         self.assertEqual(self.measure().returncode, DONE)
 
@@ -164,7 +162,7 @@ class Resume(command_line.CommandLine):
             self.assertTrue(record["environment"][name], name)
         session, = record["sessions"]
         self.assertEqual(session["arguments"][1:3], ["tables", "table1"])
-        self.assertEqual(Path(session["folder"]), command_line.SOURCE)
+        self.assertEqual(Path(session["folder"]), SOURCE)
         self.assertEqual(len(session["load_average"]), 3)
         self.assertEqual((session["repetitions"], session["cell_limit_s"]), (2, 60))
         self.assertEqual(len({instance["fingerprint"] for instance in record["instances"]}), 2)

@@ -17,9 +17,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = Path()
-SOURCE = Path()
-BUILD = Path()
+import command_line
+from command_line import PROGRAM, SOURCE
+
+BUILD = Path(PROGRAM).parent.parent
 
 NAME = "my-idea"
 CONTRACT = ["every strategy supports an instance", "every instance is solved as claimed or refused with a sentence",
@@ -165,9 +166,7 @@ def table_source():
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-    BUILD = PROGRAM.parent.parent
     if not (BUILD / "build.ninja").exists():
         print("skipped: it takes its commands from Ninja, and this build has none")
         sys.exit(77)
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    command_line.main()

@@ -6,30 +6,20 @@ Usage: optional_parts_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import json
 import subprocess
-import sys
-import tempfile
-import unittest
-from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
+import command_line
+from command_line import SOURCE, run
 
 
 def listed():
-    done = subprocess.run([PROGRAM, "list", "--json"], capture_output=True, text=True, timeout=60, cwd=SOURCE, check=True)
-    return json.loads(done.stdout)
+    return json.loads(run("list", "--json").stdout)
 
 
 def option_of(strategy):
     return "GCSBENCH_WITH_" + strategy.replace("-", "_").upper()
 
 
-class OptionalParts(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class OptionalParts(command_line.WithFolder):
     def configure(self, *options):
         return subprocess.run(["cmake", "-S", SOURCE, "-B", self.folder, *options], capture_output=True, text=True,
                               timeout=120, check=False)
@@ -55,5 +45,4 @@ class OptionalParts(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    command_line.main()

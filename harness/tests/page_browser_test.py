@@ -7,19 +7,18 @@ Usage: page_browser_test.py PROGRAM SOURCE_DIR [unittest arguments]; exit code 7
 import itertools
 import json
 import math
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+import command_line
 import devtools
+from command_line import DONE
 
-PROGRAM = ""
-SOURCE = Path()
 BROWSER = devtools.find_browser()
 
-DONE, SKIPPED = 0, 77
+SKIPPED = 77
 HOME, END, RIGHT = ("Home", 36), ("End", 35), ("ArrowRight", 39)
 
 # Beside two shipped ones: every text that comes from the file tries to be more than text.
@@ -36,8 +35,7 @@ HOSTILE = {
 
 
 def run(*arguments):
-    done = subprocess.run([PROGRAM, "--quiet", *map(str, arguments)], capture_output=True, text=True, timeout=120,
-                          cwd=SOURCE, check=False)
+    done = command_line.run("--quiet", *arguments)
     if done.returncode != DONE:
         raise RuntimeError(done.stderr)
 
@@ -228,9 +226,7 @@ class Page(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM = str(Path(sys.argv.pop(1)).resolve())
-    SOURCE = Path(sys.argv.pop(1)).resolve()
     if BROWSER is None:
         print("skipped: there is no Chromium (Debian package chromium)")
         sys.exit(SKIPPED)
-    unittest.main()
+    command_line.main()

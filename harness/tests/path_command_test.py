@@ -6,12 +6,10 @@ Usage: path_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import json
 import math
-import sys
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
 from bad_instances import TOY, changed
-from command_line import BAD_INPUT, DONE, NOT_SOLVED, run
+from command_line import BAD_INPUT, DONE, NOT_SOLVED, SOURCE, run
 
 # Imbach, Mathis, Schreck 2016, Table 1.
 PUBLISHED = {"octahedron": 4, "disulfide": 8, "dodecagon": 2}
@@ -86,7 +84,7 @@ class Paths(command_line.CommandLine):
     def test_describes_itself(self):
         path = self.path("disulfide")
         self.assertEqual(path["format"], "gcsbench-path/1")
-        file = command_line.SOURCE / "instances" / "disulfide.json"
+        file = SOURCE / "instances" / "disulfide.json"
         self.assertEqual(path["instance"], json.loads(file.read_text()))
         self.assertEqual((path["proven"], path["closed"], path["within"]), (True, True, 1e-3))
         self.assertEqual(path["columns"][:3], ["t", "length", "radius"])
@@ -124,13 +122,13 @@ class Paths(command_line.CommandLine):
 
     def test_the_shipped_files(self):
         instances = {}
-        for file in sorted((command_line.SOURCE / "results/reference/paths").iterdir()):
+        for file in sorted((SOURCE / "results/reference/paths").iterdir()):
             with self.subTest(file.name):
                 path = json.loads(file.read_text())
                 instances[file.stem] = path["instance"]
                 self.assert_same_crossings(path)
                 self.assert_keeps_to_the_equations(path)
-        shipped = command_line.SOURCE / "instances"
+        shipped = SOURCE / "instances"
         self.assertEqual(instances, {one: json.loads((shipped / f"{one}.json").read_text())
                                      for one in [*PUBLISHED, "icosahedron"]})
 

@@ -14,8 +14,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
+import command_line
+from command_line import SOURCE, run
+
 
 # Eight up to reflection, four of them real (octahedron) and two (K3,3): theory, and `cayley-menger` by another way.
 KNOWN = {"k33": (8, 2), "octahedron": (8, 4)}
@@ -25,9 +26,7 @@ class Phcpack(unittest.TestCase):
     def solve(self, instance, *more):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "result.json"
-            done = subprocess.run([PROGRAM, "--quiet", "solve", instance, "--strategy", "exec:scripts/phcpack-solve",
-                                   "--out", out, *more], capture_output=True, text=True, timeout=200, cwd=SOURCE,
-                                  check=False)
+            done = run("--quiet", "solve", instance, "--strategy", "exec:scripts/phcpack-solve", "--out", out, *more)
             return done, json.loads(out.read_text())
 
     def test_all_complex_solutions_are_found_and_certified(self):
@@ -78,10 +77,9 @@ class Phcpack(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2])
     if shutil.which("phc") is None:
         print("phc is not installed (Debian: phcpack): what needs it is skipped")
-    ended = unittest.main(argv=[sys.argv[0], *sys.argv[3:]], exit=False)
+    ended = command_line.main(exit=False)
     if not ended.result.wasSuccessful():
         sys.exit(1)
     sys.exit(77 if ended.result.skipped else 0)

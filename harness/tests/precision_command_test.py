@@ -6,10 +6,8 @@ Usage: precision_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import csv
 import json
-import sys
 import xml.etree.ElementTree as ElementTree
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
 from bad_instances import TOY
 from command_line import BAD_INPUT, DONE, NOT_SOLVED, run

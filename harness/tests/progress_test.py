@@ -10,12 +10,10 @@ import re
 import select
 import signal
 import subprocess
-import sys
 import time
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
-from command_line import DONE, INTERRUPTED
+from command_line import DONE, INTERRUPTED, SOURCE, argv, run
 
 CLEAR = "\r\x1b[K"
 # Far longer than any test waits.
@@ -29,8 +27,7 @@ class Progress(command_line.CommandLine):
         terminal, inside = pty.openpty()
         with subprocess.Popen(["stty", "cols", str(columns)], stdin=inside) as stty:
             stty.wait()
-        process = subprocess.Popen([command_line.PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL,
-                                   stderr=inside, cwd=command_line.SOURCE)
+        process = subprocess.Popen(argv(*arguments), stdout=subprocess.DEVNULL, stderr=inside, cwd=SOURCE)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         os.close(inside)
@@ -80,14 +77,13 @@ class Progress(command_line.CommandLine):
 
     def test_nothing_is_shown_elsewhere(self):
         for more in ([], ["--quiet"]):
-            done = command_line.run("tables", "table1", "--instances", "dodecagon", "--strategies",
-                                         "full-space,rcp", "--repetitions", 50, *more)
+            done = run("tables", "table1", "--instances", "dodecagon", "--strategies", "full-space,rcp",
+                       "--repetitions", 50, *more)
             self.assertEqual((done.returncode, done.stderr), (DONE, ""))
         terminal, inside = pty.openpty()
         with os.fdopen(terminal), os.fdopen(inside, "wb") as errors:
-            done = subprocess.run([command_line.PROGRAM, "--quiet", "solve", "dodecagon", "--strategy",
-                                   "monodromy"], stdout=subprocess.DEVNULL, stderr=errors, check=False,
-                                  cwd=command_line.SOURCE)
+            done = subprocess.run(argv("--quiet", "solve", "dodecagon", "--strategy", "monodromy"),
+                                  stdout=subprocess.DEVNULL, stderr=errors, check=False, cwd=SOURCE)
             self.assertEqual(done.returncode, DONE)
             self.assertEqual(select.select([terminal], [], [], 0.1)[0], [])
 

@@ -5,20 +5,12 @@ Usage: reduction_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import json
-import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
-
-DONE, BAD_INPUT = 0, 2
-
-
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=200, cwd=SOURCE, check=False)
+import command_line
+from command_line import BAD_INPUT, DONE, run
 
 
 def solved(*arguments):
@@ -79,5 +71,4 @@ class Reduction(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    command_line.main()

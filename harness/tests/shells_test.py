@@ -7,16 +7,15 @@ Usage: shells_test.py PROGRAM SOURCE_DIR [unittest arguments]
 import json
 import shutil
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
+import command_line
+from command_line import PROGRAM, SOURCE
 
 
 def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60, cwd=SOURCE, check=True).stdout
+    return command_line.run(*arguments).stdout
 
 
 def completed(*words):
@@ -95,5 +94,4 @@ class Manual(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    command_line.main()

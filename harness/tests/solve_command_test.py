@@ -7,14 +7,12 @@ Usage: solve_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 import json
 import signal
 import subprocess
-import sys
 import time
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
 from bad_instances import TOY, changed
-from command_line import BAD_INPUT, CHECK_FAILED, DONE, ENDLESS, INTERRUPTED, NOT_SOLVED, run
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, ENDLESS, INTERRUPTED, NOT_SOLVED, SOURCE, argv, run
 
 
 class Solve(command_line.CommandLine):
@@ -29,7 +27,7 @@ class Solve(command_line.CommandLine):
         self.assertEqual(result["counts"]["on_path"], 4)
         self.assertEqual(len(result["solutions"]), 4)
         self.assertEqual({crossing["solution"] for crossing in result["path"]}, {0, 1, 2, 3})
-        self.assertEqual(result["instance"], json.loads((command_line.SOURCE / "instances/octahedron.json").read_text()))
+        self.assertEqual(result["instance"], json.loads((SOURCE / "instances/octahedron.json").read_text()))
         self.assertEqual([path.name for path in self.folder.iterdir()], ["result.json"])
 
     def test_standard_output_holds_the_json_alone(self):
@@ -175,8 +173,8 @@ class Solve(command_line.CommandLine):
 
     def test_interrupt(self):
         out = self.folder / "result.json"
-        with subprocess.Popen([command_line.PROGRAM, *ENDLESS, "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              text=True, cwd=command_line.SOURCE) as process:
+        with subprocess.Popen(argv(*ENDLESS, "--out", out), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True, cwd=SOURCE) as process:
             self.wait_until_solving(process)
             process.send_signal(signal.SIGINT)
             _, messages = process.communicate(timeout=60)

@@ -5,10 +5,8 @@ Usage: stability_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import csv
-import sys
 import xml.etree.ElementTree as ElementTree
 
-sys.dont_write_bytecode = True  # the source folder stays clean
 import command_line
 from command_line import BAD_INPUT, DONE, run
 

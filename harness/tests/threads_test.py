@@ -5,18 +5,15 @@ Usage: threads_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import json
-import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAM = ""
-SOURCE = Path()
+import command_line
 
 
 def run(*arguments):
-    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300, cwd=SOURCE, check=False)
+    done = command_line.run(*arguments)
     if done.returncode != 0 or done.stderr:
         raise AssertionError(f"{arguments} gave {done.returncode}: {done.stderr[-4000:]}")
     return done.stdout
@@ -44,8 +41,8 @@ class Threads(unittest.TestCase):
         self.assert_same("octahedron", "--strategy", "monodromy", "--certify")
 
     def test_a_solve_that_is_stopped(self):
-        done = subprocess.run([PROGRAM, "solve", "icosahedron", "--strategy", "monodromy", "--threads", "4", "--quiet",
-                               "--time-limit", "1"], capture_output=True, text=True, timeout=300, cwd=SOURCE, check=False)
+        done = command_line.run("solve", "icosahedron", "--strategy", "monodromy", "--threads", "4", "--quiet",
+                                "--time-limit", "1")
         self.assertEqual((done.returncode, done.stderr.count("WARNING")), (3, 0), done.stderr)
 
     def test_proofs_of_a_reference(self):
@@ -56,5 +53,4 @@ class Threads(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM, SOURCE = sys.argv[1], Path(sys.argv[2])
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    command_line.main()

@@ -1,0 +1,33 @@
+#pragma once
+/// Checks of words on the command line that the parser's own let through or read otherwise than people do.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace gcs {
+
+/// Adds the positional INSTANCE, which has to be given.
+void add_instance_argument(CLI::App& command, std::string& instance);
+
+/// More than any machine has, and few enough to start.
+constexpr std::uint64_t most_threads = 1024;
+
+/// A decimal whole number in [least, most]; the parser takes 010 for octal, and −1 for the largest there is.
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+
+/// A number in [least, most], as `expected` says ("a percentage from 0 to 100"). NaN is none.
+CLI::Validator number_between(double least, double most, std::string expected);
+
+/// The name of a place to write to, and no forgotten one: neither empty nor what looks like an option.
+CLI::Validator place_name();
+
+/// Likewise, or "-" for standard output.
+CLI::Validator output_name();
+
+/// Throws UsageError when `out` is the same file as `used`, which the run reads or keeps: "--out" would
+/// replace it. "-" and names of no file are no files.
+void require_another_file(const std::string& out, const std::string& used);
+
+}  // namespace gcs

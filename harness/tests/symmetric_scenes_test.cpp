@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "harness/instance_io.hpp"
 #include "harness/solve_run.hpp"
@@ -173,4 +175,54 @@ TEST_CASE("parts that are joined at collinear points are not put together") {
   CHECK(run.status == RunStatus::partial);
   CHECK(run.reason.find("collinear") != std::string::npos);
   CHECK(run.assessment.failed_checks.empty());
+}
+
+// Eight classes of the octahedron, four of them real. The point beside it, 3e-7 or 1e-7 over the plane of
+// three others, is on either side, or on none in the reals: each class counts twice.
+TEST_CASE("a point next to the plane that it hangs on is on either side of it") {
+  const auto problem = [](const char* square) {
+    return problem_of(R"("dimension": 3, "points": ["a", "b", "c", "A", "B", "C", "h"])", {{"a", "b", "16"},
+                                                                                           {"a", "c", "10"},
+                                                                                           {"a", "B", "5"},
+                                                                                           {"a", "C", "17"},
+                                                                                           {"b", "c", "18"},
+                                                                                           {"b", "A", "21"},
+                                                                                           {"b", "C", "9"},
+                                                                                           {"c", "A", "21"},
+                                                                                           {"c", "B", "5"},
+                                                                                           {"A", "B", "44"},
+                                                                                           {"A", "C", "40"},
+                                                                                           {"B", "C", "36"},
+                                                                                           {"h", "a", square},
+                                                                                           {"h", "b", "5"},
+                                                                                           {"h", "c", "5"}});
+  };
+  for (const std::string strategy : {"polyhedral", "monodromy", "cayley-menger"})
+    for (const std::string reduce : {"on", "off"}) {
+      CAPTURE(strategy, reduce);
+      for (const char* square : {"5.0000000000001", "5.00000000000001"}) {
+        const SolveRun run = solved(problem(square), strategy, 1, {{"reduce", reduce}});
+        CHECK(run.status == RunStatus::complete);
+        check_never_wrong(run, 8, 16);
+      }
+      const SolveRun run = solved(problem("4.99999999999999"), strategy, 1, {{"reduce", reduce}});
+      CHECK(run.status == RunStatus::complete);
+      check_never_wrong(run, 0, 16);
+    }
+}
+
+// Four lines that touch four spheres lie next to each of three: they come apart like the root of what is
+// added to a squared radius, and are real for more and complex for less.
+TEST_CASE("tangents next to fourfold ones are twelve") {
+  const Problem exact = load_instance("tangents-fourfold").problem;
+  for (const auto& [square, real] : {std::pair("2.0000000000001", 12), std::pair("1.999999999999", 0)})
+    for (const std::string strategy : {"polyhedral", "monodromy", "sphere-tangents"}) {
+      CAPTURE(square, strategy);
+      Problem problem = exact;
+      problem.constraints.front().given = {std::stod(square), square};
+      REQUIRE(problem.constraints.front().is_squared);
+      const SolveRun run = solved(problem, strategy);
+      CHECK(run.status == RunStatus::complete);
+      check_never_wrong(run, static_cast<std::uint64_t>(real), 12);
+    }
 }

@@ -34,7 +34,7 @@ class Placer {
       if (!place.undecided.empty())
         return scene_.problem().name(point) + " is not placed: " + place.undecided;
       if (!place.is_real) return scene_.problem().name(point) + " has no real place";
-      place_on_base(scene_, *hung.part, {place.coordinates}, hung.side, place.is_flat, positions);
+      placer_.place(*hung.part, {place.coordinates}, hung.side, place.is_flat, positions);
     }
     figure.points = positions.real();
     return std::nullopt;
@@ -48,6 +48,7 @@ class Placer {
   };
 
   const Scene& scene_;
+  BasePlacer placer_{scene_};
   std::vector<Hung> hung_;
 };
 

@@ -148,10 +148,10 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
   return place;
 }
 
-void refine_place(const Scene& scene, const Part& part, Simplex& positions) {
+void BasePlacer::refine(const Part& part, Simplex& positions) const {
   constexpr int steps = 2;          // of quadratic convergence from a relative error of 1e-6 at most
   constexpr double longest = 1e-3;  // of the coordinates: more is no refinement
-  const int dimension = scene.dimension();
+  const int dimension = scene_.dimension();
   const auto unknowns = dimension * static_cast<Eigen::Index>(part.points.size());
   const auto column_of = [&](int point) -> Eigen::Index {
     const auto found = std::find(part.points.begin(), part.points.end(), point);
@@ -162,12 +162,11 @@ void refine_place(const Scene& scene, const Part& part, Simplex& positions) {
     Eigen::VectorXcd excess(unknowns);
     Eigen::Index row = 0;
     for (const int constraint : part.constraints) {
-      const auto& [a, b] = scene.problem().constraints[constraint].between;
+      const auto& [a, b] = scene_.problem().constraints[constraint].between;
       const std::array ends{column_of(a), column_of(b)};
       if (ends[0] < 0 && ends[1] < 0) continue;
-      const double length = scene.target_lengths()[constraint];
       const Eigen::Vector3cd from = positions.col(b), to = positions.col(a);
-      excess[row] = squared_distance_excess(to, from, two_product(length, length));
+      excess[row] = squared_distance_excess(to, from, squares_[constraint]);
       for (const int side : {0, 1})
         if (ends[side] >= 0)
           jacobian.row(row).segment(ends[side], dimension) =
@@ -181,15 +180,15 @@ void refine_place(const Scene& scene, const Part& part, Simplex& positions) {
   }
 }
 
-void place_on_base(const Scene& scene, const Part& part, const std::vector<SimplexCoordinates>& coordinates,
-                   double side, bool is_flat, Simplex& positions) {
+void BasePlacer::place(const Part& part, const std::vector<SimplexCoordinates>& coordinates, double side,
+                       bool is_flat, Simplex& positions) const {
   const SimplexFrame frame(columns(positions, part.base));
   for (std::size_t i = 0; i < part.points.size(); ++i) {
     SimplexCoordinates there = coordinates[i];
     there[2] *= side;
     positions.col(part.points[i]) = frame.point(there);
   }
-  if (!is_flat) refine_place(scene, part, positions);
+  if (!is_flat) refine(part, positions);
 }
 
 }  // namespace gcs

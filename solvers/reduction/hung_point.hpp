@@ -4,7 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "solvers/model/distance_system.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/reduction/decomposition.hpp"
 #include "solvers/reduction/simplex_coordinates.hpp"
@@ -33,13 +35,24 @@ HungPlace exact_place(const Scene& scene, const Part& hung);
 /// is undecided.
 HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base, double condition = 1);
 
-/// Newton's method for the points that a part places on its base, with residuals in double-double; nothing is
-/// done where it does not converge. `positions`: of all points of the scene, in its unit.
-void refine_place(const Scene& scene, const Part& part, Simplex& positions);
+/// Puts points where they are on a base that is placed. `positions`: of all points of the scene, in its unit.
+class BasePlacer {
+ public:
+  /// Keeps a reference to the scene.
+  explicit BasePlacer(const Scene& scene) : scene_(scene), squares_(target_squares(scene)) {}
 
-/// Puts the points of a part at these coordinates in its base, or on the other side of it for side = −1, and
-/// refines them unless they are flat. `positions`: as above; the base is placed.
-void place_on_base(const Scene& scene, const Part& part, const std::vector<SimplexCoordinates>& coordinates,
-                   double side, bool is_flat, Simplex& positions);
+  /// The points of a part at these coordinates in its base, or on the other side of it for side = −1, refined
+  /// unless they are flat.
+  void place(const Part& part, const std::vector<SimplexCoordinates>& coordinates, double side, bool is_flat,
+             Simplex& positions) const;
+
+  /// Newton's method for the points that a part places on its base, with residuals in double-double; nothing
+  /// is done where it does not converge.
+  void refine(const Part& part, Simplex& positions) const;
+
+ private:
+  const Scene& scene_;
+  std::vector<DoubleDouble> squares_;  ///< of the lengths
+};
 
 }  // namespace gcs

@@ -45,6 +45,7 @@ SolutionProduct::SolutionProduct(const Scene& scene, const std::vector<Part>& pa
     : scene_(scene),
       parts_(parts),
       squares_(target_squares(scene)),
+      placer_(scene),
       solutions_(std::move(solved)),
       home_(static_cast<std::size_t>(scene.point_count()), -1),
       depends_on_(parts.size()),
@@ -178,7 +179,7 @@ void SolutionProduct::place(int part) {
     for (std::size_t i = 0; i < where.points.size(); ++i) positions_.col(where.points[i]) = chosen.points[i];
     return;
   }
-  place_on_base(scene_, where, chosen.points, choices_[part].side, chosen.is_flat, positions_);
+  placer_.place(where, chosen.points, choices_[part].side, chosen.is_flat, positions_);
 }
 
 // ---- counting

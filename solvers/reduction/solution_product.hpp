@@ -78,7 +78,8 @@ class SolutionProduct {
 
   const Scene& scene_;
   const std::vector<Part>& parts_;
-  std::vector<DoubleDouble> squares_;                 ///< of the target lengths
+  std::vector<DoubleDouble> squares_;  ///< of the target lengths
+  BasePlacer placer_;
   std::vector<std::vector<PartSolution>> solutions_;  ///< of dependent parts: at `placed_at_`
   std::vector<int> home_;                             ///< of each point, the part that places it
   std::vector<std::vector<int>> depends_on_;          ///< of each part, ascending

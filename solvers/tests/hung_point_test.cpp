@@ -87,7 +87,7 @@ TEST_CASE("measured and given bases give the same place") {
     CHECK((measured.coordinates - exact.coordinates).norm() <= 1e-6 * exact.coordinates.norm());
     Simplex positions(3, 4);
     positions << base, SimplexFrame(base).point(exact.coordinates);
-    refine_place(scene, hung, positions);
+    BasePlacer(scene).refine(hung, positions);
     for (int i = 0; i < 3; ++i)
       CHECK(std::abs(squared_distance(ComplexPoints(positions), i, 3) - length[3 + i] * length[3 + i]) <
             1e-14);

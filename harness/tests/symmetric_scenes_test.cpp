@@ -200,7 +200,7 @@ TEST_CASE("a point next to the plane that it hangs on is on either side of it") 
   for (const std::string strategy : {"polyhedral", "monodromy", "cayley-menger"})
     for (const std::string reduce : {"on", "off"}) {
       CAPTURE(strategy, reduce);
-      for (const char* square : {"5.0000000000001", "5.00000000000001"}) {
+      for (const char* square : {"5.0000000000001", "5.00000000000001", "5.000000000000000001"}) {
         const SolveRun run = solved(problem(square), strategy, 1, {{"reduce", reduce}});
         CHECK(run.status == RunStatus::complete);
         check_never_wrong(run, 8, 16);

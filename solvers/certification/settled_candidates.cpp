@@ -50,8 +50,9 @@ class Figures {
   DistanceSystem system_;
 };
 
-/// As an assessment does it.
-bool are_told_apart(const Scene& scene, const std::vector<Candidate>& candidates) {
+}  // namespace
+
+bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates) {
   std::vector<Figure> representatives;
   std::vector<SolutionQuality> qualities;
   for (const Candidate& candidate : candidates) {
@@ -60,8 +61,6 @@ bool are_told_apart(const Scene& scene, const std::vector<Candidate>& candidates
   }
   return solution_classes(scene, representatives, qualities).first.size() == candidates.size();
 }
-
-}  // namespace
 
 int SettledCandidates::count() const {
   int sum = 0;
@@ -82,7 +81,7 @@ SettledCandidates settled(const Scene& scene, const std::vector<Candidate>& near
   for (const Certificate& simple : solutions.simple) result.list.push_back(figures.simple(simple));
   std::vector<Candidate> all = listed;
   all.insert(all.end(), result.list.begin(), result.list.end());
-  result.are_told_apart = are_told_apart(scene, all);
+  result.are_told_apart = are_different_classes(scene, all);
   for (const MultipleSolution& multiple : solutions.multiple)
     result.list.push_back({figures.at(multiple.x, multiple.is_real), multiple.multiplicity});
   return result;

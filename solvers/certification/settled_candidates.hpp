@@ -27,6 +27,9 @@ struct SettledCandidates {
 SettledCandidates settled(const Scene& scene, const std::vector<Candidate>& nearly_singular,
                           const std::vector<Candidate>& listed, int expected, const std::stop_token& stop);
 
+/// Whether doubles tell these candidates apart, as an assessment does it.
+bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates);
+
 /// Why not all are listed, in words.
 inline constexpr std::string_view too_near =
     "solutions lie too near each other to be told apart in doubles, or are not settled";

@@ -8,6 +8,7 @@
 #include "solvers/certification/near_solutions.hpp"
 #include "solvers/certification/proven_error.hpp"
 #include "solvers/certification/scene_equations.hpp"
+#include "solvers/certification/settled_candidates.hpp"
 #include "solvers/complex_tracking/close_pair.hpp"
 #include "solvers/complex_tracking/distinct_ends.hpp"
 #include "solvers/complex_tracking/shortcomings.hpp"
@@ -168,13 +169,16 @@ class ComplexReporter {
 
   void add_simple(const std::vector<Certificate>& solutions) {
     const SceneEquations equations(scene_);
+    std::vector<Candidate> simple;
     for (const Certificate& solution : solutions) {
       const ComplexVectorX& mid = solution.enclosure.mid;
       const bool is_real = solution.realness == Certificate::Realness::real;
       const Figure figure = is_real ? system_.figure(*real_part(mid, std::numeric_limits<double>::infinity()))
                                     : complex_figure(system_, mid);
-      report_.candidates.push_back({figure, 1, equations.distance(figure, solution)});
+      simple.push_back({figure, 1, equations.distance(figure, solution)});
     }
+    missing_.in_between += !are_different_classes(scene_, simple);
+    report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
   }
 
   void add_proven(const Figure& figure) {

@@ -15,8 +15,7 @@ namespace {
 // The tests take time cubic in the unknowns.
 constexpr int most_unknowns = 300, most_unknowns_in_balls = 100;
 
-/// By a certificate.
-double error_of_complex(const Scene& scene, const Figure& figure) {
+double error_by_certificate(const Scene& scene, const Figure& figure) {
   constexpr double unknown = std::numeric_limits<double>::infinity();
   if (why_not_certified(scene) || !is_stiff(scene, figure)) return unknown;
   const SceneEquations equations(scene);
@@ -32,8 +31,7 @@ double error_of_complex(const Scene& scene, const Figure& figure) {
 double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure) {
   constexpr double largest_box = 1e-6;
   double error = std::numeric_limits<double>::infinity();
-  if (!figure.is_real()) return error_of_complex(scene, figure);
-  if (scene.has_lines()) return error;
+  if (!figure.is_real() || scene.has_lines()) return error_by_certificate(scene, figure);
   const DistanceSystem system(scene, wide_reference(scene));
   if (system.unknowns() > most_unknowns || !is_stiff(scene, figure)) return error;
   const Eigen::VectorXd x = system.coordinates(scene.in_frame(figure, system.reference()));

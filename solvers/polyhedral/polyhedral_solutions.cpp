@@ -82,7 +82,7 @@ class Solution {
         [&](double fraction) { request_.progress("polyhedral homotopies", fraction); }, work_);
     result_.start_paths = zeros.paths;
     result_.missing = what_is_missing(zeros);
-    if (!zeros.stopped) follow_coefficients(zeros);
+    if (!zeros.stopped && !zeros.zeros.empty()) follow_coefficients(zeros);
   }
 
   void follow_coefficients(const GenericZeros& zeros) {

@@ -30,10 +30,18 @@ std::string field_at(double x, double y, double field_width, const HeatMap::Clas
   return text;
 }
 
-/// Small enough for "1e-15" over the narrowest field.
+constexpr double caption_font = 4.5, widest_character = 0.6;
+
+/// Over fields of that width.
+bool fit(const std::vector<std::string>& captions, double field_width) {
+  return std::ranges::all_of(captions, [=](const std::string& caption) {
+    return widest_character * caption_font * static_cast<double>(caption.size()) <= field_width;
+  });
+}
+
 std::string caption_over(double x, double y, const std::string& text) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"4.5\">{}</text>\n",
-                     x, y, html_escaped(text));
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"{}\">{}</text>\n", x,
+                     y, caption_font, html_escaped(text));
 }
 
 /// Two classes a line, above the map.
@@ -67,8 +75,9 @@ std::string to_svg(const HeatMap& map) {
     const double y = top + line * static_cast<double>(r);
     if (row.fields.empty()) {
       text += text_at(4, y + 6.5, "start", row.label, true);
-      for (std::size_t c = 0; c < row.captions.size(); ++c)
-        text += caption_over(left + field_width * (static_cast<double>(c) + 0.5), y + 7, row.captions[c]);
+      if (fit(row.captions, field_width))
+        for (std::size_t c = 0; c < row.captions.size(); ++c)
+          text += caption_over(left + field_width * (static_cast<double>(c) + 0.5), y + 7, row.captions[c]);
       continue;
     }
     text += text_at(left - 4, y + 6.2, "end", row.label);

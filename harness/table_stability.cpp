@@ -175,8 +175,8 @@ std::vector<Drawing> draw_stability(const RunRecord& run) {
   map.classes = {{"error up to 10 cond·u", "#0072B2"},
                  {"up to 1000 cond·u", "#56B4E9"},
                  {"more", "#F0E442"},
-                 {"some of the solutions, as said", "#CC79A7"},
-                 {"right that there are none, or infinite", "#009E73"},
+                 {"some solutions, as said", "#CC79A7"},
+                 {"right: none, or infinite", "#009E73"},
                  {"refused, with the reason", "#C0C0C0"},
                  {"wrong", "#D55E00", true},
                  {"not run, or no reference", "#F0F0F0"}};

@@ -16,6 +16,7 @@
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/fold_solutions.hpp"
 #include "solvers/model/quality.hpp"
+#include "solvers/model/reflection_classes.hpp"
 #include "solvers/model/wide_reference.hpp"
 
 namespace gcs {
@@ -96,6 +97,9 @@ PathRecord record_of(const PathEnd& end) {
 /// A condition number that leaves three digits or fewer of a correction along the Jacobian's near kernel.
 constexpr double rank_lost = 1e13;
 
+/// Of distances, relative to the scene's size: more than any solutions are merged by (merging_tolerance).
+constexpr double neighbourhood = 2e-5;
+
 /// Below this condition number no solution is so near another that doubles do not tell them apart.
 constexpr double regular = 1e4;
 
@@ -116,6 +120,7 @@ class ComplexReporter {
     const DistinctEnds distinct(ends, mirror_axes(scene_, system_), random);
     missing_.jumps = distinct.jumps();
     for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
+    prove_neighbours();
     for (const PathEnd& end : ends) add_path(end);
     const bool stopped =
         std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
@@ -181,8 +186,27 @@ class ComplexReporter {
     report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
   }
 
+  /// Of complex ones those that have neighbours are proven when all are known.
   void add_proven(const Figure& figure) {
-    report_.candidates.push_back({figure, 1, proven_error(scene_, squares_, figure)});
+    report_.candidates.push_back({figure, 1});
+    Candidate& candidate = report_.candidates.back();
+    if (figure.is_real()) candidate.error = proven_error(scene_, squares_, figure);
+  }
+
+  /// Of simple complex solutions that their distances alone may not tell apart. There are few.
+  void prove_neighbours() {
+    std::vector<Candidate*> complex;
+    std::vector<Figure> figures;
+    for (Candidate& candidate : report_.candidates)
+      if (!candidate.figure.is_real() && candidate.multiplicity == 1 && !std::isfinite(candidate.error)) {
+        complex.push_back(&candidate);
+        figures.push_back(candidate.figure);
+      }
+    const ReflectionClasses alike = reflection_classes(scene_, figures, neighbourhood);
+    std::vector<int> members(static_cast<std::size_t>(alike.count()), 0);
+    for (const int one : alike.class_of) ++members[one];
+    for (std::size_t i = 0; i < complex.size(); ++i)
+      if (members[alike.class_of[i]] > 1) complex[i]->error = proven_error(scene_, squares_, figures[i]);
   }
 
   void add_multiple(const Figure& figure, int multiplicity) {

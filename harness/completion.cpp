@@ -101,20 +101,6 @@ Words listed_values_of(const CLI::Option& option, const Words& before, const std
   return values;
 }
 
-Words option_names(const CLI::App& app) {
-  Words names;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-Words command_names(const CLI::App& program) {
-  Words names;
-  for (const CLI::App* command : program.get_subcommands({}))
-    if (!command->get_group().empty()) names.push_back(command->get_name());
-  return names;
-}
-
 const CLI::App* command_in(const CLI::App& program, const Words& words) {
   for (const CLI::App* command : program.get_subcommands({}))
     if (std::find(words.begin(), words.end(), command->get_name()) != words.end()) return command;
@@ -149,6 +135,20 @@ Words candidates(const CLI::App& program, const Words& before, const std::string
 }
 
 }  // namespace
+
+Words option_names(const CLI::App& app) {
+  Words names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+Words command_names(const CLI::App& program) {
+  Words names;
+  for (const CLI::App* command : program.get_subcommands({}))
+    if (!command->get_group().empty()) names.push_back(command->get_name());
+  return names;
+}
 
 std::vector<std::string> completions(const CLI::App& program, const std::vector<std::string>& words) {
   const std::string current = words.empty() ? "" : words.back();

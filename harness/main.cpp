@@ -8,10 +8,12 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "harness/atomic_file.hpp"
 #include "harness/commands.hpp"
+#include "harness/completion.hpp"
 #include "harness/environment.hpp"
 #include "harness/json_document.hpp"
 #include "harness/nearest_name.hpp"
@@ -69,23 +71,11 @@ std::string usage(const CLI::App& app) {
   return CLI::Formatter().make_usage(command, name) + "Run `" + name + " --help` for more.";
 }
 
-std::vector<std::string> command_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({}))
-    if (!command->get_group().empty()) names.push_back(command->get_name());
-  return names;
-}
-
-void append_options(const CLI::App& app, std::vector<std::string>& names) {
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-}
-
 /// What is wrong with a word that looks like an option and is none of the command's, if there is one.
 std::optional<std::string> unknown_option(const CLI::App& app) {
-  std::vector<std::string> names;
-  append_options(app, names);
-  for (const CLI::App* command : app.get_subcommands()) append_options(*command, names);
+  std::vector<std::string> names = gcs::option_names(app);
+  for (const CLI::App* command : app.get_subcommands())
+    for (std::string& name : gcs::option_names(*command)) names.push_back(std::move(name));
   for (const std::string& word : app.remaining(true)) {
     if (!word.starts_with('-') || word == "-" || word == "--") continue;
     const std::string name = word.substr(0, word.find('='));
@@ -96,7 +86,7 @@ std::optional<std::string> unknown_option(const CLI::App& app) {
 
 /// What is wrong when no command was recognised.
 std::string no_command(const CLI::App& app) {
-  const auto names = command_names(app);
+  const auto names = gcs::command_names(app);
   const auto words = app.remaining();
   if (words.empty()) return "expected a command: " + gcs::quoted_list(names);
   return fmt::format("there is no command '{}'; did you mean '{}'?", words.front(),

@@ -388,7 +388,7 @@ Violations check_restatements(const Subject& subject, const Problem& problem, st
   finder.append(check_restatement(subject, problem, constraints_permuted(problem, random)));
   finder.append(check_restatement(subject, problem, mirrored(problem)));
   finder.append(check_restatement(subject, problem, ends_swapped(problem)));
-  constexpr std::array exponents{-40, -3, 5, 40};
+  constexpr std::array exponents{40, -40, -3, 5};
   for (int i = 0; i < repetitions(static_cast<int>(exponents.size())); ++i)
     finder.append(check_restatement(subject, problem, scaled(problem, exponents[i])));
   return finder.take();

@@ -207,6 +207,7 @@ CellRecord warm_up(const MeasureTask& task, const AccuracyJudge* judge, const Me
   SolveEstimate estimate(progress);
   RunLimits limits;
   limits.certify = judge == nullptr;
+  limits.limits_proofs = false;  // they are not what is measured
   limits.time_limit_s = left.for_one_solve();
   const SolveRun run = solve_once(task, settings, limits, &estimate);
   CellRecord record = record_of(task, run, judge);

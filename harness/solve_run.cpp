@@ -130,9 +130,12 @@ void note_unlisted(SolveRun& run) {
 
 /// Of a solve that was stopped, all that it found is certified, and its monitor has heard the last of it.
 void certify_solutions(const Scene& scene, const TheoreticalCounts& counts, const SolveReport& report,
-                       const StopWatch& watch, const RunLimits& limits, Monitor* monitor, SolveRun& run) {
+                       const StopWatch& solve_watch, const RunLimits& limits, Monitor* monitor,
+                       SolveRun& run) {
   const auto start = std::chrono::steady_clock::now();
-  const bool was_stopped = watch.cause() != StopWatch::Cause::none;
+  const bool was_stopped = solve_watch.cause() != StopWatch::Cause::none;
+  const StopWatch unlimited(std::nullopt);
+  const StopWatch& watch = limits.limits_proofs ? solve_watch : unlimited;
   certify(scene, counts, report.generic_member, run.threads, was_stopped ? nullptr : monitor, run.assessment,
           was_stopped ? std::stop_token() : watch.token());
   run.timing.certify_s = seconds_since(start);

@@ -17,12 +17,13 @@ namespace gcs {
 struct RunLimits {
   std::uint64_t seed = 1;
   int threads = 1;
-  std::optional<double> time_limit_s = std::nullopt;        ///< over prepare and solve together
+  std::optional<double> time_limit_s = std::nullopt;        ///< over prepare, solve and, if so, proofs
   std::optional<std::size_t> max_solutions = std::nullopt;  ///< how many classes are kept
   bool only_real = false;                                   ///< leave complex solutions out of the list
   bool checks_counts = true;                                ///< against the theoretical ones
-  bool certify = false;  ///< prove what is listed (see certify); not part of the time limit
-  int digits = 0;        ///< to which every solution is refined; 0: as the strategy gives it, in doubles
+  bool certify = false;                                     ///< prove what is listed (see certify)
+  bool limits_proofs = true;  ///< the time limit is for proofs too; an interrupt always stops them
+  int digits = 0;             ///< to which every solution is refined; 0: as the strategy gives it, in doubles
 };
 
 enum class RunStatus { complete, partial, infinite, unsupported, gave_up, interrupted, timed_out };

@@ -58,10 +58,19 @@ StrategyEntry toy_entry() {
   return entry;
 }
 
-SolveRun run(const std::string& behaviour, const RunLimits& limits = {}) {
+SolveRun run(const std::string& behaviour, const RunLimits& limits = {}, Monitor* monitor = nullptr) {
   const Scene scene(toy::instance().problem);
-  return run_strategy(toy_entry(), {{"behaviour", behaviour}}, scene, limits);
+  return run_strategy(toy_entry(), {{"behaviour", behaviour}}, scene, limits, {monitor});
 }
+
+/// Lets time pass with every report.
+struct SlowMonitor final : Monitor {
+  explicit SlowMonitor(std::chrono::milliseconds pause) : pause_(pause) {}
+  void progress(std::string_view, double) override { std::this_thread::sleep_for(pause_); }
+
+ private:
+  std::chrono::milliseconds pause_;
+};
 
 }  // namespace
 
@@ -125,6 +134,19 @@ TEST_CASE("the time limit stops a strategy and keeps what it found") {
   CHECK(result.status == RunStatus::timed_out);
   CHECK_THAT(result.reason, Catch::Contains("0.05 s"));
   CHECK(result.assessment.solutions.size() == 2);
+}
+
+TEST_CASE("the time limit stops proofs unless it is for the solve alone") {
+  SlowMonitor slow(std::chrono::milliseconds(1200));
+  RunLimits limits{.time_limit_s = 1, .certify = true};
+  const SolveRun stopped = run("good", limits, &slow);
+  CHECK(stopped.status == RunStatus::timed_out);
+  CHECK(stopped.reason == "the time limit of 1 s has passed while solutions were proven");
+  CHECK(stopped.assessment.counts.certified == 1);
+  limits.limits_proofs = false;
+  const SolveRun proven = run("good", limits, &slow);
+  CHECK(proven.status == RunStatus::complete);
+  CHECK(proven.assessment.counts.certified == 2);
 }
 
 TEST_CASE("a strategy that stops by itself has given up") {

@@ -116,16 +116,16 @@ void limit_solutions(SolveRun& run, std::size_t limit) {
   run.reason = fmt::format("{} of the {} solutions found are kept, as asked", limit, found);
 }
 
-/// Of a product, not all are listed.
-void note_unlisted(SolveRun& run) {
+/// Of a product, not all are listed. `are_distinct`: in doubles, what is listed is.
+void note_unlisted(SolveRun& run, bool are_distinct) {
   const std::optional<SolutionTotals>& totals = run.assessment.totals;
   if (!totals || run.status != RunStatus::complete) return;
   const std::optional<Natural>& all = totals->complex ? totals->complex : totals->real;
   const std::size_t listed = run.assessment.solutions.size();
   if (!all || *all == Natural(listed)) return;
   run.status = RunStatus::partial;
-  run.reason =
-      fmt::format("{} of the {} solutions are listed; --max-solutions lists more", listed, readable(*all));
+  run.reason = fmt::format("{} of the {} solutions are listed; {}", listed, readable(*all),
+                           are_distinct ? "--max-solutions lists more" : "doubles do not tell all apart");
 }
 
 /// Of a solve that was stopped, all that it found is certified, and its monitor has heard the last of it.
@@ -227,6 +227,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   set_status(run, report, watch.cause(), limits);
   run.claim = report.claim;
   run.assessment = assess(scene, report);
+  const bool are_distinct = run.assessment.solutions.size() == report.candidates.size();
   if (limits.checks_counts || limits.certify) {
     const TheoreticalCounts counts = theoretical_counts(scene.problem());
     if (limits.checks_counts) check_counts(counts, run);
@@ -234,7 +235,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
   }
   if (limits.only_real) leave_out_complex(run);
   if (limits.max_solutions) limit_solutions(run, *limits.max_solutions);
-  note_unlisted(run);
+  note_unlisted(run, are_distinct);
   if (limits.digits > 0) refine_solutions(scene, limits.digits, watch, limits, run);
   run.work = report.work;
   run.particulars = std::move(report.particulars);

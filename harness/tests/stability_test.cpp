@@ -365,6 +365,16 @@ TEST_CASE("some solutions that doubles do not tell apart are listed as one") {
   CHECK(run.assessment.solutions.size() == 2);  // both real classes of K3,3
 }
 
+TEST_CASE("why not all solutions of a product are listed is said") {
+  const auto reason = [](const std::string& member, const RunLimits& limits) {
+    return run_strategy(find_strategy("plan-scan"), {}, Scene(load_member(member).problem), limits).reason;
+  };
+  CHECK(reason("mixed-lengths@1e-12", {}) ==
+        "2 of the 8 solutions are listed; doubles do not tell all apart");
+  CHECK(reason("mixed-lengths@1e-4", {.max_solutions = 5}) ==
+        "5 of the 8 solutions are listed; --max-solutions lists more");
+}
+
 TEST_CASE("an edge of length 1e-8 refuses no path strategy") {
   check_right(measured({"short-edge@1e-6", "short-edge@1e-8"}, {"full-space", "rcp"}));
 }

@@ -199,9 +199,11 @@ const std::vector<std::string>& pyramid_instances() {
   return ids;
 }
 
+/// The paper's scans, and the one that excludes others than those found, which decides on their number.
 std::vector<Variant> pyramid_variants() {
   std::vector<Variant> variants;
   for (const ScanSetting& setting : scan_settings) variants.push_back(setting.variant());
+  variants.push_back({"theta-scan", {}, {pyramid_instance}});
   variants.push_back(algebraic());
   return variants;
 }

@@ -7,7 +7,6 @@
 
 #include "harness/exec_strategy.hpp"
 #include "harness/table_entries.hpp"
-#include "solvers/certification/figure_distance.hpp"
 
 namespace gcs {
 namespace {
@@ -128,13 +127,14 @@ const PrintedFigure* printed_figure(const Publications& publications, const std:
   return nullptr;
 }
 
-/// How many printed solutions make one class; nothing for another convention.
+/// How many printed solutions make one class; nothing for another convention. A fixed frame leaves two mirror
+/// images of points, and four where a line is its axis.
 std::optional<std::uint64_t> per_class(const PrintedFigure& figure, const MeasuredInstance& instance,
                                        const StoredScene* scene) {
   if (figure.convention == "all signs") return instance.has_given_positions ? 1U : 1U << instance.dimension;
   if (figure.convention == "up to reflection" || figure.convention == "lines") return 1;
   if (figure.convention == "fixed frame" && scene != nullptr)
-    return mirror_images(Scene(scene->record.instance.problem)).size();
+    return instance.has_given_positions ? 1U : scene->record.instance.problem.lines.empty() ? 2U : 4U;
   return std::nullopt;
 }
 

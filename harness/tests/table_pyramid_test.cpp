@@ -6,10 +6,13 @@
 #include <cstdlib>
 
 #include "harness/svg_plot.hpp"
+#include "harness/table_run.hpp"
 #include "harness/table_writer.hpp"
 #include "harness/tables.hpp"
 #include "harness/tests/approved.hpp"
+#include "harness/tests/stored_scenes.hpp"
 #include "harness/tests/toy_run.hpp"
+#include "harness/verdicts.hpp"
 
 using namespace gcs;
 
@@ -186,4 +189,24 @@ TEST_CASE("text in a plot is escaped and points outside of its axes are left out
   const std::string circle = "a2.2 2.2 0 1 0 4.4 0";
   for (std::size_t at = svg.find(circle); at != std::string::npos; at = svg.find(circle, at + 1)) ++circles;
   CHECK(circles == 2);  // the one inside, and the legend's
+}
+
+TEST_CASE("what is measured proves that the 24 solutions of the paper are all") {
+  struct NoMonitor final : Monitor {
+    void progress(std::string_view, double) override {}
+  } monitor;
+  TableRequest request;
+  request.tables = {"hoffmann-yuan"};
+  request.instances = {"hoffmann-yuan"};
+  request.repetitions = 1;
+  const RunRecord run = run_tables(request, load_publications(), monitor);
+  const StoredScene scene = stored_scene(load_instance("hoffmann-yuan"));
+  const std::vector<Verdict> all = verdicts(run, run.instances.front(), &scene, load_publications());
+  const auto real =
+      std::find_if(all.begin(), all.end(), [](const Verdict& one) { return one.quantity == "real"; });
+  REQUIRE(real != all.end());
+  CHECK(real->printed == "24 (fixed frame)");
+  CHECK(real->ours == "6");
+  CHECK(real->our_standing == Standing::proven);
+  CHECK(real->printed_standing == Standing::proven);
 }

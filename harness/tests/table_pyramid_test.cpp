@@ -192,9 +192,7 @@ TEST_CASE("text in a plot is escaped and points outside of its axes are left out
 }
 
 TEST_CASE("what is measured proves that the 24 solutions of the paper are all") {
-  struct NoMonitor final : Monitor {
-    void progress(std::string_view, double) override {}
-  } monitor;
+  SilentMonitor monitor;
   TableRequest request;
   request.tables = {"hoffmann-yuan"};
   request.instances = {"hoffmann-yuan"};

@@ -12,8 +12,8 @@
 
 #include <array>
 
-#include "harness/instance_io.hpp"
-#include "solvers/complex_tracking/leg_tracking.hpp"
+#include "harness/instances/instance_lookup.hpp"
+#include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/model/distance_system.hpp"
 
 namespace {

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/instance_io.hpp"
-#include "harness/solve_run.hpp"
-#include "solvers/strategy.hpp"
+#include "harness/instances/instance_lookup.hpp"
+#include "harness/solving/solve_run.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "harness/instance_io.hpp"
+#include "harness/instances/instance_lookup.hpp"
 #include "solvers/construction/derive.hpp"
 #include "solvers/tracking/distance_curve.hpp"
 #include "solvers/tracking/plan_curve.hpp"

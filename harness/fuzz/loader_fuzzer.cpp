@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <string>
 
-#include "harness/instance_io.hpp"
-#include "harness/json_document.hpp"
-#include "harness/published.hpp"
-#include "harness/result_reader.hpp"
-#include "harness/run_record.hpp"
+#include "harness/instances/instance_lookup.hpp"
+#include "harness/results/result_reader.hpp"
+#include "harness/runs/published.hpp"
+#include "harness/runs/run_file.hpp"
+#include "solvers/interface/options.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/scene.hpp"
-#include "solvers/options.hpp"
-#include "solvers/strategy.hpp"
+#include "solvers/reading/json_document.hpp"
 
 namespace gcs {
 

@@ -6,11 +6,11 @@
 #include <limits>
 #include <numbers>
 
-#include "harness/solve_run.hpp"
-#include "harness/strategy_choice.hpp"
+#include "harness/results/strategy_choice.hpp"
+#include "harness/solving/solve_run.hpp"
+#include "solvers/figures/reflection_classes.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/distance_system.hpp"
-#include "solvers/model/quality.hpp"
-#include "solvers/model/reflection_classes.hpp"
 #include "solvers/pyramid/pyramid_plan.hpp"
 
 namespace gcs {

@@ -10,10 +10,10 @@
 #include <map>
 #include <random>
 
-#include "harness/atomic_file.hpp"
-#include "harness/environment.hpp"
-#include "harness/instance_io.hpp"
-#include "harness/stop_conditions.hpp"
+#include "harness/base/atomic_file.hpp"
+#include "harness/base/environment.hpp"
+#include "harness/base/stop_conditions.hpp"
+#include "harness/instances/instance_lookup.hpp"
 #include "harness/sweeps/open_side_check.hpp"
 
 namespace {

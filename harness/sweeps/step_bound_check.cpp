@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "harness/stop_conditions.hpp"
+#include "harness/base/stop_conditions.hpp"
 
 namespace gcs {
 namespace {

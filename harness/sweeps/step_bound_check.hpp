@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/assess.hpp"
-#include "solvers/strategy.hpp"
+#include "solvers/answers/assess.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 
 namespace gcs {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <tuple>
 
-#include "harness/environment.hpp"
-#include "harness/table_writer.hpp"
+#include "harness/base/environment.hpp"
+#include "harness/tables/table_writer.hpp"
 
 namespace gcs {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/sweeps/random_scenes.hpp"
 #include "harness/sweeps/step_bound_check.hpp"
-#include "harness/tests/random_scenes.hpp"
 
 namespace gcs {
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/atomic_file.hpp"
-#include "harness/stop_conditions.hpp"
+#include "harness/base/atomic_file.hpp"
+#include "harness/base/stop_conditions.hpp"
 #include "harness/sweeps/scene_document.hpp"
 #include "harness/sweeps/step_bound_report.hpp"
 #include "solvers/model/scene.hpp"

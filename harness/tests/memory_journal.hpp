@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/journal.hpp"
+#include "solvers/running/journal.hpp"
 
 namespace gcs {
 

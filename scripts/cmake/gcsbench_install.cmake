@@ -18,11 +18,11 @@ install(FILES instances/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/instances)
 set(manual ${PROJECT_BINARY_DIR}/generated/gcsbench.1)
 install(CODE "execute_process(COMMAND \"$<TARGET_FILE:gcsbench>\" manual OUTPUT_FILE \"${manual}\" COMMAND_ERROR_IS_FATAL ANY)")
 install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES harness/shells/gcsbench.bash RENAME gcsbench
+install(FILES harness/cli/shells/gcsbench.bash RENAME gcsbench
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES harness/shells/gcsbench.zsh RENAME _gcsbench
+install(FILES harness/cli/shells/gcsbench.zsh RENAME _gcsbench
         DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
-install(FILES harness/shells/gcsbench.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES harness/cli/shells/gcsbench.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
 set_target_properties(gcs_solvers PROPERTIES EXPORT_NAME solvers)
 set_target_properties(gcs_flags PROPERTIES EXPORT_NAME flags)

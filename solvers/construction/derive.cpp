@@ -176,7 +176,7 @@ class SphereChoice {
     }
   }
 
-  void try_sphere(int slot, const Sphere& sphere) {
+  void try_sphere(int slot, const PlanSphere& sphere) {
     for (int earlier = 0; earlier < slot; ++earlier)
       if (instruction_.spheres[earlier].center == sphere.center) return;
     instruction_.spheres[slot] = sphere;
@@ -256,7 +256,7 @@ Plan given_plan(const Scene& scene, const Figure& figure) {
     }
     // Driving parameters come last within an instruction ([I] §2.3.3, condition (i)).
     std::stable_partition(instruction.spheres.begin(), instruction.spheres.begin() + instruction.count,
-                          [](const Sphere& s) { return !s.is_driven(); });
+                          [](const PlanSphere& s) { return !s.is_driven(); });
     placed[step.place] = true;
     instructions.push_back(instruction);
   }
@@ -292,7 +292,7 @@ std::string describe_plan(const Scene& scene, const Plan& plan) {
     text << scene.problem().points[instruction.place] << " = "
          << (plan.dimension() == 2 ? plane_names : space_names)[instruction.count];
     for (int i = 0; i < instruction.count; ++i) {
-      const Sphere& sphere = instruction.spheres[i];
+      const PlanSphere& sphere = instruction.spheres[i];
       text << (i == 0 ? "(" : ", ") << scene.problem().points[sphere.center];
       if (sphere.is_driven())
         text << "', k" << ++driving;

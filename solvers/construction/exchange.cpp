@@ -15,7 +15,7 @@ double measure(const Instruction& instruction, int slot, const ExchangeRule& rul
   return rule.watch_sine ? std::min(gamma, crossing_sine(instruction, slot, points)) : gamma;
 }
 
-double radius_in(const Sphere& sphere, int place, const Eigen::Matrix3Xd& points) {
+double radius_in(const PlanSphere& sphere, int place, const Eigen::Matrix3Xd& points) {
   return (points.col(place) - center_of(sphere, points)).norm();
 }
 

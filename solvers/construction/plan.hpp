@@ -14,7 +14,7 @@
 namespace gcs {
 
 /// One argument pair (p, a) of an instruction.
-struct Sphere {
+struct PlanSphere {
   int center = -1;      ///< the point named; for a driven sphere `reference` stands in for it
   int constraint = -1;  ///< whose length is the radius; −1: driven
   Eigen::Vector3d reference = Eigen::Vector3d::Zero();  ///< the fixed copy p' of a driven sphere
@@ -28,11 +28,11 @@ struct Sphere {
 struct Instruction {
   int place = -1;
   int count = 0;
-  std::array<Sphere, 3> spheres;
+  std::array<PlanSphere, 3> spheres;
   int side = 1;  ///< the branch b_i: which of the two intersections
   /// The table T of [I] §4.3.1 for the spheres that can be exchanged (1 and 2): the original one, if
   /// exchanged.
-  std::array<std::optional<Sphere>, 3> original;
+  std::array<std::optional<PlanSphere>, 3> original;
 };
 
 /// Driving parameters are numbered in the order of the instructions, so that parameter j matters only from
@@ -67,7 +67,7 @@ class Plan {
 };
 
 /// Centre of a sphere in a figure.
-inline Eigen::Vector3d center_of(const Sphere& sphere, const Eigen::Matrix3Xd& points) {
+inline Eigen::Vector3d center_of(const PlanSphere& sphere, const Eigen::Matrix3Xd& points) {
   if (sphere.is_driven()) return sphere.reference;
   return points.col(sphere.center);
 }
@@ -86,7 +86,7 @@ bool evaluate_plan(const Plan& plan, std::size_t first, const RadiusOf& radius, 
     int driven = plan.driven_before(k);
     std::array<double, 3> radii{};
     for (int i = 0; i < instruction.count; ++i) {
-      const Sphere& sphere = instruction.spheres[i];
+      const PlanSphere& sphere = instruction.spheres[i];
       radii[i] = radius(sphere, sphere.is_driven() ? driven++ : -1);
     }
     if (!place(instruction, radii, points)) return false;

@@ -24,7 +24,7 @@ void PlanSweep::configure(const Plan& plan, int constraints) {
     Step step;
     step.point = Eigen::Index{dimension_} * instruction.place;
     for (int i = 0; i < instruction.count; ++i) {
-      const Sphere& sphere = instruction.spheres[i];
+      const PlanSphere& sphere = instruction.spheres[i];
       step.edge[i] = sphere.is_driven() ? next_driven++ : sphere.constraint;
       step.center[i] = sphere.is_driven() ? step.point : Eigen::Index{dimension_} * sphere.center;
     }

@@ -9,8 +9,8 @@
 #include "solvers/counting/bezout_bound.hpp"
 #include "solvers/counting/plane_count.hpp"
 #include "solvers/counting/ring_bound.hpp"
-#include "solvers/model/core_reduction.hpp"
-#include "solvers/reduction/decomposition.hpp"
+#include "solvers/structure/core_reduction.hpp"
+#include "solvers/structure/decomposition.hpp"
 
 namespace gcs {
 namespace {

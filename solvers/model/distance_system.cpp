@@ -139,4 +139,13 @@ Refinement refine(const DistanceSystem& system, const std::vector<DoubleDouble>&
   return result;
 }
 
+std::vector<int> mirror_axes(const Scene& scene, const DistanceSystem& system) {
+  std::vector<int> axes(static_cast<std::size_t>(system.unknowns()), -1);
+  if (scene.is_anchored()) return axes;
+  for (int point = 0; point < system.point_count(); ++point)
+    for (int axis = 0; axis < system.dimension(); ++axis)
+      if (const int unknown = system.unknown(point, axis); unknown >= 0) axes[unknown] = axis;
+  return axes;
+}
+
 }  // namespace gcs

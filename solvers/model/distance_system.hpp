@@ -68,6 +68,10 @@ class DistanceSystem {
   Eigen::Matrix3Xd coordinate_errors_;
 };
 
+/// The axis of every unknown whose sign may be changed together with the others of that axis: −1 where
+/// positions are given, since nothing is divided out then.
+std::vector<int> mirror_axes(const Scene& scene, const DistanceSystem& system);
+
 /// Outcome of Newton's method at fixed lengths.
 struct Refinement {
   bool converged = false;

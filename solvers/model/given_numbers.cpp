@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/certification/balls.hpp"
+#include "solvers/numeric/balls.hpp"
 
 namespace gcs {
 namespace {

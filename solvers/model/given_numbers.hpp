@@ -1,9 +1,9 @@
 #pragma once
 /// The numbers of a scene's file, exactly, in the scene's unit, which is a power of two of the file's.
 
-#include "solvers/certification/exact_number.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/double_double.hpp"
+#include "solvers/numeric/exact_number.hpp"
 #include "solvers/numeric/rational.hpp"
 
 namespace gcs {

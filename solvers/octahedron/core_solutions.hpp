@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "solvers/model/complex_points.hpp"
-#include "solvers/model/core_reduction.hpp"
 #include "solvers/model/scene.hpp"
-#include "solvers/work.hpp"
+#include "solvers/running/work.hpp"
+#include "solvers/structure/core_reduction.hpp"
 
 namespace gcs {
 

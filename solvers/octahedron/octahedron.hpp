@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-#include "solvers/model/core_reduction.hpp"
 #include "solvers/model/scene.hpp"
+#include "solvers/structure/core_reduction.hpp"
 
 namespace gcs {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "solvers/polyhedral/support_forms.hpp"
-#include "solvers/run_on_threads.hpp"
+#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {

@@ -26,7 +26,7 @@ Dictionary::Dictionary(int unknowns)
   for (int v = 0; v < unknowns; ++v) row(v)[1 + v] = 1;
 }
 
-void Dictionary::add_restricted(const AffineForm& form, double weight, double* target) const {
+void Dictionary::add_restricted(const SparseForm& form, double weight, double* target) const {
   target[0] += weight * form.constant;
   for (const auto& [unknown, coefficient] : form.terms) {
     const double* const source = row(unknown);
@@ -34,7 +34,7 @@ void Dictionary::add_restricted(const AffineForm& form, double weight, double* t
   }
 }
 
-void Dictionary::append(const AffineForm& form, int label) {
+void Dictionary::append(const SparseForm& form, int label) {
   table_.resize(table_.size() + stride_, 0.0);
   row_label_.push_back(label);
   add_restricted(form, 1, row(rows() - 1));
@@ -48,7 +48,7 @@ void Dictionary::drop(int r) {
   table_.resize(table_.size() - stride_);
 }
 
-bool Dictionary::constrain(const AffineForm& form, int label, SimplexWork& work) {
+bool Dictionary::constrain(const SparseForm& form, int label, SimplexWork& work) {
   append(form, label);
   const int r = rows() - 1;
   if (free_columns_ > 0 && replace_free_column(r, work)) return true;

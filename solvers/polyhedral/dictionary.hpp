@@ -9,7 +9,7 @@
 namespace gcs {
 
 /// constant + Σ coefficient · α_unknown.
-struct AffineForm {
+struct SparseForm {
   struct Term {
     int unknown = 0;
     double coefficient = 0;
@@ -38,7 +38,7 @@ class Dictionary {
   explicit Dictionary(int unknowns);
 
   /// Adds form ≥ 0 as the slack `label` ≥ 0. False when nothing is left; the dictionary is useless then.
-  bool constrain(const AffineForm& form, int label, SimplexWork& work);
+  bool constrain(const SparseForm& form, int label, SimplexWork& work);
   /// Whether the slack vanishes somewhere. Moves to such a vertex if so.
   bool can_vanish(int label, SimplexWork& work);
   /// The face where the slack vanishes, of one dimension less; what remains has no labels. Precondition:
@@ -48,7 +48,7 @@ class Dictionary {
   int dimension() const { return columns_; }
   /// Adds weight · form, as an affine function of the columns, to target: the constant, then a coefficient
   /// for each of the dimension() columns.
-  void add_restricted(const AffineForm& form, double weight, double* target) const;
+  void add_restricted(const SparseForm& form, double weight, double* target) const;
 
  private:
   enum class Move { reached, blocked };
@@ -56,7 +56,7 @@ class Dictionary {
   double* row(int r) { return table_.data() + static_cast<std::size_t>(r) * stride_; }
   const double* row(int r) const { return table_.data() + static_cast<std::size_t>(r) * stride_; }
   int rows() const { return unknowns_ + static_cast<int>(row_label_.size()); }
-  void append(const AffineForm& form, int label);
+  void append(const SparseForm& form, int label);
   void drop(int r);
   bool replace_free_column(int r, SimplexWork& work);
   Move drive_to_zero(int r, SimplexWork& work);

@@ -38,7 +38,7 @@ Lifting raised(Lifting lifting, const AddedOrigins& origins) {
 }
 
 /// What the check of one cell says.
-enum class Verdict { proved, unstable, wrong, too_large };
+enum class CellVerdict { proved, unstable, wrong, too_large };
 
 /// A cell with its normal for the levels of added origins, α₀, and that for the random lifting, α₁: for a
 /// height h beyond all bounds the cell's normal is h·α₀ + α₁.
@@ -48,14 +48,14 @@ class CellProof {
             const CellEdges& edges)
       : supports_(supports), origins_(origins), lifting_(lifting), edges_(edges) {}
 
-  Verdict check() {
+  CellVerdict check() {
     coarse_ = exact_normal(supports_, origins_.levels, edges_);
     fine_ = exact_normal(supports_, lifting_, edges_);
-    if (!coarse_ || !fine_) return Verdict::too_large;
-    if (!others_are_higher()) return Verdict::wrong;
+    if (!coarse_ || !fine_) return CellVerdict::too_large;
+    if (!others_are_higher()) return CellVerdict::wrong;
     const auto& numerators = coarse_->numerators;
     const bool is_stable = std::all_of(numerators.begin(), numerators.end(), [](auto x) { return x >= 0; });
-    return is_stable ? Verdict::proved : Verdict::unstable;
+    return is_stable ? CellVerdict::proved : CellVerdict::unstable;
   }
 
   /// Precondition: proved.
@@ -91,15 +91,15 @@ class CellProof {
 };
 
 /// Whether all cells are proved; those that count are put into `result`.
-Verdict prove(const std::vector<CellEdges>& found, const AddedOrigins& origins, const Lifting& lifting,
-              MixedCells& result) {
+CellVerdict prove(const std::vector<CellEdges>& found, const AddedOrigins& origins, const Lifting& lifting,
+                  MixedCells& result) {
   for (const CellEdges& edges : found) {
     CellProof proof(result.supports, origins, lifting, edges);
-    const Verdict verdict = proof.check();
-    if (verdict == Verdict::wrong || verdict == Verdict::too_large) return verdict;
-    if (verdict == Verdict::proved) result.cells.push_back(proof.cell());
+    const CellVerdict verdict = proof.check();
+    if (verdict == CellVerdict::wrong || verdict == CellVerdict::too_large) return verdict;
+    if (verdict == CellVerdict::proved) result.cells.push_back(proof.cell());
   }
-  return Verdict::proved;
+  return CellVerdict::proved;
 }
 
 MixedCells cells_of(const Supports& supports, AddedOrigins origins, const MixedCellOptions& options) {
@@ -117,10 +117,10 @@ MixedCells cells_of(const Supports& supports, AddedOrigins origins, const MixedC
       return result;
     }
     if (found.work.near_ties == 0) {
-      const Verdict verdict = prove(found.cells, origins, lifting, result);
-      if (verdict == Verdict::proved) return result;
+      const CellVerdict verdict = prove(found.cells, origins, lifting, result);
+      if (verdict == CellVerdict::proved) return result;
       result.cells.clear();
-      if (verdict == Verdict::too_large) {
+      if (verdict == CellVerdict::too_large) {
         result.status = MixedCellStatus::too_large;
         return result;
       }

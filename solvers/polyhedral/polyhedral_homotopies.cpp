@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "solvers/complex_tracking/mirror_images.hpp"
+#include "solvers/homotopies/mirror_images.hpp"
 #include "solvers/polyhedral/binomial_roots.hpp"
 
 namespace gcs {

@@ -14,7 +14,7 @@
 #include <functional>
 #include <random>
 
-#include "solvers/complex_tracking/leg_tracking.hpp"
+#include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/polyhedral/mixed_cells.hpp"
 
 namespace gcs {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "solvers/complex_tracking/endgame.hpp"
-#include "solvers/complex_tracking/mirror_images.hpp"
+#include "solvers/homotopies/endgame.hpp"
+#include "solvers/homotopies/mirror_images.hpp"
 #include "solvers/polyhedral/polyhedral_homotopies.hpp"
-#include "solvers/words.hpp"
+#include "solvers/running/words.hpp"
 
 namespace gcs {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "solvers/complex_tracking/leg_tracking.hpp"
+#include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/numeric/natural.hpp"
 

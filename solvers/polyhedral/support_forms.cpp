@@ -3,8 +3,8 @@
 namespace gcs {
 namespace {
 
-AffineForm difference(const Exponents& c, const Exponents& a, double lifting) {
-  AffineForm form{lifting, {}};
+SparseForm difference(const Exponents& c, const Exponents& a, double lifting) {
+  SparseForm form{lifting, {}};
   for (std::size_t v = 0; v < c.size(); ++v)
     if (c[v] != a[v]) form.terms.push_back({static_cast<int>(v), static_cast<double>(c[v] - a[v])});
   return form;
@@ -17,8 +17,8 @@ SupportForms::SupportForms(const Support& support, const std::vector<double>& li
   for (int c = 0; c < points_; ++c)
     for (int a = 0; a < points_; ++a)
       forms_.push_back(difference(support[c], support[a], lifting[c] - lifting[a]));
-  for (const AffineForm& form : forms_)
-    for (const AffineForm::Term& term : form.terms) differs_[term.unknown] = true;
+  for (const SparseForm& form : forms_)
+    for (const SparseForm::Term& term : form.terms) differs_[term.unknown] = true;
 }
 
 bool SupportForms::meets(const SupportForms& other) const {

@@ -15,13 +15,13 @@ class SupportForms {
 
   int points() const { return points_; }
   /// ω(c) − ω(a) + ⟨c − a, α⟩: not negative where a is lower than c or as low.
-  const AffineForm& excess(int c, int a) const { return forms_[c * points_ + a]; }
+  const SparseForm& excess(int c, int a) const { return forms_[c * points_ + a]; }
   /// Whether there is an unknown in which points of either support differ.
   bool meets(const SupportForms& other) const;
 
  private:
   int points_;
-  std::vector<AffineForm> forms_;
+  std::vector<SparseForm> forms_;
   std::vector<bool> differs_;  ///< one per unknown
 };
 

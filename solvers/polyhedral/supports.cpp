@@ -4,7 +4,7 @@
 #include <array>
 #include <initializer_list>
 
-#include "solvers/complex_tracking/square_system.hpp"
+#include "solvers/lanes/square_system.hpp"
 #include "solvers/model/distance_system.hpp"
 
 namespace gcs {

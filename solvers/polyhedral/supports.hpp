@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solvers/complex_tracking/square_system.hpp"
+#include "solvers/lanes/square_system.hpp"
 
 namespace gcs {
 

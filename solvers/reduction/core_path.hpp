@@ -1,8 +1,8 @@
 #pragma once
 /// Solutions of a whole scene from those on the path of its core.
 
-#include "solvers/reduction/decomposition.hpp"
-#include "solvers/strategy.hpp"
+#include "solvers/interface/strategy_interface.hpp"
+#include "solvers/structure/decomposition.hpp"
 
 namespace gcs {
 

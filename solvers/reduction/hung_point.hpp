@@ -8,8 +8,8 @@
 
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/scene.hpp"
-#include "solvers/reduction/decomposition.hpp"
 #include "solvers/reduction/simplex_coordinates.hpp"
+#include "solvers/structure/decomposition.hpp"
 
 namespace gcs {
 

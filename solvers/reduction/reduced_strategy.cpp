@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "solvers/complex_tracking/start_store.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/figures/solution_classes.hpp"
+#include "solvers/homotopies/start_store.hpp"
+#include "solvers/interface/options.hpp"
 #include "solvers/model/complex_points.hpp"
-#include "solvers/model/quality.hpp"
-#include "solvers/model/solution_classes.hpp"
-#include "solvers/options.hpp"
 #include "solvers/reduction/core_path.hpp"
-#include "solvers/reduction/decomposition.hpp"
 #include "solvers/reduction/solution_product.hpp"
+#include "solvers/structure/decomposition.hpp"
 
 namespace gcs {
 namespace {
@@ -151,9 +151,9 @@ int solved_parts(const std::vector<Part>& parts) {
 /// A start system is that of one part, and what names it does not say of which.
 class NoStartSystems final : public StartStore {
  public:
-  StartSystem read(const std::string& name, const Family&) const override { refuse(name); }
+  StartSystem read(const std::string& name, const HomotopyFamily&) const override { refuse(name); }
   void reserve(const std::string& name) override { refuse(name); }
-  void write(const std::string& name, const Family&, const StartSystem&) override { refuse(name); }
+  void write(const std::string& name, const HomotopyFamily&, const StartSystem&) override { refuse(name); }
 
  private:
   [[noreturn]] static void refuse(const std::string& name) {

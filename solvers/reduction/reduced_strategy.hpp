@@ -7,7 +7,7 @@
 /// (solution_product.hpp). A path strategy follows the path of what is left without hung points
 /// (core_path.hpp), which is another curve than that of the whole scene; so it does this only when asked to.
 
-#include "solvers/strategy.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 
 namespace gcs {
 

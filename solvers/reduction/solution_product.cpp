@@ -5,11 +5,11 @@
 #include <set>
 #include <utility>
 
-#include "solvers/certification/proven_error.hpp"
-#include "solvers/model/complex_distances.hpp"
+#include "solvers/certificates/proven_error.hpp"
+#include "solvers/figures/complex_distances.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
-#include "solvers/model/quality.hpp"
 
 namespace gcs {
 namespace {

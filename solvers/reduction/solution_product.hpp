@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/numeric/natural.hpp"
-#include "solvers/reduction/decomposition.hpp"
 #include "solvers/reduction/hung_point.hpp"
-#include "solvers/strategy.hpp"
+#include "solvers/structure/decomposition.hpp"
 
 namespace gcs {
 

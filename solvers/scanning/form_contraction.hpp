@@ -3,7 +3,7 @@
 
 #include <Eigen/LU>
 
-#include "solvers/scanning/affine_form.hpp"
+#include "solvers/numeric/affine_form.hpp"
 
 namespace gcs {
 

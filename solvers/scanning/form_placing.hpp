@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 #include <optional>
 
-#include "solvers/scanning/affine_form.hpp"
+#include "solvers/numeric/affine_form.hpp"
 
 namespace gcs {
 

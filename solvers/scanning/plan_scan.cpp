@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solvers/certification/box_search.hpp"
+#include "solvers/certificates/box_search.hpp"
 #include "solvers/scanning/step_pieces.hpp"
 
 namespace gcs {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "solvers/model/quality.hpp"
-#include "solvers/options.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/interface/options.hpp"
 
 namespace gcs {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 /// What a scan of a plan is asked for and what it reports, the same for every strategy that scans.
 
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/scanning/plan_scan.hpp"
-#include "solvers/strategy.hpp"
 
 namespace gcs {
 

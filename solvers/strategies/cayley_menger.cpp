@@ -23,14 +23,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/certification/proven_error.hpp"
-#include "solvers/certification/settled_candidates.hpp"
+#include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/certificates/proven_error.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/distance_system.hpp"
-#include "solvers/model/quality.hpp"
 #include "solvers/octahedron/core_solutions.hpp"
 #include "solvers/octahedron/octahedron.hpp"
-#include "solvers/strategy.hpp"
-#include "solvers/words.hpp"
+#include "solvers/running/words.hpp"
 
 namespace gcs {
 namespace {

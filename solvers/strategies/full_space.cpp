@@ -14,10 +14,10 @@
 /// Homotopy, 2016.
 
 #include "solvers/model/wide_reference.hpp"
-#include "solvers/tracking/certified_tracker.hpp"
+#include "solvers/proven_paths/certified_tracker.hpp"
+#include "solvers/proven_paths/path_jumps.hpp"
 #include "solvers/tracking/distance_curve.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
-#include "solvers/tracking/path_jumps.hpp"
 #include "solvers/tracking/path_options.hpp"
 #include "solvers/tracking/path_report.hpp"
 

@@ -19,11 +19,11 @@
 #include <memory>
 #include <stdexcept>
 
-#include "solvers/complex_tracking/complex_strategy.hpp"
-#include "solvers/complex_tracking/mirror_images.hpp"
-#include "solvers/complex_tracking/start_store.hpp"
-#include "solvers/options.hpp"
-#include "solvers/run_on_threads.hpp"
+#include "solvers/homotopies/complex_strategy.hpp"
+#include "solvers/homotopies/mirror_images.hpp"
+#include "solvers/homotopies/start_store.hpp"
+#include "solvers/interface/options.hpp"
+#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
@@ -62,7 +62,7 @@ class Found final : public GenericStart {
 
   const ComplexVectorX& squares() const override { return generic.squares; }
   const std::vector<ComplexVectorX>& solutions() const override { return generic.solutions; }
-  Family family() const { return all_lengths(system, axes); }
+  HomotopyFamily family() const { return all_lengths(system, axes); }
   bool is_stopped() const override { return generic.end == SearchEnd::stopped; }
   std::string missing() const override {
     return why_not_all(generic, trace, is_stored ? "the stored start has" : "found");
@@ -140,7 +140,7 @@ class Monodromy final : public ComplexStrategy {
     const auto progress = [&](int count) {
       report_progress(request, "solutions at random lengths", most > 0 ? count / most : -1);
     };
-    const auto search_in = [&](const Family& family, const std::optional<std::uint64_t>& all) {
+    const auto search_in = [&](const HomotopyFamily& family, const std::optional<std::uint64_t>& all) {
       return search_by_monodromy(family, found.tracking, {all, nullptr}, search_, found.random, stopped,
                                  progress, found.work);
     };

@@ -21,13 +21,13 @@
 #include <random>
 #include <unsupported/Eigen/NonLinearOptimization>
 
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/figures/solution_classes.hpp"
+#include "solvers/interface/options.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/distance_system.hpp"
-#include "solvers/model/quality.hpp"
-#include "solvers/model/solution_classes.hpp"
 #include "solvers/numeric/digest.hpp"
-#include "solvers/options.hpp"
-#include "solvers/run_on_threads.hpp"
-#include "solvers/strategy.hpp"
+#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {

@@ -19,10 +19,10 @@
 
 #include <memory>
 
-#include "solvers/complex_tracking/complex_strategy.hpp"
-#include "solvers/complex_tracking/endgame.hpp"
-#include "solvers/complex_tracking/mirror_images.hpp"
-#include "solvers/options.hpp"
+#include "solvers/homotopies/complex_strategy.hpp"
+#include "solvers/homotopies/endgame.hpp"
+#include "solvers/homotopies/mirror_images.hpp"
+#include "solvers/interface/options.hpp"
 #include "solvers/polyhedral/polyhedral_solutions.hpp"
 
 namespace gcs {

@@ -33,15 +33,15 @@
 #include <functional>
 #include <numeric>
 
-#include "solvers/certification/settled_candidates.hpp"
-#include "solvers/model/quality.hpp"
-#include "solvers/options.hpp"
-#include "solvers/strategy.hpp"
-#include "solvers/tangents/common_tangents.hpp"
+#include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/interface/options.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/tangents/degenerate_spheres.hpp"
 #include "solvers/tangents/scene_spheres.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
 #include "solvers/tangents/tangent_homotopy.hpp"
+#include "solvers/tangents/tangents_of_four_spheres.hpp"
 
 namespace gcs {
 namespace {

@@ -24,13 +24,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/interface/options.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/distance_system.hpp"
-#include "solvers/model/quality.hpp"
-#include "solvers/options.hpp"
 #include "solvers/pyramid/pyramid_branches.hpp"
 #include "solvers/pyramid/pyramid_plan.hpp"
 #include "solvers/scanning/scan_report.hpp"
-#include "solvers/strategy.hpp"
 
 namespace gcs {
 namespace {

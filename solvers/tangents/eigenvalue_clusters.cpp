@@ -38,13 +38,13 @@ struct SchurForm {
 
 }  // namespace
 
-std::vector<Cluster> clusters_of(std::span<const Complex> values, double tolerance) {
-  std::vector<Cluster> clusters;
+std::vector<EigenvalueCluster> clusters_of(std::span<const Complex> values, double tolerance) {
+  std::vector<EigenvalueCluster> clusters;
   std::vector<bool> taken(values.size(), false);
   for (int first = 0; first < static_cast<int>(values.size()); ++first) {
     if (taken[first]) continue;
     taken[first] = true;
-    Cluster cluster{first};
+    EigenvalueCluster cluster{first};
     for (std::size_t reached = 0; reached < cluster.size(); ++reached) {
       const Complex at = values[cluster[reached]];
       for (int i = 0; i < static_cast<int>(values.size()); ++i) {
@@ -58,13 +58,13 @@ std::vector<Cluster> clusters_of(std::span<const Complex> values, double toleran
   return clusters;
 }
 
-Complex mean_of(std::span<const Complex> values, const Cluster& cluster) {
+Complex mean_of(std::span<const Complex> values, const EigenvalueCluster& cluster) {
   Complex sum = 0;
   for (const int i : cluster) sum += values[i];
   return sum / static_cast<double>(cluster.size());
 }
 
-bool may_be_one(std::span<const Complex> values, const Cluster& cluster) {
+bool may_be_one(std::span<const Complex> values, const EigenvalueCluster& cluster) {
   const Complex mean = mean_of(values, cluster);
   const double reach =
       100 * std::pow(rounding, 1 / static_cast<double>(cluster.size())) * (1 + std::abs(mean));

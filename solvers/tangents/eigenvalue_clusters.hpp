@@ -13,16 +13,16 @@
 namespace gcs {
 
 /// Indices of values that belong together.
-using Cluster = std::vector<int>;
+using EigenvalueCluster = std::vector<int>;
 
 /// Values within `tolerance` · (1 + modulus) of each other, directly or by way of others.
-std::vector<Cluster> clusters_of(std::span<const std::complex<double>> values, double tolerance);
+std::vector<EigenvalueCluster> clusters_of(std::span<const std::complex<double>> values, double tolerance);
 
 /// Whether rounding alone spreads one eigenvalue of this multiplicity so far: the members are within
 /// 100 eps^(1/m) · (1 + modulus) of their mean, as a matrix of condition up to about 100^m has them.
-bool may_be_one(std::span<const std::complex<double>> values, const Cluster& cluster);
+bool may_be_one(std::span<const std::complex<double>> values, const EigenvalueCluster& cluster);
 
-std::complex<double> mean_of(std::span<const std::complex<double>> values, const Cluster& cluster);
+std::complex<double> mean_of(std::span<const std::complex<double>> values, const EigenvalueCluster& cluster);
 
 /// Columns: an orthonormal basis.
 using Subspace =

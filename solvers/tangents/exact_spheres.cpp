@@ -26,7 +26,7 @@ struct RationalForm {
 };
 
 int product_number(int a, int b) {
-  const Exponents e = exponents(a), f = exponents(b);
+  const TernaryExponents e = exponents(a), f = exponents(b);
   return monomial_number(e.x + f.x, e.y + f.y);
 }
 

@@ -5,8 +5,8 @@
 
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/scene.hpp"
+#include "solvers/running/work.hpp"
 #include "solvers/tangents/found_tangents.hpp"
-#include "solvers/work.hpp"
 
 namespace gcs {
 

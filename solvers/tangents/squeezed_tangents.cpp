@@ -96,7 +96,7 @@ class Squeeze {
     x << start.direction, start.scaled_point;
     const auto end = PathTracker<SqueezeHomotopy>(homotopy, work_).follow(x);
     line = ScaledLine{end.x.head<3>(), end.x.tail<3>()}.turned(1 / b);
-    return end.kind == PathEnd<6>::Kind::regular;
+    return end.kind == TrackingEnd<6>::Kind::regular;
   }
 
   bool take_end(const ScaledLine& line) {

@@ -11,9 +11,9 @@
 #include <random>
 #include <vector>
 
+#include "solvers/running/work.hpp"
 #include "solvers/tangents/found_tangents.hpp"
 #include "solvers/tangents/strip.hpp"
-#include "solvers/work.hpp"
 
 namespace gcs {
 

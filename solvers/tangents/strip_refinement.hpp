@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "solvers/running/work.hpp"
 #include "solvers/tangents/found_tangents.hpp"
 #include "solvers/tangents/scaled_line.hpp"
-#include "solvers/work.hpp"
 
 namespace gcs {
 

@@ -17,7 +17,7 @@ constexpr double dependent = 1e-13;
 /// follow from `next` on.
 int product_number(int monomial, int own, int next, int variable) {
   const bool has_tau = monomial >= own;
-  const Exponents e = exponents(has_tau ? monomial - own : monomial);
+  const TernaryExponents e = exponents(has_tau ? monomial - own : monomial);
   const int product = monomial_number(e.x + (variable == 0 ? 1 : 0), e.y + (variable == 1 ? 1 : 0));
   return product + (has_tau ? next : 0);
 }
@@ -105,7 +105,7 @@ TangentAlgebra::RowVector TangentAlgebra::times(const RowVector& element, int va
 /// τ·m as an element, for a monomial m of weight 4: m is a variable times one of weight 3.
 TangentAlgebra::RowVector TangentAlgebra::tau_times(int m, const TangentEquations& equations) const {
   const bool has_tau = m >= monomial_count(4);
-  const Exponents e = exponents(has_tau ? m - monomial_count(4) : m);
+  const TernaryExponents e = exponents(has_tau ? m - monomial_count(4) : m);
   const int variable = e.x > 0 ? 0 : e.y > 0 ? 1 : 2;
   const int rest = monomial_number(e.x - (variable == 0 ? 1 : 0), e.y - (variable == 1 ? 1 : 0));
   if (!has_tau) return times(normal_.row(monomial_count(5) + rest), variable);

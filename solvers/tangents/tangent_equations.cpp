@@ -42,7 +42,7 @@ Triangle largest_triangle(const FourSpheres& spheres) {
 }
 
 /// (a·u) as a form.
-LinearForm linear_form(const Eigen::Vector3d& a) { return {a[2], a[0], a[1]}; }
+TernaryLinearForm linear_form(const Eigen::Vector3d& a) { return {a[2], a[0], a[1]}; }
 
 /// u·(matrix u), the matrix symmetric.
 QuadraticForm quadratic_form(const Eigen::Matrix3d& matrix) {

@@ -44,7 +44,7 @@ class TangentEquations {
 
   double h() const { return h_; }
   const QuadraticForm& kappa() const { return kappa_; }
-  const LinearForm& l() const { return l_; }
+  const TernaryLinearForm& l() const { return l_; }
   const CubicForm& s() const { return s_; }
   const QuarticForm& rho() const { return rho_; }
 
@@ -61,7 +61,7 @@ class TangentEquations {
   std::array<QuadraticForm, 2> b_;
   double h_ = 0;
   QuadraticForm kappa_;
-  LinearForm l_;
+  TernaryLinearForm l_;
   CubicForm s_;
   QuarticForm rho_;
 };

@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr int unknowns = TangentHomotopy::unknowns;
 using Vector = ComplexVector<unknowns>;
-using End = PathEnd<unknowns>;
+using End = TrackingEnd<unknowns>;
 
 Complex random_phase(std::mt19937_64& random) {
   return std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(random() >> 11U) * 0x1p-53);

@@ -22,7 +22,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "solvers/strategy.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/tangents/found_tangents.hpp"
 #include "solvers/tracking/path_tracker.hpp"
 

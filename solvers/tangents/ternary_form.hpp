@@ -13,12 +13,12 @@ constexpr int monomial_count(int degree) { return (degree + 1) * (degree + 2) / 
 constexpr int monomial_number(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
 
 /// Exponents of x and y.
-struct Exponents {
+struct TernaryExponents {
   int x = 0;
   int y = 0;
 };
 
-constexpr Exponents exponents(int number) {
+constexpr TernaryExponents exponents(int number) {
   int s = 0;
   while (monomial_count(s) <= number) ++s;
   const int y = number - s * (s + 1) / 2;
@@ -28,7 +28,7 @@ constexpr Exponents exponents(int number) {
 template <int degree>
 using Form = Eigen::Matrix<double, monomial_count(degree), 1>;
 
-using LinearForm = Form<1>;
+using TernaryLinearForm = Form<1>;
 using QuadraticForm = Form<2>;
 using CubicForm = Form<3>;
 using QuarticForm = Form<4>;
@@ -36,9 +36,9 @@ using QuarticForm = Form<4>;
 /// Adds factor · form · monomial to `target`, whose degree is at least that of the product.
 template <class Target, class Source>
 void add_product(const Source& form, int monomial, double factor, Target&& target) {
-  const Exponents by = exponents(monomial);
+  const TernaryExponents by = exponents(monomial);
   for (int i = 0; i < form.size(); ++i) {
-    const Exponents e = exponents(i);
+    const TernaryExponents e = exponents(i);
     target[monomial_number(e.x + by.x, e.y + by.y)] += factor * form[i];
   }
 }

@@ -4,9 +4,9 @@
 #include <Eigen/LU>
 
 #include "solvers/model/distance_system.hpp"
-#include "solvers/tracking/arc_series.hpp"
+#include "solvers/numeric/arc_series.hpp"
+#include "solvers/running/work.hpp"
 #include "solvers/tracking/edge_series.hpp"
-#include "solvers/work.hpp"
 
 namespace gcs {
 

@@ -58,7 +58,7 @@ PaperPlanHomotopy::PaperPlanHomotopy(const Scene& scene, Plan plan, const Figure
       shifted_points_(sketch_) {
   for (const DistanceConstraint& c : scene.problem().constraints) ends_.push_back(c.between);
   for (Instruction& instruction : plan_.instructions())
-    for (Sphere& sphere : instruction.spheres) sphere.reference *= unit_;
+    for (PlanSphere& sphere : instruction.spheres) sphere.reference *= unit_;
 }
 
 void PaperPlanHomotopy::find_branch(const Eigen::Matrix3Xd& points) {
@@ -94,7 +94,7 @@ Eigen::VectorXd PaperPlanHomotopy::start() {
 bool PaperPlanHomotopy::evaluate(const Eigen::VectorXd& y, std::size_t first, Eigen::Matrix3Xd& points) {
   ++(first == 0 ? work_.evaluations : work_.partial_evaluations);
   const double t = y[y.size() - 1];
-  const auto radius = [&](const Sphere& sphere, int j) {
+  const auto radius = [&](const PlanSphere& sphere, int j) {
     return sphere.is_driven() ? y[j] : unit_ * lengths_[sphere.constraint].value(t);
   };
   return evaluate_plan(plan_, first, radius, points);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/options.hpp"
+#include "solvers/interface/options.hpp"
 #include "solvers/tracking/euler_newton_tracker.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/certification/proven_error.hpp"
+#include "solvers/certificates/proven_error.hpp"
+#include "solvers/figures/fold_solutions.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/distance_system.hpp"
-#include "solvers/model/fold_solutions.hpp"
-#include "solvers/model/quality.hpp"
 #include "solvers/model/wide_reference.hpp"
 
 namespace gcs {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "solvers/strategy.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 #include "solvers/tracking/tracked_path.hpp"
 

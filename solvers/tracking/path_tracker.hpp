@@ -25,7 +25,7 @@
 #include <numbers>
 #include <string>
 
-#include "solvers/work.hpp"
+#include "solvers/running/work.hpp"
 
 namespace gcs {
 
@@ -64,7 +64,7 @@ HomotopyValue<n> straight_line(const SystemValue<n>& start, const SystemValue<n>
 }
 
 template <int n>
-struct PathEnd {
+struct TrackingEnd {
   enum class Kind { regular, singular, failed };
   Kind kind = Kind::failed;
   ComplexVector<n> x = ComplexVector<n>::Zero();  ///< at t = 1, or where it failed
@@ -78,7 +78,7 @@ class PathTracker {
   static constexpr int n = H::unknowns;
   using Complex = std::complex<double>;
   using Vector = ComplexVector<n>;
-  using End = PathEnd<n>;
+  using End = TrackingEnd<n>;
 
   /// Unknowns and equations are to be of order 1. Adds to `work`.
   PathTracker(const H& homotopy, WorkCounters& work) : homotopy_(homotopy), work_(work) {}

@@ -71,7 +71,7 @@ void PlanCurve::read_parameters(const Eigen::Matrix3Xd& points, double t) {
 
 bool PlanCurve::evaluate() {
   ++work_.evaluations;
-  const auto radius = [this](const Sphere& sphere, int j) {
+  const auto radius = [this](const PlanSphere& sphere, int j) {
     return sphere.is_driven() ? std::sqrt(2 * parameters_[j + 1])
                               : lengths_.paths()[sphere.constraint].value(parameters_[0]);
   };

@@ -14,9 +14,9 @@
 #include "solvers/construction/exchange.hpp"
 #include "solvers/construction/plan_sweep.hpp"
 #include "solvers/construction/plan_use.hpp"
-#include "solvers/tracking/arc_series.hpp"
+#include "solvers/numeric/arc_series.hpp"
+#include "solvers/running/work.hpp"
 #include "solvers/tracking/edge_series.hpp"
-#include "solvers/work.hpp"
 
 namespace gcs {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/work.hpp"
+#include "solvers/running/work.hpp"
 
 namespace gcs {
 

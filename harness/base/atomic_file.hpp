@@ -1,0 +1,61 @@
+#pragma once
+/// Writes a file all at once or not at all.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "harness/base/errors.hpp"
+
+namespace gcs {
+
+/// Writes all of `text`. Returns 0 or the error number.
+int write_all(int descriptor, std::string_view text);
+
+/// A file that will be written later. Creating one proves that the place can be written, before hours of
+/// work; a file that is there already keeps its content until commit().
+class AtomicFile {
+ public:
+  /// Throws OutputError when `target` cannot be written.
+  explicit AtomicFile(const std::filesystem::path& target);
+  /// Without commit(): leaves everything as it was.
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Replaces the target's content by `text`. Call once. Throws OutputError when that fails; then nothing has
+  /// changed.
+  void commit(std::string_view text);
+
+ private:
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path named_;   ///< as the user named it, for messages
+  std::filesystem::path target_;  ///< with links followed
+  std::filesystem::path
+      written_;  ///< a new file beside the target, or the target when that is no regular file
+  int descriptor_ = -1;
+};
+
+/// A file that will be written later, or standard output, which "-" stands for.
+class Output {
+ public:
+  /// Throws OutputError when the file cannot be written.
+  explicit Output(const std::string& place);
+
+  /// Writes all of `text`, as AtomicFile does. Call once.
+  void commit(std::string_view text);
+
+ private:
+  std::optional<AtomicFile> file_;  ///< empty: standard output
+};
+
+/// Creates the folder with its parents unless it is there. Throws OutputError.
+void make_folder(const std::filesystem::path& folder);
+
+/// Removes the new files that killed processes left in the folder before they were renamed: those that no
+/// process holds.
+void remove_leftovers(const std::filesystem::path& folder);
+
+}  // namespace gcs

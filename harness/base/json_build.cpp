@@ -1,0 +1,68 @@
+#include "harness/base/json_build.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gcs {
+
+namespace {
+
+JsonValue of_kind(JsonValue::Kind kind) {
+  JsonValue value;
+  value.kind = kind;
+  return value;
+}
+
+}  // namespace
+
+JsonValue json_null() { return of_kind(JsonValue::Kind::null); }
+
+JsonValue json_boolean(bool value) {
+  JsonValue result = of_kind(JsonValue::Kind::boolean);
+  result.boolean = value;
+  return result;
+}
+
+JsonValue json_text(std::string text) {
+  JsonValue result = of_kind(JsonValue::Kind::string);
+  result.text = std::move(text);
+  return result;
+}
+
+JsonValue json_array(std::vector<JsonValue> elements) {
+  JsonValue result = of_kind(JsonValue::Kind::array);
+  result.elements = std::move(elements);
+  return result;
+}
+
+JsonValue json_object(JsonMembers members) {
+  JsonValue result = of_kind(JsonValue::Kind::object);
+  result.members = std::move(members);
+  return result;
+}
+
+JsonValue json_number(double value) {
+  if (!std::isfinite(value)) return json_null();
+  JsonValue result = of_kind(JsonValue::Kind::number);
+  result.number = value + 0.0;
+  result.text = fmt::format("{}", result.number);
+  return result;
+}
+
+JsonValue json_count(const Natural& count) {
+  const std::string text = count.decimal();
+  if (count > Natural::power_of_two(53)) return json_text(text);
+  JsonValue result = of_kind(JsonValue::Kind::number);
+  result.number = count.approximate();
+  result.text = text;
+  return result;
+}
+
+JsonValue json_texts(const std::vector<std::string>& texts) {
+  std::vector<JsonValue> elements;
+  for (const std::string& text : texts) elements.push_back(json_text(text));
+  return json_array(std::move(elements));
+}
+
+}  // namespace gcs

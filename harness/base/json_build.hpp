@@ -1,0 +1,37 @@
+#pragma once
+/// Makes JSON values. Numbers get the shortest text that reads back as the same double.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solvers/numeric/natural.hpp"
+#include "solvers/reading/json_document.hpp"
+
+namespace gcs {
+
+using JsonMembers = std::vector<std::pair<std::string, JsonValue>>;
+
+JsonValue json_null();
+JsonValue json_boolean(bool value);
+JsonValue json_text(std::string text);
+JsonValue json_array(std::vector<JsonValue> elements);
+JsonValue json_object(JsonMembers members);
+
+/// Null when not finite: JSON has no word for infinity. A negative zero becomes 0.
+JsonValue json_number(double value);
+
+/// A decimal string above 2^53, which not every reader of JSON can hold as a number.
+JsonValue json_count(const Natural& count);
+
+/// An array of texts.
+JsonValue json_texts(const std::vector<std::string>& texts);
+
+/// The value that `make` makes of what the optional holds, or null.
+template <typename T, typename Make>
+JsonValue json_or_null(const std::optional<T>& value, Make make) {
+  return value ? make(*value) : json_null();
+}
+
+}  // namespace gcs

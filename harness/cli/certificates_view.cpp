@@ -1,0 +1,42 @@
+#include "harness/cli/certificates_view.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/cli/summary_line.hpp"
+
+namespace gcs {
+namespace {
+
+std::string limit_text(const Proofs& proofs) {
+  return fmt::format("the {} of {}", proofs.limit_is_exact ? "exact number" : "upper bound",
+                     proofs.limit->decimal());
+}
+
+/// Whether so many proven classes are all there are.
+std::string completeness(const Proofs& proofs, std::uint64_t classes) {
+  if (!proofs.limit) return "found, not proven: no exact number and no upper bound is known";
+  if (proofs.meets_limit(classes)) return fmt::format("proven: {} is met", limit_text(proofs));
+  return fmt::format("found, not proven: {} certified, and {}", classes, limit_text(proofs));
+}
+
+}  // namespace
+
+std::string certificates_text(const Proofs& proofs, std::size_t solutions, bool lists_all_complex) {
+  if (proofs.why_none) return summary_line("certified", "nothing: " + *proofs.why_none);
+  std::string text = summary_line(
+      "certified", fmt::format("{} of {} solutions exist, each in a class of its own, {} of them real; "
+                               "proven in {} bits at most",
+                               proofs.classes, solutions, proofs.real, proofs.most_bits));
+  if (proofs.clusters > 0)
+    text += summary_line("clusters", fmt::format("{} solutions stand for {}, counted with multiplicities, "
+                                                 "that are not told apart",
+                                                 proofs.clusters, proofs.in_clusters));
+  if (lists_all_complex)
+    text += summary_line("all complex", completeness(proofs, proofs.classes + proofs.in_clusters));
+  if (proofs.generic)
+    text += summary_line("all generic", fmt::format("{} classes certified; {}", *proofs.generic,
+                                                    completeness(proofs, *proofs.generic)));
+  return text;
+}
+
+}  // namespace gcs

@@ -1,0 +1,208 @@
+/// gcsbench solve: one strategy on one instance.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/base/atomic_file.hpp"
+#include "harness/base/environment.hpp"
+#include "harness/base/stop_conditions.hpp"
+#include "harness/cli/argument_checks.hpp"
+#include "harness/cli/commands.hpp"
+#include "harness/cli/progress_line.hpp"
+#include "harness/cli/solve_summary.hpp"
+#include "harness/instances/instance_lookup.hpp"
+#include "harness/results/result_io.hpp"
+#include "harness/results/strategy_choice.hpp"
+#include "harness/solving/file_journal.hpp"
+#include "harness/solving/solve_identity.hpp"
+#include "harness/solving/solve_run.hpp"
+#include "solvers/reading/nearest_name.hpp"
+
+namespace gcs {
+
+namespace {
+
+struct SolveArguments {
+  std::string instance;
+  std::string strategy;
+  std::vector<std::string> settings;
+  std::string out;        ///< empty: no file; "-": standard output
+  std::string solutions;  ///< "real" or "all"; empty: all
+  std::string resume;     ///< the journal's file; empty: none
+  RunLimits limits;
+};
+
+void complain(const std::string& message) {
+  std::cout.flush();
+  std::cerr << "gcsbench: " << message << '\n';
+}
+
+void complain_about(const SolveRun& run) {
+  for (const FailedCheck& check : run.assessment.failed_checks)
+    complain(fmt::format("check failed: {}: {}", check.name, check.what));
+  if (run.status != RunStatus::complete)
+    complain(fmt::format("{}: {}: {}", run.strategy, word(run.status), run.reason));
+}
+
+ExitCode exit_code(const SolveRun& run) {
+  switch (run.status) {
+    case RunStatus::interrupted:
+      return ExitCode::interrupted;
+    case RunStatus::unsupported:
+    case RunStatus::gave_up:
+    case RunStatus::timed_out:
+    case RunStatus::infinite:
+      return ExitCode::not_solved;
+    case RunStatus::complete:
+    case RunStatus::partial:
+      break;
+  }
+  return run.assessment.failed_checks.empty() ? ExitCode::done : ExitCode::check_failed;
+}
+
+/// Standard output gets the JSON when it was asked for there, else the summary of what was run.
+void print_answer(const SolveArguments& arguments, const Instance& instance, const SolveRun& run,
+                  std::optional<Output>& out) {
+  const std::string result =
+      arguments.out.empty() ? "" : result_text(instance, run, capture_environment(run.threads));
+  if (out) out->commit(result);
+  if (arguments.out == "-") return;
+  if (run.status != RunStatus::unsupported) std::cout << solve_summary(instance, run);
+}
+
+std::string strategies_with_a_journal() {
+  std::vector<std::string> names;
+  for (const StrategyEntry& entry : all_strategies())
+    if (entry.keeps_journal) names.emplace_back(entry.name);
+  return quoted_list(names);
+}
+
+/// The journal that --resume names, if any.
+std::unique_ptr<FileJournal> open_journal(const SolveArguments& arguments, const StrategyEntry& entry,
+                                          const OptionMap& options, const Instance& instance) {
+  if (arguments.resume.empty()) return nullptr;
+  if (!entry.keeps_journal)
+    throw UsageError(
+        fmt::format("--resume: strategy {} keeps no journal to go on from; leave it out (with a "
+                    "journal: {})",
+                    entry.name, strategies_with_a_journal()));
+  return std::make_unique<FileJournal>(
+      arguments.resume, solve_identity(instance, entry, complete_options(entry, options),
+                                       arguments.limits.seed, capture_environment(arguments.limits.threads)));
+}
+
+ExitCode solve(const SolveArguments& arguments, bool quiet) {
+  const StrategyEntry entry = find_strategy_or_program(arguments.strategy);
+  const OptionMap options = parse_settings(entry, arguments.settings);
+  const Instance instance = load_instance(arguments.instance);
+  require_another_file(arguments.out, instance.origin);
+  require_another_file(arguments.out, arguments.resume);
+  std::optional<Output> out;
+  if (!arguments.out.empty()) out.emplace(arguments.out);
+  const std::unique_ptr<FileJournal> journal = open_journal(arguments, entry, options, instance);
+
+  catch_interrupts();
+  RunLimits limits = arguments.limits;
+  limits.only_real = arguments.solutions == "real";
+  const Scene scene(instance.problem);
+  SolveRun run = [&] {
+    ProgressLine progress(!quiet);
+    return run_strategy(entry, options, scene, limits, {&progress, journal.get()});
+  }();
+  if (journal) run.timing.recalled_steps = journal->recalled();
+  print_answer(arguments, instance, run, out);
+  complain_about(run);
+  return exit_code(run);
+}
+
+/// The options of every strategy, for --help.
+std::string settings_help() {
+  std::string text = "Options for --set:\n";
+  for (const StrategyEntry& entry : all_strategies()) {
+    text += fmt::format("  {}: {}\n", entry.name, entry.summary);
+    for (const OptionSpec& option : entry.options)
+      text += fmt::format("    {}={}  ({}) {}\n", option.name, option.default_value, option.allowed,
+                          option.summary);
+  }
+  return text +
+         "\nExamples:\n"
+         "  gcsbench solve disulfide --strategy rcp\n"
+         "  gcsbench solve ./my.json --strategy full-space --time-limit 60 --out result.json\n"
+         "  gcsbench solve octahedron --strategy rcp --out - | python3 -m json.tool\n"
+         "  gcsbench solve icosahedron --strategy monodromy --resume icosahedron.journal\n"
+         "  gcsbench solve k33 --strategy exec:scripts/phcpack-solve\n"
+         "\nThe one with --resume may be stopped in any way and started again with the same words: nothing "
+         "that was\n"
+         "done is computed again. Threads, instruction set, --time-limit and --out may change; a journal of\n"
+         "anything else is refused.\n"
+         "\nexec:COMMAND is run by /bin/sh -c: it reads the instance as gcsbench-instance/1 on standard "
+         "input and\n"
+         "writes {\"solutions\": [{\"points\": {...}}]} or any other gcsbench-result/1 to standard output\n"
+         "(solvers/strategies/README.md).\n";
+}
+
+void add_options(CLI::App& command, SolveArguments& arguments) {
+  add_instance_argument(command, arguments.instance);
+  command
+      .add_option(
+          "--strategy", arguments.strategy,
+          "Name of the strategy (see `gcsbench list strategies`), or exec:COMMAND, an external program")
+      ->type_name("NAME")
+      ->required();
+  command.add_option("--set", arguments.settings, "An option of the strategy; may be repeated")
+      ->type_name("OPTION=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--out", arguments.out,
+                  "Write the result as JSON; - is standard output, which then holds it alone")
+      ->check(output_name())
+      ->type_name("FILE");
+  command.add_option("--seed", arguments.limits.seed, "Seed of everything random")
+      ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--threads", arguments.limits.threads, "Threads that the strategy may use")
+      ->transform(whole_number(1, most_threads))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--time-limit", arguments.limits.time_limit_s, "Time after which the solve is stopped")
+      ->type_name("SECONDS")
+      ->check(number_between(std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max(),
+                             "a number of seconds > 0"));
+  command.add_option("--max-solutions", arguments.limits.max_solutions, "List at most so many solutions")
+      ->transform(whole_number(1, std::numeric_limits<std::size_t>::max()))
+      ->type_name("N");
+  command
+      .add_option("--solutions", arguments.solutions,
+                  "Which solutions to list: real, or all that the strategy finds, which is the default")
+      ->check(CLI::IsMember({"real", "all"}));
+  command.add_flag("--certify", arguments.limits.certify,
+                   "Prove that every solution exists, is real or not as listed, and a class of its own");
+  command
+      .add_option("--resume", arguments.resume,
+                  "Keep a journal in FILE; when it is there, go on where it ends, with the same result")
+      ->check(place_name())
+      ->type_name("FILE");
+  command.footer(settings_help);
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<SolveArguments>();
+  CLI::App* command = app.add_subcommand("solve", "Solve one instance with one strategy");
+  add_options(*command, *arguments);
+  command->callback([&invocation, arguments] {
+    invocation.action = [&invocation, arguments] { return solve(*arguments, invocation.quiet); };
+  });
+}
+
+}  // namespace gcs

@@ -1,0 +1,45 @@
+#pragma once
+/// One line on standard error that shows how far a solve has come and how long it may take.
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "harness/base/time_left.hpp"
+#include "solvers/interface/strategy_interface.hpp"
+
+namespace gcs {
+
+/// Shows progress when standard error is a terminal and `wanted`; otherwise nothing. The line lives between
+/// reports too: it says how long a stage has taken so far, or how much time is left. Clears its line at the
+/// end.
+class ProgressLine final : public Monitor {
+ public:
+  explicit ProgressLine(bool wanted);
+  ~ProgressLine() override;
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void progress(std::string_view stage, double fraction) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void keep_drawing(const std::stop_token& stop);
+  std::string text(Clock::time_point now) const;
+
+  std::mutex mutex_;      ///< of all below but the thread
+  bool written_ = false;  ///< there is something to clear
+  std::string stage_;
+  double fraction_ = -1;
+  Clock::time_point stage_start_;
+  Clock::time_point next_estimate_;
+  std::optional<Clock::time_point> end_;  ///< of the stage, as estimated
+  TimeLeft time_left_;
+  std::jthread drawing_;  ///< runs while somebody sees the line
+};
+
+}  // namespace gcs

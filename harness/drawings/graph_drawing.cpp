@@ -1,0 +1,107 @@
+#include "harness/drawings/graph_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "harness/base/text_width.hpp"
+#include "harness/drawings/html_text.hpp"
+#include "solvers/model/scene.hpp"
+
+namespace gcs {
+namespace {
+
+// In points; 85 mm are 241 points.
+constexpr double width = 241, margin = 18, font = 8;
+
+/// With more, their names would hide the graph.
+constexpr std::size_t most_named_constraints = 21;
+
+Eigen::Vector2d on_page(const Eigen::Vector2d& place) {
+  return Eigen::Vector2d(margin, margin) + (width - 2 * margin) * Eigen::Vector2d(place.x(), 1 - place.y());
+}
+
+/// Those that stay where they are: the frame, or what has a given position.
+std::set<int> held(const Problem& problem) {
+  std::set<int> entities;
+  const int count = static_cast<int>(problem.points.size() + problem.lines.size());
+  for (int e = 0; e < count; ++e)
+    if (problem.is_fixed(e)) entities.insert(e);
+  const Scene scene(problem);
+  if (scene.is_anchored()) return entities;
+  const Reference& frame = scene.reference();
+  for (const int e : {frame.origin, frame.axis, frame.plane, frame.line, frame.height})
+    if (e >= 0) entities.insert(e);
+  return entities;
+}
+
+int bent_constraint(const Problem& problem) {
+  if (!problem.sketch) return -1;
+  return problem.interpolation.bent >= 0 ? problem.interpolation.bent
+                                         : static_cast<int>(problem.constraints.size()) - 1;
+}
+
+std::string edge_svg(const Eigen::Vector2d& a, const Eigen::Vector2d& b, bool is_bent) {
+  return fmt::format("<line class=\"edge\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"{}/>\n",
+                     a.x(), a.y(), b.x(), b.y(),
+                     is_bent ? " stroke-dasharray=\"4 2.5\" stroke-width=\"1.6\"" : "");
+}
+
+/// To the right of its entity, or to the left where there is no room.
+std::string node_name(const Eigen::Vector2d& p, const std::string& name) {
+  constexpr double letter = 5.2, aside = 5.5;
+  const bool is_left = p.x() + aside + letter * static_cast<double>(display_width(name)) > width;
+  return fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" stroke=\"#FFFFFF\" stroke-width=\"2.5\" "
+      "paint-order=\"stroke\" font-weight=\"bold\">{}</text>\n",
+      is_left ? p.x() - aside : p.x() + aside, p.y() - 4, is_left ? "end" : "start", html_escaped(name));
+}
+
+std::string node_svg(const Eigen::Vector2d& p, bool is_line, bool is_held) {
+  const std::string fill = is_held ? "#000000" : "#0072B2";
+  if (is_line)
+    return fmt::format(
+        "<rect class=\"node\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"8\" fill=\"{}\"/>\n", p.x() - 4,
+        p.y() - 4, fill);
+  return fmt::format("<circle class=\"node\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", p.x(),
+                     p.y(), fill);
+}
+
+std::string edge_name(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const std::string& name) {
+  // Off the middle, where edges of symmetric graphs meet.
+  const Eigen::Vector2d p = a + 0.36 * (b - a);
+  return fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" font-size=\"6.5\" fill=\"#444444\" "
+      "stroke=\"#FFFFFF\" "
+      "stroke-width=\"2\" paint-order=\"stroke\">{}</text>\n",
+      p.x(), p.y() + 2.2, html_escaped(name));
+}
+
+}  // namespace
+
+std::string graph_svg(const Problem& problem, const std::string& title) {
+  const Eigen::Matrix2Xd layout = graph_layout(problem);
+  const auto place = [&](int entity) { return on_page(layout.col(entity)); };
+  const int bent = bent_constraint(problem);
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"85mm\" height=\"85mm\" viewBox=\"0 0 {0} {0}\" "
+      "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{1}\" role=\"img\">\n<title>{2}</title>\n"
+      "<rect width=\"{0}\" height=\"{0}\" fill=\"#FFFFFF\"/>\n<g stroke=\"#555555\" stroke-width=\"1\">\n",
+      width, font, html_escaped(title));
+  for (std::size_t c = 0; c < problem.constraints.size(); ++c) {
+    const auto& [a, b] = problem.constraints[c].between;
+    text += edge_svg(place(a), place(b), static_cast<int>(c) == bent);
+  }
+  text += "</g>\n";
+  if (problem.constraints.size() <= most_named_constraints)
+    for (const DistanceConstraint& c : problem.constraints)
+      text += edge_name(place(c.between[0]), place(c.between[1]), c.id);
+  const std::set<int> dark = held(problem);
+  const int count = static_cast<int>(problem.points.size() + problem.lines.size());
+  for (int e = 0; e < count; ++e)
+    text +=
+        node_svg(place(e), !problem.is_point(e), dark.count(e) > 0) + node_name(place(e), problem.name(e));
+  return text + "</svg>\n";
+}
+
+}  // namespace gcs

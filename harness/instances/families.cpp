@@ -1,0 +1,62 @@
+#include "harness/instances/families.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/instances/family_lists.hpp"
+
+namespace gcs {
+
+std::vector<std::string> shrinking(const std::string& tame) {
+  return {tame, "1e-1", "1e-2", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12", "1e-15"};
+}
+
+std::vector<std::string> shrinking_to_zero(const std::string& tame) {
+  std::vector<std::string> values = shrinking(tame);
+  values.emplace_back("0");
+  return values;
+}
+
+std::span<const InstanceFamily> families() {
+  static const std::vector<InstanceFamily> all = [] {
+    std::vector<InstanceFamily> families;
+    for (const auto& list : {flat_families(), line_families(), octahedron_families(), compound_families()})
+      families.insert(families.end(), list.begin(), list.end());
+    return families;
+  }();
+  return all;
+}
+
+const InstanceFamily* find_family(std::string_view name) {
+  for (const auto all : {families(), growing_families()})
+    for (const InstanceFamily& family : all)
+      if (family.name == name) return &family;
+  return nullptr;
+}
+
+namespace {
+
+struct Member {
+  const InstanceFamily& family;
+  std::string value;
+};
+
+Member member_of(const std::string& id) {
+  const std::size_t at = id.find('@');
+  return {*find_family(id.substr(0, at)), id.substr(at + 1)};
+}
+
+}  // namespace
+
+bool is_ill_posed(const std::string& id) {
+  const auto [family, value] = member_of(id);
+  return std::find(family.ill_posed.begin(), family.ill_posed.end(), value) != family.ill_posed.end();
+}
+
+Instance load_member(const std::string& id) {
+  const auto [family, value] = member_of(id);
+  return parse_instance(family.text(id, value), id, "");
+}
+
+}  // namespace gcs

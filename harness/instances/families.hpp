@@ -1,0 +1,29 @@
+#pragma once
+/// Families of instances that grow stiff or extreme with a parameter, made here with lengths in as many
+/// decimals as the parameter needs.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "harness/instances/family.hpp"
+#include "solvers/reading/instance_parser.hpp"
+
+namespace gcs {
+
+/// Those of `gcsbench stability`.
+std::span<const InstanceFamily> families();
+
+/// Scenes with more and more of what need not be solved for; the parameter says how much.
+std::span<const InstanceFamily> growing_families();
+
+/// The family of that name, of both kinds, or nullptr.
+const InstanceFamily* find_family(std::string_view name);
+
+/// Whether the member of that id is one of the ill-posed ones. Precondition: it is one of some family.
+bool is_ill_posed(const std::string& id);
+
+/// The member of that id. Precondition: it is one of some family.
+Instance load_member(const std::string& id);
+
+}  // namespace gcs

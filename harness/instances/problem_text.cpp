@@ -1,0 +1,122 @@
+#include "harness/instances/problem_text.hpp"
+
+#include <algorithm>
+
+#include "harness/base/json_build.hpp"
+
+namespace gcs {
+namespace {
+
+/// As the file writes it, or the double's own text where there is none.
+JsonValue decimal_value(double value, const std::string& text) {
+  JsonValue result = json_number(value);
+  if (!text.empty()) result.text = text;
+  return result;
+}
+
+JsonValue vector_value(const Eigen::Vector3d& vector, int dimension,
+                       const std::array<std::string, 3>& texts = {}) {
+  std::vector<JsonValue> coordinates;
+  for (int i = 0; i < dimension; ++i)
+    coordinates.push_back(decimal_value(vector[i], texts[static_cast<std::size_t>(i)]));
+  return json_array(std::move(coordinates));
+}
+
+JsonValue line_value(const LinePosition& line) {
+  return json_object(
+      {{"point", vector_value(line.point, 3)}, {"direction", vector_value(line.direction, 3)}});
+}
+
+JsonValue fixed_value(const Problem& problem) {
+  JsonMembers members;
+  for (std::size_t i = 0; i < problem.fixed_points.size(); ++i)
+    if (const auto& point = problem.fixed_points[i])
+      members.emplace_back(problem.points[i],
+                           vector_value(*point, problem.dimension,
+                                        problem.fixed_point_texts.empty() ? std::array<std::string, 3>{}
+                                                                          : problem.fixed_point_texts[i]));
+  for (std::size_t i = 0; i < problem.fixed_lines.size(); ++i)
+    if (const auto& line = problem.fixed_lines[i]) members.emplace_back(problem.lines[i], line_value(*line));
+  return json_object(std::move(members));
+}
+
+JsonValue constraints_value(const Problem& problem) {
+  std::vector<JsonValue> values;
+  for (const DistanceConstraint& constraint : problem.constraints)
+    values.push_back(json_object(
+        {{"id", json_text(constraint.id)},
+         {"type", json_text("distance")},
+         {"between", json_texts({problem.name(constraint.between[0]), problem.name(constraint.between[1])})},
+         {constraint.is_squared ? "squared" : "length",
+          decimal_value(constraint.given.value, constraint.given.text)}}));
+  return json_array(std::move(values));
+}
+
+JsonValue reference_value(const Problem& problem, const Reference& reference) {
+  JsonMembers members;
+  const auto append = [&](const char* part, int number, const std::vector<std::string>& names) {
+    if (number >= 0) members.emplace_back(part, json_text(names[static_cast<std::size_t>(number)]));
+  };
+  append("origin", reference.origin, problem.points);
+  append("axis", reference.axis, problem.points);
+  append("plane", reference.plane, problem.points);
+  append("line", reference.line, problem.lines);
+  append("height", reference.height, problem.points);
+  return json_object(std::move(members));
+}
+
+JsonValue sketch_value(const Problem& problem) {
+  JsonMembers members;
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    members.emplace_back(
+        problem.points[i],
+        vector_value(problem.sketch->points.col(static_cast<Eigen::Index>(i)), problem.dimension));
+  for (std::size_t i = 0; i < problem.lines.size(); ++i)
+    members.emplace_back(problem.lines[i], line_value(problem.sketch->lines[i]));
+  return json_object(std::move(members));
+}
+
+JsonValue interpolation_value(const Problem& problem) {
+  JsonMembers members;
+  if (const int bent = problem.interpolation.bent; bent >= 0)
+    members.emplace_back("bent", json_text(problem.constraints[static_cast<std::size_t>(bent)].id));
+  members.emplace_back("bend", json_number(problem.interpolation.bend));
+  return json_object(std::move(members));
+}
+
+JsonValue radius_value(const Problem& problem, const PlanStep::Radius& radius) {
+  const bool is_driving = radius.constraint < 0;
+  return json_texts(
+      {problem.name(radius.from),
+       is_driving ? radius.driving : problem.constraints[static_cast<std::size_t>(radius.constraint)].id});
+}
+
+JsonValue construction_value(const Problem& problem) {
+  std::vector<JsonValue> steps;
+  for (const PlanStep& step : problem.construction) {
+    std::vector<JsonValue> from;
+    for (const PlanStep::Radius& radius : step.from) from.push_back(radius_value(problem, radius));
+    steps.push_back(
+        json_object({{"place", json_text(problem.name(step.place))}, {"from", json_array(std::move(from))}}));
+  }
+  return json_array(std::move(steps));
+}
+
+}  // namespace
+
+std::string problem_text(const Scene& scene) {
+  const Problem& problem = scene.problem();
+  JsonMembers members{{"format", json_text("gcsbench-instance/1")},  {"id", json_text("instance")},
+                      {"dimension", json_number(problem.dimension)}, {"points", json_texts(problem.points)},
+                      {"lines", json_texts(problem.lines)},          {"fixed", fixed_value(problem)},
+                      {"constraints", constraints_value(problem)}};
+  if (!scene.is_anchored()) members.emplace_back("reference", reference_value(problem, scene.reference()));
+  if (problem.sketch) {
+    members.emplace_back("sketch", sketch_value(problem));
+    members.emplace_back("interpolation", interpolation_value(problem));
+  }
+  if (!problem.construction.empty()) members.emplace_back("construction", construction_value(problem));
+  return to_text(json_object(std::move(members)), -1) + "\n";
+}
+
+}  // namespace gcs

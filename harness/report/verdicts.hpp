@@ -1,0 +1,32 @@
+#pragma once
+/// What is proven, refuted or open about the numbers of solutions of an instance.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/runs/shown_scene_files.hpp"
+#include "harness/tables/tables.hpp"
+
+namespace gcs {
+
+enum class Standing { proven, refuted, open };
+
+/// "proven", "refuted" or "open".
+std::string_view word(Standing standing);
+
+/// One number of one instance, as printed and as found.
+struct Verdict {
+  std::string quantity;                        ///< "complex solutions"
+  std::string printed;                         ///< the published number with its convention; empty: none
+  std::optional<Standing> printed_standing{};  ///< empty: nothing is printed
+  std::string ours;                            ///< up to reflection, unless it says otherwise
+  Standing our_standing = Standing::open;
+  std::string reason{};  ///< of both
+};
+
+/// Complex and real solutions, and those on S, as far as the run or the stored scene (may be null) know them.
+std::vector<Verdict> verdicts(const RunRecord& run, const MeasuredInstance& instance,
+                              const StoredScene* scene, const Publications& publications);
+
+}  // namespace gcs

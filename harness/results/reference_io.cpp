@@ -1,0 +1,91 @@
+#include "harness/results/reference_io.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "harness/base/json_build.hpp"
+#include "harness/results/result_io.hpp"
+#include "harness/results/verify.hpp"
+#include "solvers/answers/certify.hpp"
+#include "solvers/certificates/decimal_figure.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr std::string_view format_name = "gcsbench-reference/1";
+
+JsonValue vector_value(const DecimalVector& vector, int dimension, bool is_real) {
+  std::vector<JsonValue> coordinates;
+  for (int axis = 0; axis < dimension; ++axis) {
+    const DecimalNumber& number = vector[static_cast<std::size_t>(axis)];
+    coordinates.push_back(is_real ? json_text(number.re) : json_texts({number.re, number.im}));
+  }
+  return json_array(std::move(coordinates));
+}
+
+JsonValue solution_value(const Problem& problem, const DecimalFigure& figure, bool is_real) {
+  JsonMembers points, lines;
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    points.emplace_back(problem.points[i], vector_value(figure.points[i], problem.dimension, is_real));
+  for (std::size_t i = 0; i < problem.lines.size(); ++i)
+    lines.emplace_back(problem.lines[i],
+                       json_object({{"point", vector_value(figure.lines[i].point, 3, is_real)},
+                                    {"direction", vector_value(figure.lines[i].direction, 3, is_real)}}));
+  return json_object({{"real", json_boolean(is_real)},
+                      {"points", json_object(std::move(points))},
+                      {"lines", json_object(std::move(lines))},
+                      {"error_bound", json_number(figure.error)},
+                      {"unique_within", json_number(figure.unique)},
+                      {"bits", json_number(figure.bits)}});
+}
+
+void require_proven(const StoredResult& result, const Verification& verification) {
+  if (verification.mismatches.empty()) return;
+  throw InputError(result.instance.origin, "/solutions",
+                   "the result does not verify: " + verification.mismatches.front().what,
+                   "solve again, and look at what `gcsbench verify` says");
+}
+
+/// One text for each solution that is kept.
+std::vector<std::string> solution_texts(const StoredResult& result, const ReferenceSettings& settings) {
+  const Scene scene(result.instance.problem);
+  const SceneEquations equations(scene);
+  std::vector<Figure> kept;
+  for (const AssessedSolution& solution : result.listed.solutions)
+    if (solution.figure.is_real() || !settings.only_real)
+      kept.push_back(scene.in_scene_unit(solution.figure));
+  const auto figures = decimal_figures(equations, scene, kept, settings.digits, settings.threads);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (figures[i])
+      texts.push_back(to_text(solution_value(scene.problem(), *figures[i], kept[i].is_real()), -1));
+  return texts;
+}
+
+}  // namespace
+
+std::string reference_text(const StoredResult& result, const ReferenceSettings& settings, Monitor& progress) {
+  const Verification verification = verify(result, settings.threads, &progress);
+  require_proven(result, verification);
+  progress.progress(fmt::format("proving {} digits", settings.digits), -1);
+  const std::vector<std::string> solutions = solution_texts(result, settings);
+  const std::size_t wanted = settings.only_real ? verification.proofs.real : result.listed.solutions.size();
+  if (solutions.size() != wanted)
+    throw InputError(result.instance.origin, "/solutions",
+                     fmt::format("only {} of {} solutions are proven to {} digits", solutions.size(), wanted,
+                                 settings.digits),
+                     "ask for fewer digits");
+  const JsonValue origin =
+      json_object({{"strategy", json_text(result.strategy)},
+                   {"claim", json_text(result.claim ? std::string(word(*result.claim)) : "")},
+                   {"digits", json_number(settings.digits)},
+                   {"only_real", json_boolean(settings.only_real)}});
+  return fmt::format(
+      "{{\"format\": \"{}\",\n \"instance\": {},\n \"origin\": {},\n \"proofs\": {},\n "
+      "\"solutions\": [\n  {}\n ]}}\n",
+      format_name, to_text(result.instance.document, -1), to_text(origin, -1),
+      to_text(proofs_value(verification.proofs), -1), fmt::join(solutions, ",\n  "));
+}
+
+}  // namespace gcs

@@ -1,0 +1,244 @@
+#include "harness/results/reference_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+
+#include "harness/base/shipped_data.hpp"
+#include "harness/base/stop_conditions.hpp"
+#include "harness/solving/solve_run.hpp"
+#include "solvers/certificates/figure_distance.hpp"
+#include "solvers/certificates/scene_equations.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/proven_paths/certified_tracker.hpp"
+#include "solvers/reading/json_cursor.hpp"
+#include "solvers/reading/text_input.hpp"
+#include "solvers/tracking/path_report.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr std::string_view format_name = "gcsbench-reference/1";
+
+/// Of a list that is made now.
+constexpr int digits = 40;
+
+// ---- the shipped lists
+
+std::string decimal_text(const JsonCursor& cursor) {
+  std::string text = cursor.text();
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0')
+    cursor.fail("'" + text + "' is no number", "give a decimal number as a text");
+  return text;
+}
+
+DecimalVector read_vector(const JsonCursor& cursor, int dimension, bool is_real) {
+  DecimalVector vector;
+  const auto entries = cursor.elements(static_cast<std::size_t>(dimension), "coordinates");
+  for (std::size_t axis = 0; axis < entries.size(); ++axis) {
+    if (is_real) {
+      vector[axis].re = decimal_text(entries[axis]);
+      continue;
+    }
+    const auto parts = entries[axis].elements(2, "numbers, re and im");
+    vector[axis] = {decimal_text(parts[0]), decimal_text(parts[1])};
+  }
+  return vector;
+}
+
+KnownSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
+  const bool is_real = cursor.required("real").value().boolean;
+  DecimalFigure exact;
+  for (const std::string& name : problem.points)
+    exact.points.push_back(read_vector(cursor.required("points").required(name), problem.dimension, is_real));
+  for (const std::string& name : problem.lines) {
+    const JsonCursor line = cursor.required("lines").required(name);
+    exact.lines.push_back({read_vector(line.required("point"), 3, is_real),
+                           read_vector(line.required("direction"), 3, is_real)});
+  }
+  exact.error = cursor.required("error_bound").number().value;
+  Figure figure = figure_of(exact);
+  return {std::move(exact), std::move(figure)};
+}
+
+ReferenceList read_list(const JsonCursor& root, const Problem& problem, const std::string& file) {
+  ReferenceList list;
+  const JsonCursor origin = root.required("origin");
+  const std::string claim = origin.required("claim").text();
+  list.source = file;
+  list.has_all_complex = claim == word(Claim::all_complex) && !origin.required("only_real").value().boolean;
+  list.has_all_real = claim == word(Claim::all_complex) || claim == word(Claim::all_real);
+  list.is_real_proven = claim == word(Claim::all_real) ||
+                        (list.has_all_real && root.required("proofs").required("complete").value().boolean);
+  for (const JsonCursor& solution : root.required("solutions").elements())
+    list.solutions.push_back(read_solution(solution, problem));
+  return list;
+}
+
+// ---- lists made now
+
+class ListMaker {
+ public:
+  explicit ListMaker(const Scene& scene)
+      : scene_(scene),
+        equations_(scene),
+        images_(mirror_images(scene)),
+        size_(std::ldexp(scene.size(), scene.unit_exponent())) {}
+
+  /// Every solution that is proven next to one that the run lists.
+  void take(const SolveRun& run) {
+    for (const AssessedSolution& solution : run.assessment.solutions) {
+      const Figure figure = scene_.in_scene_unit(solution.figure);
+      take_next_to(figure);
+      if ((solution.multiplicity > 1 || solution.condition > ill_conditioned) && !is_surrounded(figure))
+        take_around(figure);
+    }
+    const bool is_complete = run.status == RunStatus::complete && run.assessment.failed_checks.empty();
+    list_.has_all_real = list_.has_all_real || (is_complete && run.claim == Claim::all_real);
+  }
+
+  /// No lengths have more solutions than are proven.
+  bool has_all(const TheoreticalCounts& limits) const {
+    const SolutionCount* limit = limits.upper_limit();
+    return limit != nullptr && limit->up_to_reflection() == Natural(list_.solutions.size());
+  }
+
+  ReferenceList finish(const TheoreticalCounts& limits) {
+    list_.has_all_complex = has_all(limits);
+    list_.is_real_proven = list_.has_all_real = list_.has_all_real || list_.has_all_complex;
+    list_.source = "proven in this run";
+    return std::move(list_);
+  }
+
+ private:
+  /// Solutions of smaller condition numbers have none next to them that doubles do not tell apart.
+  static constexpr double ill_conditioned = 1e4;
+
+  void take_next_to(const Figure& figure) {
+    const auto exact = decimal_figure(equations_, scene_, figure, digits);
+    if (exact && is_new(*exact)) list_.solutions.push_back({*exact, figure_of(*exact)});
+  }
+
+  /// As far as doubles tell, another strategy has listed it.
+  bool is_surrounded(const Figure& figure) const {
+    return std::any_of(surrounded_.begin(), surrounded_.end(), [&](const Figure& other) {
+      return least_distance(figure, other, images_, scene_.size()) <= 1e-12 * extent(figure);
+    });
+  }
+
+  /// Newton's method from all sides, at all distances that doubles know.
+  void take_around(const Figure& middle) {
+    surrounded_.push_back(middle);
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (double distance = 1e-2; distance > 1e-16; distance *= 0.1)
+      for (const bool is_complex : {false, true}) {
+        Figure start = is_complex && middle.is_real() ? with_imaginary_parts(middle) : middle;
+        const auto shift = [&](auto& numbers) {
+          for (double& number : numbers.reshaped()) number += distance * scene_.size() * uniform(random);
+        };
+        shift(start.points);
+        if (start.imaginary.cols() > 0) shift(start.imaginary);
+        for (auto* lines : {&start.lines, &start.imaginary_lines})
+          for (LinePosition& line : *lines) {
+            shift(line.point);
+            shift(line.direction);
+          }
+        take_next_to(start);
+      }
+  }
+
+  static Figure with_imaginary_parts(Figure figure) {
+    figure.imaginary = Eigen::Matrix3Xd::Zero(3, figure.points.cols());
+    figure.imaginary_lines.assign(figure.lines.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+    return figure;
+  }
+
+  /// Further from every other one, mirror images included, than their errors together.
+  bool is_new(const DecimalFigure& exact) const {
+    const Figure figure = figure_of(exact);
+    return std::all_of(list_.solutions.begin(), list_.solutions.end(), [&](const KnownSolution& known) {
+      return std::all_of(images_.begin(), images_.end(), [&](const AxisSigns& signs) {
+        if (largest_distance(figure, known.figure, signs, size_) > 1e-6 * size_) return true;
+        const double errors = 4 * (exact.error + known.exact.error) * std::max(1.0, size_);
+        return largest_distance(exact, known.exact, signs, size_) > errors;
+      });
+    });
+  }
+
+  const Scene& scene_;
+  SceneEquations equations_;
+  std::vector<AxisSigns> images_;
+  double size_;
+  std::vector<Figure> surrounded_;
+  ReferenceList list_;
+};
+
+ReferenceList list_found_now(const Scene& scene, double limit_s, Monitor& progress) {
+  ListMaker maker(scene);
+  RunLimits limits;
+  limits.time_limit_s = limit_s;
+  const TheoreticalCounts counts = theoretical_counts(scene.problem());
+  for (const StrategyEntry& entry : all_strategies()) {
+    if (interrupted() || maker.has_all(counts)) break;
+    progress.progress("reference, " + std::string(entry.name), -1);
+    maker.take(run_strategy(entry, {}, scene, limits));
+  }
+  return maker.finish(counts);
+}
+
+/// A crossing is the nearest solution, and no further from it than this of the scene's size.
+constexpr double same_place = 1e-6;
+
+/// Empty where S is not proven in time or a crossing is not in the list.
+std::optional<std::vector<bool>> known_on_path(const Scene& scene, const ReferenceList& list,
+                                               double limit_s) {
+  if (why_not_proven(scene)) return std::nullopt;
+  const StopWatch watch(limit_s);
+  CertifiedTracker tracker(scene, {}, {watch.token(), nullptr});
+  const SolveReport report =
+      path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return tracker.figure(y); });
+  if (report.status != SolveStatus::complete) return std::nullopt;
+  std::vector<bool> on_path(list.solutions.size(), false);
+  const std::vector<AxisSigns> images = mirror_images(scene);
+  for (const Candidate& candidate : report.candidates) {
+    const Figure met = scene.in_file_unit(scene.representative(candidate.figure));
+    double nearest = same_place * std::ldexp(scene.size(), scene.unit_exponent());
+    std::optional<std::size_t> same;
+    for (std::size_t i = 0; i < on_path.size(); ++i) {
+      const double distance = least_distance(met, list.solutions[i].figure, images, 1);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      same = i;
+    }
+    if (!same) return std::nullopt;
+    on_path[*same] = true;
+  }
+  return on_path;
+}
+
+}  // namespace
+
+std::optional<ReferenceList> shipped_reference(const Instance& instance) {
+  const auto file = shipped_file(std::filesystem::path("results") / "reference" / (instance.id + ".json"));
+  if (!file) return std::nullopt;
+  const JsonValue document = parse_json(read_file(*file, "run scripts/make-references"), *file);
+  const JsonCursor root(document, *file);
+  root.require_format(format_name);
+  if (to_text(root.required("instance").value(), -1) != to_text(instance.document, -1)) return std::nullopt;
+  return read_list(root, instance.problem, *file);
+}
+
+ReferenceList reference_for(const Instance& instance, const Scene& scene, double limit_s, Monitor& progress) {
+  const auto shipped = shipped_reference(instance);
+  ReferenceList list = shipped ? *shipped : list_found_now(scene, limit_s, progress);
+  list.on_path = known_on_path(scene, list, limit_s);
+  return list;
+}
+
+}  // namespace gcs

@@ -1,0 +1,20 @@
+#pragma once
+/// Writes gcsbench-result/1.
+
+#include <optional>
+#include <string>
+
+#include "harness/base/environment.hpp"
+#include "harness/instances/instance_lookup.hpp"
+#include "harness/solving/solve_run.hpp"
+
+namespace gcs {
+
+/// What certificates prove, as in a result; null unless that was asked for.
+JsonValue proofs_value(const std::optional<Proofs>& proofs);
+
+/// The result as JSON text that ends in a newline: one top-level member a line, one solution a line. What
+/// does not apply is null; so is an infinite condition. The instance keeps the decimal text of its numbers.
+std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment);
+
+}  // namespace gcs

@@ -1,0 +1,210 @@
+#include "harness/results/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "harness/base/record_fields.hpp"
+#include "solvers/answers/certify.hpp"
+#include "solvers/certificates/coincidences.hpp"
+#include "solvers/certificates/scene_equations.hpp"
+
+namespace gcs {
+namespace {
+
+/// Of the scene's size: where a result states no bound of its own.
+constexpr double default_error = 1e-12;
+
+/// Precise enough for a distance that doubles overestimate.
+constexpr int precise_bits = 128;
+
+class Verifier {
+ public:
+  Verifier(const StoredResult& result, int threads, Monitor* monitor)
+      : result_(result), scene_(result.instance.problem), equations_(scene_) {
+    for (const AssessedSolution& solution : result.listed.solutions)
+      figures_.push_back(scene_.in_scene_unit(solution.figure));
+    proofs_ = prove_solutions(equations_, figures_, threads, monitor);
+  }
+
+  Verification run() {
+    for (std::size_t i = 0; i < proofs_.size(); ++i) check_solution(i);
+    if (result_.claim == Claim::all_complex && is_complete()) check_conjugates();
+    summarise();
+    check_counts();
+    check_totals();
+    check_limit();
+    return std::move(verification_);
+  }
+
+ private:
+  void mismatch(const char* name, std::string what) {
+    verification_.mismatches.push_back({name, std::move(what)});
+  }
+
+  bool is_complete() const { return result_.status == RunStatus::complete; }
+
+  void check_solution(std::size_t i) {
+    const SolutionProof& proof = proofs_[i];
+    const Certificate& certificate = proof.certificate;
+    if (!certificate.is_isolated()) {
+      mismatch("solution", fmt::format("solution {} is not proven: {}", i, certificate.cause));
+      return;
+    }
+    check_distance(i);
+    check_multiplicity(i);
+    if (proof.same_as >= 0)
+      mismatch("class",
+               fmt::format("solution {} is {} class as solution {}", i,
+                           proof.is_proven_same ? "the same" : "not proven to be another", proof.same_as));
+    if (certificate.is_proven) check_realness(i);
+  }
+
+  void check_multiplicity(std::size_t i) {
+    const Certificate& certificate = proofs_[i].certificate;
+    const int proven = certificate.is_proven ? 1 : certificate.cluster;
+    const int listed = result_.listed.solutions[i].multiplicity;
+    if (!proofs_[i].fits(listed))
+      mismatch("multiplicity",
+               fmt::format("solution {} is listed with multiplicity {}, and {} solutions are proven to lie "
+                           "there, counted with multiplicities",
+                           i, listed, proven));
+  }
+
+  /// Of a cluster nothing is known.
+  void check_realness(std::size_t i) {
+    using Realness = Certificate::Realness;
+    const bool is_real = result_.listed.solutions[i].figure.is_real();
+    if (proofs_[i].certificate.realness != (is_real ? Realness::real : Realness::not_real))
+      mismatch("real",
+               fmt::format("solution {} is listed as {}, which is not so", i, is_real ? "real" : "complex"));
+  }
+
+  /// In the scene's unit.
+  double precise_distance(std::size_t i) const {
+    const Certifier certifier(equations_.system());
+    const Certificate precise = certifier.certify(equations_.coordinates(figures_[i]), precise_bits);
+    return precise.is_isolated() ? equations_.distance(figures_[i], precise) : proofs_[i].distance;
+  }
+
+  void check_distance(std::size_t i) {
+    const std::optional<double> stated = result_.listed.solutions[i].error_bound;
+    const double bound =
+        stated ? std::ldexp(*stated, -scene_.unit_exponent()) : default_error * scene_.size();
+    if (proofs_[i].distance <= bound) return;
+    const double distance = precise_distance(i);
+    if (distance <= bound) return;
+    mismatch("solution",
+             fmt::format("solution {} is {:.2g} away from the proven one next to it, more than {} {:.2g}", i,
+                         std::ldexp(distance, scene_.unit_exponent()),
+                         stated ? "its error bound" : "1e-12 of the scene's size,",
+                         std::ldexp(bound, scene_.unit_exponent())));
+  }
+
+  /// Lengths are real: the conjugate of a solution is another one, or of the same class.
+  void check_conjugates() {
+    std::vector<Enclosure> boxes;
+    std::vector<std::size_t> place;
+    for (std::size_t i = 0; i < proofs_.size(); ++i) {
+      if (!proofs_[i].certificate.is_isolated()) continue;
+      boxes.push_back(proofs_[i].certificate.enclosure);
+      place.push_back(i);
+    }
+    const auto count = static_cast<int>(boxes.size());
+    for (int i = 0; i < count; ++i) {
+      boxes.push_back(boxes[static_cast<std::size_t>(i)]);
+      for (std::complex<double>& value : boxes.back().mid) value = std::conj(value);
+    }
+    std::set<int> met;
+    for (const Coincidence& pair : coincidences(boxes, equations_.system().mirror))
+      if (pair.first < count && pair.second >= count) met.insert(pair.second - count);
+    for (int i = 0; i < count; ++i)
+      if (met.count(i) == 0)
+        mismatch("conjugate",
+                 fmt::format("the conjugate of solution {} is not in a list that is said to be complete",
+                             place[static_cast<std::size_t>(i)]));
+  }
+
+  void check_counts() {
+    Assessment own = result_.listed;
+    recount(own);
+    std::vector<std::optional<Natural>> given;
+    visit_counts(result_.listed.counts,
+                 [&](const std::string&, const auto& count) { given.emplace_back(count); });
+    std::size_t i = 0;
+    visit_counts(own.counts, [&](const std::string& name, const auto& count) {
+      const std::optional<Natural> own_count(count);
+      const auto text = [](const std::optional<Natural>& one) { return one ? one->decimal() : "not known"; };
+      if (own_count != given[i])
+        mismatch("count", fmt::format("the count {} is {}, and the list gives {}", name, text(given[i]),
+                                      text(own_count)));
+      ++i;
+    });
+  }
+
+  /// Of a product there may be more than are listed.
+  void check_totals() {
+    if (!result_.listed.totals) return;
+    const SolutionTotals& totals = *result_.listed.totals;
+    const auto& solutions = result_.listed.solutions;
+    const Natural listed(solutions.size());
+    const Natural real(static_cast<std::uint64_t>(
+        std::ranges::count_if(solutions, [](const auto& one) { return one.figure.is_real(); })));
+    check_total("real", totals.real, real);
+    check_total("complex", totals.complex, listed);
+    const std::optional<Natural>& all = totals.complex ? totals.complex : totals.real;
+    if (is_complete() && all && *all != listed)
+      mismatch("count", fmt::format("a list that is said to be complete has {} of {} solutions",
+                                    listed.decimal(), all->decimal()));
+  }
+
+  void check_total(const char* name, const std::optional<Natural>& total, const Natural& listed) {
+    if (total && *total < listed)
+      mismatch("count", fmt::format("in all there are {} {} solutions, and {} are listed", total->decimal(),
+                                    name, listed.decimal()));
+  }
+
+  /// No lengths have more solutions than theory allows.
+  void check_limit() {
+    const std::optional<Natural>& limit = verification_.proofs.limit;
+    if (!limit) return;
+    const Counts& counts = result_.listed.counts;
+    for (const auto& [name, count] : {std::pair("real_up_to_reflection", counts.real_up_to_reflection),
+                                      std::pair("complex_up_to_reflection", counts.complex_up_to_reflection),
+                                      std::pair("generic", counts.generic)})
+      if (count && *count > *limit)
+        mismatch("count", fmt::format("the count {} is {}, and no lengths have more than {} solutions", name,
+                                      count->decimal(), limit->decimal()));
+  }
+
+  void summarise() {
+    Proofs& proofs = verification_.proofs;
+    for (std::size_t i = 0; i < proofs_.size(); ++i) {
+      const Certificate& certificate = proofs_[i].certificate;
+      if (!certificate.is_proven || proofs_[i].same_as >= 0) continue;
+      ++proofs.classes;
+      proofs.real += certificate.realness == Certificate::Realness::real ? 1 : 0;
+      proofs.most_bits = std::max(proofs.most_bits, certificate.bits);
+    }
+    count_clusters(proofs_, proofs);
+    set_limit(theoretical_counts(scene_.problem()), proofs);
+  }
+
+  const StoredResult& result_;
+  const Scene scene_;
+  const SceneEquations equations_;
+  std::vector<Figure> figures_;
+  std::vector<SolutionProof> proofs_;
+  Verification verification_;
+};
+
+}  // namespace
+
+Verification verify(const StoredResult& result, int threads, Monitor* monitor) {
+  return Verifier(result, threads, monitor).run();
+}
+
+}  // namespace gcs

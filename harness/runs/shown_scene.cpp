@@ -1,0 +1,152 @@
+#include "harness/runs/shown_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_cursor.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr std::string_view format_name = "gcsbench-scene/1";
+
+// ---- writing
+
+JsonValue vector_value(const Eigen::Vector3d& vector, int dimension) {
+  std::vector<JsonValue> coordinates;
+  for (int i = 0; i < dimension; ++i) coordinates.push_back(json_number(vector[i]));
+  return json_array(std::move(coordinates));
+}
+
+JsonValue solution_value(const Problem& problem, const ShownSolution& solution) {
+  JsonMembers points, lines;
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    points.emplace_back(
+        problem.points[i],
+        vector_value(solution.figure.points.col(static_cast<Eigen::Index>(i)), problem.dimension));
+  for (std::size_t i = 0; i < problem.lines.size(); ++i) {
+    const LinePosition& line = solution.figure.lines[i];
+    lines.emplace_back(problem.lines[i], json_object({{"point", vector_value(line.point, 3)},
+                                                      {"direction", vector_value(line.direction, 3)}}));
+  }
+  return json_object({{"multiplicity", json_number(solution.multiplicity)},
+                      {"points", json_object(std::move(points))},
+                      {"lines", json_object(std::move(lines))}});
+}
+
+JsonValue crossing_value(const std::optional<MetSolution>& met) {
+  return json_or_null(met, [](const MetSolution& m) {
+    std::vector<JsonValue> signs;
+    for (const int sign : m.signs) signs.push_back(json_number(sign));
+    return json_object({{"solution", json_number(m.solution)}, {"signs", json_array(std::move(signs))}});
+  });
+}
+
+JsonValue trail_value(const PlanTrail& trail) {
+  std::vector<JsonValue> places;
+  for (const PlanPlace& place : trail.places)
+    places.push_back(json_object({{"t", json_number(place.t)},
+                                  {"length", json_number(place.length)},
+                                  {"removed", json_texts(place.removed)}}));
+  return json_object({{"label", json_text(trail.label)},
+                      {"cause", json_text(trail.cause)},
+                      {"places", json_array(std::move(places))}});
+}
+
+template <typename List, typename Make>
+std::string lines_of(const List& list, Make make) {
+  std::vector<std::string> lines;
+  for (const auto& one : list) lines.push_back(to_text(make(one), -1));
+  return fmt::format("[{}{}]", lines.empty() ? "" : "\n  ", fmt::join(lines, ",\n  "));
+}
+
+// ---- reading
+
+bool read_boolean(const JsonCursor& cursor) {
+  if (cursor.value().kind != JsonValue::Kind::boolean)
+    cursor.fail("this is neither true nor false", "give one of them");
+  return cursor.value().boolean;
+}
+
+/// A whole number from `low` to `high`.
+int read_whole(const JsonCursor& cursor, int low, int high) {
+  const double value = cursor.number().value;
+  if (!(value >= low && value <= high) || value != static_cast<int>(value))
+    cursor.fail(fmt::format("{} is out of place", cursor.number().text),
+                fmt::format("give a whole number from {} to {}", low, high));
+  return static_cast<int>(value);
+}
+
+ShownSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
+  ShownSolution solution;
+  solution.multiplicity = read_whole(cursor.required("multiplicity"), 1, 1 << 20);
+  solution.figure.points.resize(3, static_cast<Eigen::Index>(problem.points.size()));
+  const JsonCursor points = cursor.required("points"), lines = cursor.required("lines");
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    solution.figure.points.col(static_cast<Eigen::Index>(i)) =
+        points.required(problem.points[i]).coordinates(problem.dimension);
+  for (const std::string& name : problem.lines)
+    solution.figure.lines.push_back(lines.required(name).line_position());
+  return solution;
+}
+
+std::optional<MetSolution> read_crossing(const JsonCursor& cursor, std::size_t solutions) {
+  if (cursor.value().kind == JsonValue::Kind::null) return std::nullopt;
+  MetSolution met;
+  met.solution = read_whole(cursor.required("solution"), 0, static_cast<int>(solutions) - 1);
+  const auto signs = cursor.required("signs").elements(3, "signs");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    met.signs[axis] = read_whole(signs[axis], -1, 1);
+    if (met.signs[axis] == 0) signs[axis].fail("0 is no sign", "give 1 or -1");
+  }
+  return met;
+}
+
+PlanTrail read_trail(const JsonCursor& cursor) {
+  PlanTrail trail{cursor.required("label").text(), {}, cursor.required("cause").text()};
+  for (const JsonCursor& entry : cursor.required("places").elements()) {
+    PlanPlace place{entry.required("t").number().value, entry.required("length").number().value, {}};
+    for (const JsonCursor& name : entry.required("removed").elements()) place.removed.push_back(name.text());
+    trail.places.push_back(std::move(place));
+  }
+  return trail;
+}
+
+}  // namespace
+
+std::string to_json_text(const SceneRecord& record) {
+  const Problem& problem = record.instance.problem;
+  return fmt::format(
+      "{{\"format\": \"{}\",\n \"instance\": {},\n \"source\": {},\n \"proven\": {},\n \"all_real\": {}, "
+      "\"all_real_proven\": {},\n "
+      "\"solutions\": {},\n \"no_path\": {},\n \"crossings\": {},\n \"trails\": {}}}\n",
+      format_name, to_text(record.instance.document, -1), to_text(json_text(record.source), -1),
+      record.are_proven, record.has_all_real, record.is_real_proven,
+      lines_of(record.solutions, [&](const ShownSolution& s) { return solution_value(problem, s); }),
+      to_text(json_text(record.no_path), -1), lines_of(record.crossings, crossing_value),
+      lines_of(record.trails, trail_value));
+}
+
+SceneRecord parse_scene_record(const std::string& text, const std::string& file) {
+  const JsonValue document = parse_json(text, file);
+  const JsonCursor root(document, file);
+  root.require_format(format_name);
+  SceneRecord record;
+  record.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
+  record.source = root.required("source").text();
+  record.are_proven = read_boolean(root.required("proven"));
+  record.has_all_real = read_boolean(root.required("all_real"));
+  if (const auto proven = root.optional("all_real_proven")) record.is_real_proven = read_boolean(*proven);
+  record.no_path = root.required("no_path").text();
+  for (const JsonCursor& entry : root.required("solutions").elements())
+    record.solutions.push_back(read_solution(entry, record.instance.problem));
+  for (const JsonCursor& entry : root.required("crossings").elements())
+    record.crossings.push_back(read_crossing(entry, record.solutions.size()));
+  for (const JsonCursor& entry : root.required("trails").elements())
+    record.trails.push_back(read_trail(entry));
+  return record;
+}
+
+}  // namespace gcs

@@ -1,0 +1,264 @@
+#include "harness/runs/shown_scene_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "harness/base/atomic_file.hpp"
+#include "harness/base/stop_conditions.hpp"
+#include "harness/instances/families.hpp"
+#include "harness/results/path_io.hpp"
+#include "harness/results/reference_list.hpp"
+#include "harness/results/strategy_choice.hpp"
+#include "harness/solving/solve_run.hpp"
+#include "solvers/answers/certify.hpp"
+#include "solvers/proven_paths/certified_tracker.hpp"
+#include "solvers/reading/text_input.hpp"
+
+namespace gcs {
+namespace {
+
+/// In seconds: for S, for every strategy where solutions must be found, and for every trail.
+constexpr double limit_s = 10;
+
+/// So that a page with some long paths still opens at once.
+constexpr std::size_t most_path_bytes = 1 << 20;
+
+/// Nobody looks at more.
+constexpr std::size_t most_solutions = 1000;
+
+/// Trails of one instance: the cells that are left add nothing that a plot could still show.
+constexpr std::size_t most_trails = 3;
+
+/// A point of S that a tracker accepted is good to this part of the scene's size, and other arcs are further.
+constexpr double same_place = 1e-5;
+
+// ---- solutions
+
+void take_proven(const ReferenceList& list, SceneRecord& record) {
+  bool is_cut = false;
+  for (const KnownSolution& known : list.solutions) {
+    if (!known.figure.is_real()) continue;
+    is_cut = record.solutions.size() == most_solutions;
+    if (is_cut) break;
+    record.solutions.push_back({known.figure, 1});
+  }
+  record.source = list.source;
+  record.are_proven = true;
+  record.has_all_real = list.has_all_real && !is_cut;
+  record.is_real_proven = list.is_real_proven && !is_cut;
+}
+
+/// The real solutions of the strategy that lists most of them.
+void take_listed(const Scene& scene, Monitor& progress, SceneRecord& record) {
+  RunLimits limits;
+  limits.time_limit_s = limit_s;
+  limits.max_solutions = most_solutions;
+  limits.only_real = true;
+  for (const StrategyEntry& entry : all_strategies()) {
+    if (interrupted()) return;
+    const SolveRun run = run_strategy(entry, {}, scene, limits, {&progress, nullptr});
+    if (run.assessment.solutions.size() <= record.solutions.size()) continue;
+    record.solutions.clear();
+    for (const AssessedSolution& solution : run.assessment.solutions)
+      record.solutions.push_back({solution.figure, solution.multiplicity});
+    record.source = "found by " + std::string(entry.name) + ", not proven";
+    record.has_all_real = run.status == RunStatus::complete && run.claim != Claim::some_real &&
+                          run.claim != Claim::on_path && run.claim != Claim::on_path_of_core;
+  }
+}
+
+void take_solutions(const Instance& instance, const Scene& scene, Monitor& progress, SceneRecord& record) {
+  std::optional<ReferenceList> list;
+  if (!why_not_certified(scene)) list = reference_for(instance, scene, limit_s, progress);
+  if (list && (!list->solutions.empty() || list->is_real_proven))
+    take_proven(*list, record);
+  else
+    take_listed(scene, progress, record);
+}
+
+// ---- the path
+
+std::optional<MetSolution> nearest_solution(const Scene& scene, const Figure& figure,
+                                            const std::vector<ShownSolution>& solutions) {
+  const std::vector<AxisSigns> images = mirror_images(scene);
+  const Figure met = scene.in_file_unit(figure);
+  double nearest = same_place * std::ldexp(scene.size(), scene.unit_exponent());
+  std::optional<MetSolution> result;
+  for (std::size_t i = 0; i < solutions.size(); ++i)
+    for (const AxisSigns& signs : images) {
+      const double distance = largest_distance(met, solutions[i].figure, signs, 1);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      result = {static_cast<int>(i), signs};
+    }
+  return result;
+}
+
+/// As fine as fits; the coarsest one, whatever its size, where none does.
+std::string fitting_path(const Instance& instance, const Scene& scene, const std::vector<ProvenArc>& arcs) {
+  std::string text;
+  for (const double within : {1e-4, 1e-3, 1e-2, 1e-1}) {
+    text = path_text(instance, scene, arcs, within);
+    if (text.size() <= most_path_bytes) break;
+  }
+  return text;
+}
+
+// ---- plans
+
+/// Solves again.
+std::vector<PlanUse> plans_used(const CellRecord& cell, const Scene& scene) {
+  const StrategyEntry& entry = find_strategy(cell.spec.strategy);
+  const auto strategy = entry.make(complete_options(entry, cell.spec.given));
+  const StopWatch watch(limit_s);
+  const SolveRequest request{.scene = scene, .stop = watch.token()};
+  const SolveReport report = strategy->solve(request);
+  return report.paths.empty() ? std::vector<PlanUse>() : report.paths.front().plans;
+}
+
+PlanTrail make_trail(const CellRecord& cell, const Scene& scene, const std::vector<ProvenArc>& arcs) {
+  PlanTrail trail{label_of(cell.spec), {}, ""};
+  const std::vector<PlanUse> uses = plans_used(cell, scene);
+  if (uses.empty()) trail.cause = "it follows the path of a core";
+  const DistanceSystem system(scene);
+  PathPlaces places(arcs, same_place * scene.size());
+  for (const PlanUse& use : uses) {
+    Eigen::VectorXd point(system.unknowns() + 1);
+    point << system.coordinates(scene.in_frame(use.figure)), use.t;
+    const auto length = places.find(point);
+    if (!length) {
+      trail.places.clear();
+      trail.cause = fmt::format("at t = {:.4f} it is not on S: it has jumped to another path", use.t);
+      return trail;
+    }
+    const double before =
+        trail.places.empty() ? 0 : std::ldexp(trail.places.back().length, -scene.unit_exponent());
+    if (*length < before - same_place * scene.size()) {
+      if (&use == &uses.back()) break;  // the last step passes the sketch, where S begins again
+      trail.places.clear();
+      trail.cause = fmt::format("at t = {:.4f} it is on an earlier part of S: it has jumped", use.t);
+      return trail;
+    }
+    PlanPlace place{use.t, std::ldexp(*length, scene.unit_exponent()), {}};
+    for (const int constraint : use.removed)
+      place.removed.push_back(scene.problem().constraints[static_cast<std::size_t>(constraint)].id);
+    trail.places.push_back(std::move(place));
+  }
+  return trail;
+}
+
+bool changed_plans(const CellRecord& cell, const std::string& id) {
+  return cell.spec.instance == id && cell.spec.digits == 0 && cell.work.plan_changes > 0 &&
+         cell.status == RunStatus::complete;
+}
+
+void take_trails(const RunRecord& run, const Scene& scene, const std::vector<ProvenArc>& arcs,
+                 SceneRecord& record) {
+  for (const CellRecord& cell : run.cells) {
+    if (record.trails.size() == most_trails || interrupted()) return;
+    if (changed_plans(cell, record.instance.id)) record.trails.push_back(make_trail(cell, scene, arcs));
+  }
+}
+
+/// S and all that is known of places on it; or why it is not there.
+std::optional<std::string> take_path(const Scene& scene, const RunRecord& run, SceneRecord& record) {
+  if (const auto reason = why_not_proven(scene)) {
+    record.no_path = *reason;
+    return std::nullopt;
+  }
+  const StopWatch watch(limit_s);
+  CertifiedTracker tracker(scene, {}, {watch.token(), nullptr});
+  tracker.keep_arcs();
+  const TrackedPath path = tracker.run();
+  if (!path.proven) {
+    const bool is_late = watch.cause() == StopWatch::Cause::time_limit;
+    record.no_path = is_late ? fmt::format("following S takes more than {} s", limit_s) : path.cause;
+    return std::nullopt;
+  }
+  for (const PathCrossing& crossing : path.crossings)
+    record.crossings.push_back(nearest_solution(scene, tracker.figure(crossing.point), record.solutions));
+  take_trails(run, scene, tracker.arcs(), record);
+  return fitting_path(record.instance, scene, tracker.arcs());
+}
+
+std::filesystem::path scene_file(const std::filesystem::path& folder, const std::string& id) {
+  return folder / "scenes" / (id + ".json");
+}
+
+std::filesystem::path path_file(const std::filesystem::path& folder, const std::string& id) {
+  return folder / "paths" / (id + ".json");
+}
+
+/// Polylines are rounded, solutions are not.
+void put_solutions_on_path(StoredScene& scene) {
+  for (std::size_t i = 0; i < scene.path->crossings.size(); ++i) {
+    const auto& met = scene.record.crossings[i];
+    if (!met) continue;
+    Figure& figure = scene.path->corners[scene.path->crossings[i].corner].figure;
+    figure.points = scene.record.solutions[static_cast<std::size_t>(met->solution)].figure.points;
+    for (int axis = 0; axis < 3; ++axis)
+      figure.points.row(axis) *= met->signs[static_cast<std::size_t>(axis)];
+  }
+}
+
+}  // namespace
+
+bool can_be_drawn(const Problem& problem) {
+  return problem.points.size() + problem.lines.size() <= most_drawn_entities;
+}
+
+MadeScene make_scene(const Instance& instance, const Scene& scene, const RunRecord& run, Monitor& progress) {
+  progress.progress("scene of " + instance.id, -1);
+  MadeScene made;
+  made.record.instance = instance;
+  if (!can_be_drawn(instance.problem)) {
+    made.record.no_path = fmt::format("there are more than {} entities", most_drawn_entities);
+    return made;
+  }
+  take_solutions(instance, scene, progress, made.record);
+  made.path = take_path(scene, run, made.record);
+  return made;
+}
+
+void store_scene(const MadeScene& made, const std::filesystem::path& folder) {
+  const std::string& id = made.record.instance.id;
+  for (const char* part : {"scenes", "paths"}) {
+    make_folder(folder / part);
+    remove_leftovers(folder / part);
+  }
+  // A path beside another scene than its own would be read as damaged.
+  std::error_code ignored;
+  std::filesystem::remove(path_file(folder, id), ignored);
+  AtomicFile(scene_file(folder, id)).commit(to_json_text(made.record));
+  if (made.path) AtomicFile(path_file(folder, id)).commit(*made.path);
+}
+
+bool is_drawn(const RunRecord& run, const std::string& id) {
+  const std::string family = id.substr(0, id.find('@'));
+  if (family == id || find_family(family) == nullptr) return true;
+  const auto first =
+      std::find_if(run.instances.begin(), run.instances.end(),
+                   [&](const MeasuredInstance& instance) { return instance.id.starts_with(family + "@"); });
+  return first != run.instances.end() && first->id == id;
+}
+
+std::optional<StoredScene> load_scene(const std::filesystem::path& folder, const std::string& id) {
+  const std::string file = scene_file(folder, id).string(), path = path_file(folder, id).string();
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  StoredScene scene{parse_scene_record(read_file(file, "measure again"), file), std::nullopt};
+  if (scene.record.instance.id != id)
+    throw InputError(file, "/instance/id", "the scene is of '" + scene.record.instance.id + "'",
+                     "measure '" + id + "' again");
+  if (!std::filesystem::exists(path)) return scene;
+  scene.path = parse_path(read_file(path, "measure again"), path, scene.record.instance);
+  if (scene.path->crossings.size() != scene.record.crossings.size())
+    throw InputError(path, "/crossings", "the path has other crossings than the scene beside it",
+                     "measure again");
+  put_solutions_on_path(scene);
+  return scene;
+}
+
+}  // namespace gcs

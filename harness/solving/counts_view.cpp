@@ -1,0 +1,93 @@
+#include "harness/solving/counts_view.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/base/json_build.hpp"
+
+namespace gcs {
+namespace {
+
+std::string in_conventions(const SolutionCount& count) {
+  return fmt::format("{} in the fixed frame, {} up to reflection, {} with all signs",
+                     readable(count.fixed_frame), readable(count.up_to_reflection()),
+                     readable(count.all_signs()));
+}
+
+std::string exact_text(const TheoreticalCounts& counts) {
+  return counts.exact ? "exactly " + in_conventions(*counts.exact) : "not known: " + counts.why_no_exact;
+}
+
+std::string bound_text(const Problem& problem, const TheoreticalCounts& counts) {
+  if (!counts.bound) return "none: " + counts.why_no_bound;
+  return fmt::format("at most {}; {}", in_conventions(counts.bound->count),
+                     bound_origin(names_of(problem, *counts.bound)));
+}
+
+JsonMembers convention_members(const SolutionCount& count) {
+  return {{"fixed_frame", json_count(count.fixed_frame)},
+          {"up_to_reflection", json_count(count.up_to_reflection())},
+          {"all_signs", json_count(count.all_signs())}};
+}
+
+JsonValue exact_value(const SolutionCount& count) { return json_object(convention_members(count)); }
+
+JsonValue bound_value(const Problem& problem, const CountBound& bound) {
+  JsonMembers members = convention_members(bound.count);
+  const BoundNames names = names_of(problem, bound);
+  members.emplace_back("reference", json_texts(names.reference));
+  std::vector<JsonValue> bodies;
+  for (const std::vector<std::string>& body : names.ring) bodies.push_back(json_texts(body));
+  members.emplace_back("ring", json_array(std::move(bodies)));
+  members.emplace_back("parts", json_number(bound.parts));
+  return json_object(std::move(members));
+}
+
+JsonValue reason_value(const std::string& reason) { return reason.empty() ? json_null() : json_text(reason); }
+
+}  // namespace
+
+std::string readable(const Natural& count) {
+  constexpr std::size_t most_digits = 18, shown_digits = 4;
+  const std::string digits = count.decimal();
+  if (digits.size() <= most_digits) return digits;
+  return fmt::format("about {}.{}e{}", digits.front(), digits.substr(1, shown_digits - 1), digits.size() - 1);
+}
+
+std::string row(std::string_view label, const std::string& text) {
+  return fmt::format("{:<20}{}\n", label, text);
+}
+
+std::string counts_text(const Problem& problem, const TheoreticalCounts& counts) {
+  return row("complex solutions", exact_text(counts)) + row("upper bound", bound_text(problem, counts));
+}
+
+JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts) {
+  const auto value_of_bound = [&](const CountBound& bound) { return bound_value(problem, bound); };
+  return json_object({{"exact", json_or_null(counts.exact, exact_value)},
+                      {"why_no_exact", reason_value(counts.why_no_exact)},
+                      {"bound", json_or_null(counts.bound, value_of_bound)},
+                      {"why_no_bound", reason_value(counts.why_no_bound)}});
+}
+
+BoundNames names_of(const Problem& problem, const CountBound& bound) {
+  const auto names = [&](const std::vector<int>& entities) {
+    std::vector<std::string> result;
+    for (const int entity : entities) result.push_back(problem.name(entity));
+    return result;
+  };
+  BoundNames all{names(bound.reference), {}, bound.parts};
+  for (const std::vector<int>& body : bound.ring) all.ring.push_back(names(body));
+  return all;
+}
+
+std::string bound_origin(const BoundNames& names) {
+  if (names.parts > 1) return fmt::format("product of the bounds of {} parts", names.parts);
+  if (names.ring.empty())
+    return fmt::format("m-Bézout bound with {} held fixed", fmt::join(names.reference, ", "));
+  std::vector<std::string> bodies;
+  for (const std::vector<std::string>& body : names.ring)
+    bodies.push_back(fmt::format("{}", fmt::join(body, " ")));
+  return fmt::format("ring of {} hinged bodies: {}", bodies.size(), fmt::join(bodies, ", "));
+}
+
+}  // namespace gcs

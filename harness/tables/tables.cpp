@@ -1,0 +1,202 @@
+#include "harness/tables/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "harness/instances/families.hpp"
+#include "harness/instances/instance_lookup.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr std::string_view imbach = "imbach-mathis-schreck-2016";
+constexpr std::string_view hoffmann = "hoffmann-yuan-2000";
+
+constexpr bool free_columns = true;
+constexpr bool shows_solutions = true;
+constexpr bool measures_accuracy = true;
+
+/// The run as far as one table speaks of it.
+RunRecord part_of(const RunRecord& run, const RequestedTable& table) {
+  RunRecord part = run;
+  std::erase_if(part.instances, [&](const MeasuredInstance& instance) {
+    return std::find(table.instances.begin(), table.instances.end(), instance.id) == table.instances.end();
+  });
+  return part;
+}
+
+/// An empty one for a table of our own.
+const Publication& publication_of(const TableKind& kind, const Publications& publications) {
+  static const Publication none;
+  return kind.source.empty() ? none : publications.find(kind.source)->second;
+}
+
+const std::vector<std::string>& precision_instances() {
+  static const std::vector<std::string> ids = shipped_instances();
+  return ids;
+}
+
+const std::vector<std::string>& all_family_members() {
+  static const std::vector<std::string> ids = [] {
+    std::vector<std::string> members;
+    for (const InstanceFamily& family : families())
+      for (std::string& id : family.members()) members.push_back(std::move(id));
+    return members;
+  }();
+  return ids;
+}
+
+std::vector<Variant> all_defaults() {
+  std::vector<Variant> variants;
+  for (const StrategyEntry& entry : all_strategies()) variants.push_back({std::string(entry.name), {}});
+  return variants;
+}
+
+std::vector<Variant> all_precision_variants() { return precision_variants(all_strategies()); }
+
+void append(TableSet& set, const TableKind& kind, const RunRecord& part, const Publication& paper) {
+  for (Table& table : kind.build(part, paper)) set.tables.push_back(std::move(table));
+  if (kind.draw == nullptr) return;
+  for (Drawing& drawing : kind.draw(part)) set.drawings.push_back(std::move(drawing));
+}
+
+/// What they print of the instances that the run has measured, of which other contents may have been given
+/// the same ids.
+Publications publications_on(const RunRecord& run, Publications publications) {
+  const auto is_of_another = [&](const auto& printed) {
+    return std::ranges::any_of(run.instances, [&](const MeasuredInstance& instance) {
+      return instance.id == printed.instance && !instance.is_shipped;
+    });
+  };
+  for (auto& [name, publication] : publications) {
+    std::erase_if(publication.figures, is_of_another);
+    std::erase_if(publication.solutions, is_of_another);
+  }
+  return publications;
+}
+
+/// Why nothing published stands beside an instance of which papers print something.
+void note_altered(const RunRecord& run, const Publications& publications, std::vector<std::string>& lines) {
+  for (const MeasuredInstance& instance : run.instances) {
+    const bool is_printed = std::ranges::any_of(publications, [&](const auto& entry) {
+      return std::ranges::any_of(entry.second.figures,
+                                 [&](const PrintedFigure& figure) { return figure.instance == instance.id; });
+    });
+    if (is_printed && !instance.is_shipped)
+      lines.push_back(
+          fmt::format("{}: not the shipped instance; nothing published is shown beside it", instance.id));
+  }
+}
+
+}  // namespace
+
+bool Variant::is_for(const std::string& instance) const {
+  const auto is_in = [&](const std::vector<std::string>& ids) {
+    return std::find(ids.begin(), ids.end(), instance) != ids.end();
+  };
+  return (only_on.empty() || is_in(only_on)) && !is_in(not_on);
+}
+
+std::span<const TableKind> table_kinds() {
+  static const std::array kinds{
+      TableKind{"table1", "numbers of solutions and running times (Imbach et al., Table 1)", imbach,
+                paper_instances, free_columns, !shows_solutions, table1_variants, build_table1},
+      TableKind{"table2", "details of tracking S (Imbach et al., Table 2), and ratios of times", imbach,
+                paper_instances, free_columns, !shows_solutions, table2_variants, build_table2},
+      TableKind{"hoffmann-yuan", "five points and a line (Hoffmann, Yuan, Tables 1 and 2, Fig. 7)", hoffmann,
+                pyramid_instances, !free_columns, shows_solutions, pyramid_variants, build_pyramid,
+                draw_pyramid},
+      TableKind{"tangents", "lines at given distances from four points (Hoffmann, Yuan)", hoffmann,
+                tangents_instances, !free_columns, shows_solutions, tangents_variants, build_tangents},
+      TableKind{"ablation", "one option of a strategy changed at a time, and what is left out", imbach,
+                ablation_instances, free_columns, !shows_solutions, ablation_variants, build_ablation},
+  };
+  return kinds;
+}
+
+const TableKind& precision_kind() {
+  static const TableKind kind{"precision",
+                              "error against run time",
+                              "",
+                              precision_instances,
+                              free_columns,
+                              !shows_solutions,
+                              all_precision_variants,
+                              build_precision,
+                              draw_precision,
+                              measures_accuracy};
+  return kind;
+}
+
+const TableKind& stability_kind() {
+  static const TableKind kind{"stability",
+                              "stiff and extreme families",
+                              "",
+                              all_family_members,
+                              free_columns,
+                              !shows_solutions,
+                              all_defaults,
+                              build_stability,
+                              draw_stability,
+                              measures_accuracy,
+                              load_member};
+  return kind;
+}
+
+const TableKind* find_table(std::string_view name) {
+  for (const TableKind* kind : {&precision_kind(), &stability_kind()})
+    if (name == kind->name) return kind;
+  const auto kinds = table_kinds();
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const TableKind& kind) { return kind.name == name; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+std::optional<std::string> why_unavailable(const TableKind& kind) {
+  const std::vector<Variant> variants = kind.variants();
+  const auto strategies = all_strategies();
+  const auto is_there = [&](const Variant& variant) {
+    return std::any_of(strategies.begin(), strategies.end(),
+                       [&](const StrategyEntry& entry) { return entry.name == variant.strategy; });
+  };
+  const auto missing = std::find_if_not(variants.begin(), variants.end(), is_there);
+  if (missing == variants.end()) return std::nullopt;
+  return fmt::format("this version has no strategy '{}'", missing->strategy);
+}
+
+Publications load_publications() {
+  Publications publications;
+  for (const TableKind& kind : table_kinds())
+    if (publications.count(kind.source) == 0)
+      publications[std::string(kind.source)] = load_publication(std::string(kind.source));
+  return publications;
+}
+
+const std::vector<std::string>& paper_instances() {
+  static const std::vector<std::string> ids{"octahedron", "disulfide", "dodecagon", "icosahedron"};
+  return ids;
+}
+
+TableSet build_tables(const RunRecord& run, const Publications& all) {
+  const Publications publications = publications_on(run, all);
+  TableSet set;
+  for (const RequestedTable& table : run.tables) {
+    const TableKind* kind = find_table(table.name);
+    if (kind == nullptr) {
+      set.lines.push_back(fmt::format("{}: this version knows no such table", table.name));
+    } else if (const auto reason = why_unavailable(*kind)) {
+      set.lines.push_back(fmt::format("{}: not measured, {}", table.name, *reason));
+    } else if (table.instances.empty()) {
+      set.lines.push_back(fmt::format("{}: not measured, none of its instances was asked for", table.name));
+    } else {
+      append(set, *kind, part_of(run, table), publication_of(*kind, publications));
+    }
+  }
+  note_altered(run, all, set.lines);
+  set.measurements = build_measurements(run);
+  return set;
+}
+
+}  // namespace gcs

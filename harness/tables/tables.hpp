@@ -1,0 +1,124 @@
+#pragma once
+/// The tables of `gcsbench tables`: what each needs measured, and how it is built from a run.
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/drawings/drawing.hpp"
+#include "harness/instances/instance_lookup.hpp"
+#include "harness/runs/published.hpp"
+#include "harness/runs/run_file.hpp"
+#include "harness/tables/table.hpp"
+
+namespace gcs {
+
+/// What a table measures on one instance: a strategy with options.
+struct Variant {
+  std::string strategy;
+  OptionMap given;
+  std::vector<std::string> only_on = {};  ///< ids of instances; empty: all of the table's but `not_on`
+  std::vector<std::string> not_on = {};
+  int digits = 0;  ///< to which every solution is refined; 0: doubles
+
+  CellSpec on(const std::string& instance) const { return {instance, strategy, given, digits}; }
+  bool is_for(const std::string& instance) const;
+};
+
+/// A table that can be asked for by name.
+struct TableKind {
+  std::string_view name;
+  std::string_view summary;
+  std::string_view source;  ///< its publication in results/published; empty: none
+  const std::vector<std::string>& (*instances)() = nullptr;
+  bool has_free_columns = true;  ///< may show other instances than `instances`
+  bool shows_solutions = false;  ///< not only how many there are: its cells keep them
+  std::vector<Variant> (*variants)() = nullptr;
+  std::vector<Table> (*build)(const RunRecord& run, const Publication& paper) = nullptr;
+  std::vector<Drawing> (*draw)(const RunRecord& run) = nullptr;  ///< null: no figure
+  bool measures_accuracy = false;  ///< answers are held against references, and not certified
+  Instance (*load)(const std::string& argument) = load_instance;
+};
+
+/// All tables of `gcsbench tables`, in the order of `all`.
+std::span<const TableKind> table_kinds();
+
+/// What `gcsbench precision` measures.
+const TableKind& precision_kind();
+
+/// What `gcsbench stability` measures.
+const TableKind& stability_kind();
+
+/// The table of that name, of all kinds, or nullptr.
+const TableKind* find_table(std::string_view name);
+
+/// Why this version cannot measure the table: it has none of the strategies that it needs.
+std::optional<std::string> why_unavailable(const TableKind& kind);
+
+/// Publications by their short names.
+using Publications = std::map<std::string, Publication, std::less<>>;
+
+/// Those that the tables name. Throws InputError.
+Publications load_publications();
+
+/// The instances of the tables of Imbach et al., in their order.
+const std::vector<std::string>& paper_instances();
+
+/// What a run shows.
+struct TableSet {
+  std::vector<Table> tables;
+  std::vector<Drawing> drawings;
+  Table measurements;              ///< all that was measured, whatever the tables show of it
+  std::vector<std::string> lines;  ///< tables that were asked for and cannot be had, one line each
+};
+
+/// Builds what the run asked for, without solving.
+TableSet build_tables(const RunRecord& run, const Publications& publications);
+
+std::vector<Variant> table1_variants();
+std::vector<Table> build_table1(const RunRecord& run, const Publication& paper);
+
+std::vector<Variant> table2_variants();
+/// Table 2, and the ratios between the strategies that follow from it.
+std::vector<Table> build_table2(const RunRecord& run, const Publication& paper);
+Table build_ratios(const RunRecord& run, const Publication& paper);
+
+/// Those of the papers, and some of which a part can be left out.
+const std::vector<std::string>& ablation_instances();
+std::vector<Variant> ablation_variants();
+std::vector<Table> build_ablation(const RunRecord& run, const Publication& paper);
+
+/// 5p1L and, of 6p, the octahedra.
+const std::vector<std::string>& pyramid_instances();
+std::vector<Variant> pyramid_variants();
+/// The lengths, the solutions, the scans and the octahedra of Hoffmann and Yuan.
+std::vector<Table> build_pyramid(const RunRecord& run, const Publication& paper);
+/// Their 24 solutions beside ours.
+Table build_pyramid_solutions(const RunRecord& run, const Publication& paper);
+/// Their Fig. 7: d34(θ) over all branches, the given d34 and the solutions.
+std::vector<Drawing> draw_pyramid(const RunRecord& run);
+
+/// Every strategy with its defaults, with each of its accuracy settings, and refined to more digits.
+std::vector<Variant> precision_variants(std::span<const StrategyEntry> strategies);
+/// One table for each instance: errors, solutions missed and spurious, times and work.
+std::vector<Table> build_precision(const RunRecord& run, const Publication& paper);
+/// Error against time, one plot for each instance, and performance profiles over all.
+std::vector<Drawing> draw_precision(const RunRecord& run);
+
+/// One table for each family, and how often a strategy refused.
+std::vector<Table> build_stability(const RunRecord& run, const Publication& paper);
+/// A heat map of all families.
+std::vector<Drawing> draw_stability(const RunRecord& run);
+
+const std::vector<std::string>& tangents_instances();
+std::vector<Variant> tangents_variants();
+std::vector<Table> build_tangents(const RunRecord& run, const Publication& paper);
+
+/// Every cell of the run with its repetitions, whatever the tables show of it.
+Table build_measurements(const RunRecord& run);
+
+}  // namespace gcs

@@ -1,0 +1,202 @@
+/// Every strategy on every shipped instance against the contract.
+
+#include "harness/tests/contract/strategy_contract.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "harness/instances/instance_lookup.hpp"
+#include "harness/tests/contract/count_limits.hpp"
+#include "harness/tests/contract/report_agreement.hpp"
+#include "harness/tests/sanitized.hpp"
+
+using namespace gcs;
+using namespace gcs::contract;
+
+namespace {
+
+/// Their paths are long: they take part where one solve suffices.
+const std::vector<std::string> large{"icosahedron", "icosahedron-printed"};
+
+/// Where the Euler-Newton tracker of the papers keeps to the path.
+const std::vector<std::string> published_mode{"dodecagon", "k33", "octahedron"};
+
+bool is_in(const std::vector<std::string>& list, const std::string& id) {
+  return std::find(list.begin(), list.end(), id) != list.end();
+}
+
+std::vector<Instance> small_instances() {
+  std::vector<Instance> instances;
+  for (const std::string& id : shipped_instances())
+    if (!is_in(large, id)) instances.push_back(load_instance(id));
+  return instances;
+}
+
+/// Whether the strategy has an option of that name with this value among others.
+bool has_choice(const StrategyEntry& entry, std::string_view name, std::string_view value) {
+  return std::any_of(entry.options.begin(), entry.options.end(), [&](const OptionSpec& option) {
+    return option.name == name &&
+           ("|" + std::string(option.allowed) + "|").find("|" + std::string(value) + "|") !=
+               std::string::npos;
+  });
+}
+
+/// All strategies, those with a direct method by homotopy and those that can prove a path so as well.
+std::vector<Subject> subjects() {
+  std::vector<Subject> result;
+  for (const StrategyEntry& entry : all_strategies()) {
+    result.push_back({entry});
+    if (has_choice(entry, "method", "homotopy")) result.push_back({entry, {{"method", "homotopy"}}});
+    if (has_choice(entry, "mode", "certified")) result.push_back({entry, {{"mode", "certified"}}});
+  }
+  return result;
+}
+
+/// The strategies that track S as published too.
+std::vector<Subject> published_subjects() {
+  std::vector<Subject> result;
+  for (const StrategyEntry& entry : all_strategies())
+    if (has_choice(entry, "mode", "paper")) result.push_back({entry, {{"mode", "paper"}}});
+  return result;
+}
+
+/// Fails for every violation, with the strategy's and the instance's names.
+void expect_none(const Subject& subject, const std::string& instance, const Violations& violations) {
+  INFO(subject.label() << " on " << instance << "\n" << in_words(violations));
+  CHECK(violations.empty());
+}
+
+/// Calls `check` with every strategy and every small instance that it supports.
+template <class Check>
+void on_small_instances(const Check& check) {
+  const std::vector<Instance> instances = small_instances();
+  for (const Subject& subject : subjects())
+    for (const Instance& instance : instances) {
+      const Scene scene(instance.problem);
+      if (supports(subject, scene)) expect_none(subject, instance.id, check(subject, instance, scene));
+    }
+}
+
+void check_one_solve(const Subject& subject, const Instance& instance) {
+  const Scene scene(instance.problem);
+  expect_none(subject, instance.id, check_refusal(subject, scene));
+  if (!supports(subject, scene)) return;
+  const SolveReport report = solve_anew(subject, scene);
+  expect_none(subject, instance.id, check_completion(report));
+  expect_none(subject, instance.id, check_report(scene, report));
+  expect_none(subject, instance.id, check_counts(instance.id, scene, report));
+  expect_none(subject, instance.id, check_certificates(scene, report));
+}
+
+/// All that the strategies report on the scene, each against each and against the theoretical counts of its
+/// problem. Returns the reports.
+std::vector<SolveReport> check_agreement(const Scene& scene, const TheoreticalCounts& counts,
+                                         const std::vector<Subject>& all, const std::string& instance) {
+  std::vector<SolveReport> reports;
+  std::vector<std::string> labels;
+  for (const Subject& subject : all) {
+    if (!supports(subject, scene)) continue;
+    reports.push_back(solve_anew(subject, scene));
+    expect_none(subject, instance, check_completion(reports.back()));
+    expect_none(subject, instance, check_report(scene, reports.back()));
+    expect_none(subject, instance, check_limits(scene, counts, reports.back()));
+    labels.push_back(subject.label());
+    for (std::size_t i = 0; i + 1 < reports.size(); ++i) {
+      const auto found = contradiction(scene, reports[i], reports.back());
+      INFO(labels[i] << " and " << labels.back() << " on " << instance << ": " << found.value_or(""));
+      CHECK_FALSE(found);
+    }
+  }
+  return reports;
+}
+
+}  // namespace
+
+TEST_CASE("every instance is solved as claimed or refused with a sentence") {
+  for (const std::string& id : shipped_instances()) {
+    const Instance instance = load_instance(id);
+    for (const Subject& subject : subjects()) check_one_solve(subject, instance);
+    if (!is_in(published_mode, id)) continue;
+    for (const Subject& subject : published_subjects()) check_one_solve(subject, instance);
+  }
+}
+
+TEST_CASE("every strategy supports an instance") {
+  const std::vector<Instance> instances = small_instances();
+  for (const Subject& subject : subjects()) {
+    INFO(subject.label());
+    CHECK(std::any_of(instances.begin(), instances.end(),
+                      [&](const Instance& instance) { return supports(subject, Scene(instance.problem)); }));
+  }
+}
+
+TEST_CASE("a solve can be repeated bit for bit") {
+  const Scene other(load_instance("octahedron").problem);
+  on_small_instances([&](const Subject& subject, const Instance&, const Scene& scene) {
+    return check_repeatability(subject, scene, other);
+  });
+}
+
+TEST_CASE("what was prepared serves other lengths") {
+  std::mt19937_64 random(2016);
+  on_small_instances([&](const Subject& subject, const Instance& instance, const Scene& scene) {
+    if (!instance.problem.sketch) return Violations{};
+    Problem other = with_random_targets(instance.problem, random);
+    other.interpolation = instance.problem.interpolation;
+    return check_reuse(subject, scene, Scene(other));
+  });
+}
+
+TEST_CASE("a strategy stops when it is asked to") {
+  on_small_instances(
+      [](const Subject& subject, const Instance&, const Scene& scene) { return check_stop(subject, scene); });
+}
+
+TEST_CASE("a long solve stops on the way") {
+  const Scene scene(load_instance("icosahedron").problem);
+  for (const Subject& subject : subjects())
+    if (supports(subject, scene)) expect_none(subject, "icosahedron", check_stop(subject, scene));
+}
+
+TEST_CASE("neither names, orders, mirrors nor units matter") {
+  std::mt19937_64 random(20160101);
+  on_small_instances([&](const Subject& subject, const Instance& instance, const Scene&) {
+    return check_restatements(subject, instance.problem, random);
+  });
+}
+
+TEST_CASE("a long path does not depend on names and units") {
+  std::mt19937_64 random(12);
+  const Problem problem = load_instance("icosahedron").problem;
+  const Restatement names = relabelled(problem, random), units = scaled(problem, -3);
+  for (const Subject& subject : subjects()) {
+    expect_none(subject, "icosahedron", check_restatement(subject, problem, names));
+    expect_none(subject, "icosahedron", check_restatement(subject, problem, units));
+  }
+}
+
+TEST_CASE("all strategies agree") {
+  for (const std::string& id : shipped_instances()) {
+    std::vector<Subject> all = subjects();
+    if (is_in(published_mode, id))
+      for (const Subject& subject : published_subjects()) all.push_back(subject);
+    const Problem problem = load_instance(id).problem;
+    check_agreement(Scene(problem), theoretical_counts(problem), all, id);
+  }
+}
+
+TEST_CASE("all strategies agree on random lengths") {
+  std::mt19937_64 random(8705);
+  for (const std::string id : {"k33", "octahedron", "dodecagon", "disulfide"}) {
+    const Problem problem = load_instance(id).problem;
+    const TheoreticalCounts counts = theoretical_counts(problem);
+    std::size_t solutions = 0;
+    for (int i = 0; i < repetitions(16); ++i) {
+      const Scene scene(with_random_targets(problem, random));
+      const std::string name = id + " with random lengths " + std::to_string(i);
+      for (const SolveReport& report : check_agreement(scene, counts, subjects(), name))
+        solutions += report.candidates.size();
+    }
+    CHECK(solutions > 0);
+  }
+}

@@ -1,0 +1,67 @@
+#include "harness/drawings/graph_drawing.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "harness/instances/instance_lookup.hpp"
+#include "harness/tests/occurrences.hpp"
+
+using namespace gcs;
+
+namespace {
+
+bool on_both_sides(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                   const Eigen::Vector2d& d) {
+  const auto side = [&](const Eigen::Vector2d& p) {
+    return (b - a).x() * (p - a).y() - (b - a).y() * (p - a).x() > 0;
+  };
+  return side(c) != side(d);
+}
+
+int crossings(const Problem& problem, const Eigen::Matrix2Xd& places) {
+  int count = 0;
+  const auto& all = problem.constraints;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto [a, b] = all[i].between;
+      const auto [c, d] = all[j].between;
+      if (a == c || a == d || b == c || b == d) continue;
+      count += on_both_sides(places.col(a), places.col(b), places.col(c), places.col(d)) &&
+                       on_both_sides(places.col(c), places.col(d), places.col(a), places.col(b))
+                   ? 1
+                   : 0;
+    }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a constraint graph shows every entity and every constraint") {
+  for (const std::string& id : shipped_instances()) {
+    CAPTURE(id);
+    const Problem problem = load_instance(id).problem;
+    const std::string svg = graph_svg(problem, "a < b");
+    CHECK(occurrences(svg, "<circle class=\"node\"") == problem.points.size());
+    CHECK(occurrences(svg, "<rect class=\"node\"") == problem.lines.size());
+    CHECK(occurrences(svg, "<line class=\"edge\"") == problem.constraints.size());
+    CHECK(occurrences(svg, "stroke-dasharray") == (problem.sketch ? 1 : 0));
+    CHECK(svg.find("<title>a &lt; b</title>") != std::string::npos);
+  }
+}
+
+TEST_CASE("planar graphs with enough triangles are drawn without crossings") {
+  for (const std::string id : {"octahedron", "icosahedron"}) {
+    const Problem problem = load_instance(id).problem;
+    CHECK(crossings(problem, graph_layout(problem)) == 0);
+  }
+}
+
+TEST_CASE("entities are apart, inside the unit square") {
+  for (const std::string& id : shipped_instances()) {
+    CAPTURE(id);
+    const Eigen::Matrix2Xd places = graph_layout(load_instance(id).problem);
+    CHECK(places.minCoeff() >= -1e-9);
+    CHECK(places.maxCoeff() <= 1 + 1e-9);
+    for (Eigen::Index i = 0; i < places.cols(); ++i)
+      for (Eigen::Index j = 0; j < i; ++j) CHECK((places.col(i) - places.col(j)).norm() > 0.05);
+  }
+}

@@ -1,0 +1,99 @@
+/// What an external program gets to read is the problem, the whole problem and nothing but the problem.
+
+#include "harness/instances/problem_text.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "harness/instances/families.hpp"
+#include "harness/instances/instance_lookup.hpp"
+
+using namespace gcs;
+
+namespace {
+
+bool same(const LinePosition& a, const LinePosition& b) {
+  return (a.point - b.point).norm() <= 1e-15 * a.point.norm() && (a.direction - b.direction).norm() <= 1e-15;
+}
+
+void check_same(const Problem& a, const Problem& b) {
+  CHECK(a.dimension == b.dimension);
+  CHECK(a.points == b.points);
+  CHECK(a.lines == b.lines);
+  CHECK(a.fixed_points == b.fixed_points);
+  const bool has_fixed = std::any_of(a.fixed_points.begin(), a.fixed_points.end(),
+                                     [](const auto& position) { return position.has_value(); });
+  if (has_fixed) CHECK(a.fixed_point_texts == b.fixed_point_texts);
+  REQUIRE(a.constraints.size() == b.constraints.size());
+  for (std::size_t i = 0; i < a.constraints.size(); ++i) {
+    CHECK(a.constraints[i].id == b.constraints[i].id);
+    CHECK(a.constraints[i].between == b.constraints[i].between);
+    CHECK(a.constraints[i].given.text == b.constraints[i].given.text);
+    CHECK(a.constraints[i].is_squared == b.constraints[i].is_squared);
+  }
+  REQUIRE(a.sketch.has_value() == b.sketch.has_value());
+  if (a.sketch) {
+    CHECK(a.sketch->points == b.sketch->points);
+    REQUIRE(a.sketch->lines.size() == b.sketch->lines.size());
+    for (std::size_t i = 0; i < a.sketch->lines.size(); ++i)
+      CHECK(same(a.sketch->lines[i], b.sketch->lines[i]));
+    CHECK(a.interpolation.bent == b.interpolation.bent);
+    CHECK(a.interpolation.bend == b.interpolation.bend);
+  }
+  REQUIRE(a.construction.size() == b.construction.size());
+  for (std::size_t i = 0; i < a.construction.size(); ++i) {
+    CHECK(a.construction[i].place == b.construction[i].place);
+    REQUIRE(a.construction[i].from.size() == b.construction[i].from.size());
+    for (std::size_t j = 0; j < a.construction[i].from.size(); ++j) {
+      CHECK(a.construction[i].from[j].from == b.construction[i].from[j].from);
+      CHECK(a.construction[i].from[j].constraint == b.construction[i].from[j].constraint);
+      CHECK(a.construction[i].from[j].driving == b.construction[i].from[j].driving);
+    }
+  }
+}
+
+void check_read_back(const Instance& instance) {
+  INFO(instance.id);
+  const Scene scene(instance.problem);
+  const std::string text = problem_text(scene);
+  const Instance again = parse_instance(text, "text", "");
+  check_same(instance.problem, again.problem);
+  const Scene scene_again(again.problem);
+  CHECK(scene_again.reference().origin == scene.reference().origin);
+  CHECK(scene_again.reference().axis == scene.reference().axis);
+  CHECK(scene_again.reference().plane == scene.reference().plane);
+  CHECK(scene_again.reference().line == scene.reference().line);
+  CHECK(scene_again.reference().height == scene.reference().height);
+  CHECK(scene_again.target_lengths() == scene.target_lengths());
+  CHECK(text.find("published") == std::string::npos);
+  CHECK(text.find('"' + instance.id + '"') == std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("the text of a problem reads back as the same problem") {
+  for (const std::string& id : shipped_instances()) check_read_back(load_instance(id));
+}
+
+TEST_CASE("lengths of many digits keep them in a problem's text") {
+  for (const char* family : {"scale-of-ten", "short-edge", "coplanar-centres"})
+    for (const std::string& member : find_family(family)->members()) check_read_back(load_member(member));
+}
+
+TEST_CASE("a given construction plan is part of a problem's text") {
+  const Instance with_plan = parse_instance(
+      R"({"format": "gcsbench-instance/1", "id": "plan", "dimension": 2, "points": ["a", "b", "c", "d"],
+          "constraints": [{"type": "distance", "between": ["a", "b"], "length": 1},
+                          {"type": "distance", "between": ["b", "c"], "length": 1},
+                          {"type": "distance", "between": ["c", "d"], "length": 1},
+                          {"type": "distance", "between": ["d", "a"], "length": 1},
+                          {"type": "distance", "between": ["a", "c"], "length": 1.5}],
+          "sketch": {"a": [0, 0], "b": [1, 0], "c": [1, 1], "d": [0, 1]},
+          "interpolation": {"bent": "a3", "bend": 1},
+          "construction": [{"place": "a", "from": []}, {"place": "b", "from": [["a", "a1"]]},
+                           {"place": "c", "from": [["a", "k1"], ["b", "a2"]]},
+                           {"place": "d", "from": [["c", "a3"], ["a", "a4"]]}]})",
+      "plan", "");
+  REQUIRE(with_plan.problem.construction.size() == 4);
+  check_read_back(with_plan);
+}

@@ -1,0 +1,198 @@
+#include "harness/report/page.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "harness/drawings/html_text.hpp"
+#include "harness/report/html_table.hpp"
+#include "harness/report/page_scene.hpp"
+#include "harness/report/verdicts.hpp"
+#include "harness/tables/table_writer.hpp"
+#include "harness/tests/occurrences.hpp"
+#include "harness/tests/runs/stored_scenes.hpp"
+#include "harness/tests/runs/toy_run.hpp"
+
+using namespace gcs;
+
+namespace {
+
+PageRun toy_page_run() {
+  RunRecord record = toy::run_record();
+  TableSet tables = build_tables(record, load_publications());
+  PageRun run{"toy & co", std::move(record), std::move(tables), {}};
+  run.scenes.emplace("octahedron", stored_scene(load_instance("octahedron")));
+  return run;
+}
+
+nlohmann::json data_of(const std::string& page) {
+  const std::string_view start = "id=\"page-data\">";
+  const std::size_t first = page.find(start) + start.size();
+  return nlohmann::json::parse(page.substr(first, page.find("</script>", first) - first));
+}
+
+const Verdict& verdict_on(const std::vector<Verdict>& all, const std::string& quantity) {
+  return *std::find_if(all.begin(), all.end(), [&](const Verdict& one) { return one.quantity == quantity; });
+}
+
+}  // namespace
+
+TEST_CASE("texts stay texts in HTML and in scripts") {
+  CHECK(html_escaped("a<b>&\"c\"") == "a&lt;b&gt;&amp;&quot;c&quot;");
+  const std::string hostile = nlohmann::json("</script><!-- <b>").dump();
+  const std::string escaped = script_escaped(hostile);
+  CHECK(escaped.find('<') == std::string::npos);
+  CHECK(nlohmann::json::parse(escaped) == "</script><!-- <b>");
+  CHECK(html_anchor("flat@1e-8 <") == "flat-1e-8--");
+}
+
+TEST_CASE("a table in HTML has its entries, and a footnote for every link") {
+  const TableSet set = build_tables(toy::run_record(), load_publications());
+  for (const Table& table : set.tables) {
+    CAPTURE(table.name);
+    const std::string html = to_html(table, "run7-");
+    std::size_t entries = 0, links = 0;
+    for (const TableRow& row : table.rows) {
+      entries += row.cells.size();
+      links += row.notes.size();
+      for (const TableCell& cell : row.cells) links += cell.notes.size();
+    }
+    CHECK(occurrences(html, "<td>") == entries);
+    CHECK(occurrences(html, "href=\"#run7-") == links);
+    for (std::size_t i = 1; i <= table.footnotes.size(); ++i)
+      CHECK(occurrences(html, "id=\"run7-" + table.name + "-note-" + std::to_string(i) + "\"") == 1);
+  }
+}
+
+TEST_CASE("headers of tables have a title for every column") {
+  Table table;
+  table.name = "t";
+  table.groups = {{"a", {"1", "2"}}, {"", {"3"}}};
+  table.rows = {{"row", {{"x", {}}, {"y", {}}, {"z", {}}}, {}}};
+  const std::string both = to_html(table);
+  CHECK(occurrences(both, "scope=\"colgroup\"") == 2);
+  CHECK(occurrences(both, "scope=\"col\"") == 4);
+  table.groups = {{"a", {""}}, {"b", {""}}, {"c", {""}}};
+  const std::string one_row = to_html(table);
+  CHECK(occurrences(one_row, "scope=\"colgroup\"") == 0);
+  CHECK(one_row.find("<th scope=\"col\">b</th>") != std::string::npos);
+}
+
+TEST_CASE("a page shows every instance of every run once, and needs nothing else") {
+  std::vector<PageRun> runs;
+  runs.push_back(toy_page_run());
+  runs.push_back(toy_page_run());
+  const std::string page = page_html(runs, load_publications());
+  for (const MeasuredInstance& instance : runs[0].record.instances)
+    CHECK(occurrences(page, "id=\"scene-" + instance.id + "\"") == 1);
+  CHECK(page.find("Nothing is stored of this instance") != std::string::npos);
+  CHECK(page.find("toy &amp; co") != std::string::npos);
+  CHECK(occurrences(page, "<h1>") == 1);
+  for (const std::string_view fetched : {"src=", "<link", "@import", "url("})
+    CHECK(page.find(fetched) == std::string::npos);
+
+  const nlohmann::json data = data_of(page);
+  REQUIRE(data["scenes"].size() == 1);
+  const nlohmann::json& scene = data["scenes"][0];
+  const StoredScene& stored = runs[0].scenes.at("octahedron");
+  CHECK(scene["edges"].size() == stored.record.instance.problem.constraints.size());
+  CHECK(scene["solutions"].size() == stored.record.solutions.size());
+  CHECK(scene["path"]["rows"].size() == stored.path->corners.size());
+  CHECK(scene["path"]["stops"].size() == 4);
+  for (const auto& row : scene["path"]["rows"]) REQUIRE(row.size() == 2 + scene["path"]["moving"].size());
+}
+
+TEST_CASE("figures of a scene are its graph and its path") {
+  const auto drawings = draw_scene(stored_scene(load_instance("octahedron")));
+  REQUIRE(drawings.size() == 2);
+  CHECK(drawings[0].name == "graph-octahedron");
+  CHECK(drawings[1].name == "path-octahedron");
+  CHECK(draw_scene(stored_scene(load_instance("tangents-durand"))).size() == 1);
+}
+
+TEST_CASE("a printed number is refuted, proven or open as ours is") {
+  RunRecord run = toy::run_record();
+  Publications papers = load_publications();
+  for (auto& [name, paper] : papers)
+    for (PrintedFigure& figure : paper.figures) figure.chosen.clear();
+  const MeasuredInstance& octahedron = run.instances[0];
+  auto all = verdicts(run, octahedron, nullptr, papers);
+  CHECK(verdict_on(all, "complex").printed_standing == Standing::refuted);
+  CHECK(verdict_on(all, "complex").our_standing == Standing::open);
+  CHECK(verdict_on(all, "real").printed_standing == Standing::open);
+  CHECK(verdict_on(all, "on S").our_standing == Standing::open);
+
+  for (CellRecord& cell : run.cells)
+    if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{8, 4, true, true};
+  all = verdicts(run, octahedron, nullptr, papers);
+  CHECK(verdict_on(all, "complex").our_standing == Standing::proven);
+  CHECK(verdict_on(all, "real").printed_standing == Standing::proven);
+  for (CellRecord& cell : run.cells) {
+    if (!cell.proofs) continue;
+    cell.proofs->real = 3;
+    cell.counts.real_up_to_reflection = Natural(3);
+  }
+  CHECK(verdict_on(verdicts(run, octahedron, nullptr, papers), "real").printed_standing == Standing::refuted);
+
+  const StoredScene scene = stored_scene(load_instance("octahedron"));
+  CHECK(verdict_on(verdicts(run, octahedron, &scene, papers), "on S").printed_standing == Standing::proven);
+}
+
+TEST_CASE("what an instance was chosen for proves nothing of the paper's") {
+  RunRecord run = toy::run_record();
+  for (CellRecord& cell : run.cells)
+    if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{8, 4, true, true};
+  const Verdict real = verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "real");
+  CHECK(real.our_standing == Standing::proven);
+  CHECK(real.printed_standing == Standing::open);
+  CHECK(real.reason.find("chosen") != std::string::npos);
+}
+
+TEST_CASE("a number that does not come out is open, and not refuted") {
+  RunRecord run = toy::run_record();
+  MeasuredInstance icosahedron = run.instances[0];
+  icosahedron.id = "icosahedron";
+  const Verdict on_path = verdict_on(verdicts(run, icosahedron, nullptr, load_publications()), "on S");
+  CHECK(on_path.printed_standing == Standing::open);
+  CHECK(on_path.reason.find("no reading that was tried") != std::string::npos);
+}
+
+TEST_CASE("a scan of ours proves that no real solution is missing, and a program's claim does not") {
+  RunRecord run = toy::run_record();
+  CellRecord& cell = run.cells.front();
+  cell.status = RunStatus::complete;
+  cell.difference.clear();
+  cell.claim = Claim::all_real;
+  cell.counts.real_up_to_reflection = Natural(4);
+  cell.proofs = RecordedProofs{4, 4, false, false};
+  cell.spec.strategy = "plan-scan";
+  const auto standing = [&] {
+    return verdict_on(verdicts(run, run.instances[0], nullptr, {}), "real").our_standing;
+  };
+  CHECK(standing() == Standing::proven);
+  cell.spec.strategy = "exec:scan";
+  CHECK(standing() == Standing::open);
+}
+
+TEST_CASE("solutions in clusters are all with multiplicities, and their number is not proven") {
+  RunRecord run = toy::run_record();
+  for (CellRecord& cell : run.cells)
+    if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{0, 0, true, false};
+  const Verdict complex =
+      verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "complex");
+  CHECK(complex.ours == "8");
+  CHECK(complex.our_standing == Standing::open);
+  CHECK(complex.reason.find("clusters") != std::string::npos);
+}
+
+TEST_CASE("papers say nothing of another instance by the same name") {
+  RunRecord run = toy::run_record();
+  run.instances[0].is_shipped = false;
+  for (const Verdict& one : verdicts(run, run.instances[0], nullptr, load_publications())) {
+    CHECK(one.printed.empty());
+    CHECK_FALSE(one.printed_standing);
+  }
+  const TableSet tables = build_tables(run, load_publications());
+  CHECK(to_markdown(tables.tables.front()).find("72") == std::string::npos);
+  CHECK(std::ranges::any_of(tables.lines,
+                            [](const std::string& line) { return line.starts_with("octahedron:"); }));
+}

@@ -1,0 +1,100 @@
+#pragma once
+/// Turns what a strategy reports into a result that can be compared, in the same way for every strategy:
+/// classes, residuals, counts and checks. A strategy never scores itself.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solvers/answers/path_ends.hpp"
+#include "solvers/interface/strategy_interface.hpp"
+#include "solvers/numeric/natural.hpp"
+
+namespace gcs {
+
+/// One reflection class.
+struct AssessedSolution {
+  Figure figure;  ///< the class's representative in the instance's frame and the file's unit of length
+  int multiplicity = 1;
+  double residual = 0;                ///< relative_residual of the representative
+  double condition = 0;               ///< jacobian_condition; infinity at a singular solution
+  std::optional<double> error_bound;  ///< rigorous, in the file's unit; empty: not certified
+  bool certified = false;
+};
+
+/// A crossing of t = 1: an index into the solutions, or empty when that solution was left out of the list.
+struct AssessedCrossing {
+  std::optional<int> solution;
+  int direction = 1;
+};
+
+/// Counts of gcsbench-result/1; empty: the strategy does not determine it. Numbers of solutions may be those
+/// of a product, of any size.
+struct Counts {
+  std::optional<Natural> real_up_to_reflection;
+  std::optional<Natural> complex_up_to_reflection;
+  std::optional<Natural> generic;
+  std::optional<std::uint64_t> on_path;
+  std::optional<std::uint64_t> paths;
+  std::optional<std::uint64_t> at_infinity;
+  std::optional<std::uint64_t> singular;
+  std::optional<std::uint64_t> failed_paths;
+  std::optional<std::uint64_t> certified;
+
+  bool operator==(const Counts&) const = default;
+};
+
+/// Something that must hold in a correct report and does not.
+struct FailedCheck {
+  std::string name;  ///< a fixed word: residual, off path, alternation, repetition, malformed, count,
+                     ///< certificate, singular
+  std::string what;  ///< one sentence for a person
+};
+
+/// What certificates prove of a list. Counts are of classes.
+struct Proofs {
+  std::optional<std::string> why_none;  ///< why certificates do not reach the scene, in a sentence
+  std::uint64_t classes = 0;            ///< solutions that are proven to exist, in different classes
+  std::uint64_t real = 0;               ///< those of them that are proven to be real
+  std::uint64_t clusters = 0;           ///< solutions that are proven to stand for several (ball_cluster.hpp)
+  std::uint64_t in_clusters = 0;        ///< so many, with multiplicities
+  int most_bits = 0;                    ///< the highest precision that a proof took
+  std::optional<std::uint64_t>
+      generic;                   ///< solutions proven in the same way at the strategy's generic lengths
+  std::optional<Natural> limit;  ///< no lengths have more isolated solutions; empty: not known
+  bool limit_is_exact = false;   ///< generic lengths have so many
+
+  /// So many proven solutions are all there are.
+  bool meets_limit(std::uint64_t count) const;
+  /// Those that the list stands for are.
+  bool are_complete() const { return meets_limit(classes + in_clusters); }
+  /// So many of them are real, and no more: of those in clusters it is not known.
+  bool decide_real() const { return meets_limit(classes); }
+};
+
+struct Assessment {
+  /// Of a scene that was taken apart: so many there are, however many are listed.
+  std::optional<SolutionTotals> totals;
+  std::vector<AssessedSolution> solutions;  ///< real ones first, then in a fixed order
+  std::vector<AssessedCrossing> crossings;  ///< in the order met
+  Counts counts;
+  std::vector<PathEnds> ends;  ///< of all paths
+  std::vector<FailedCheck> failed_checks;
+  std::optional<Proofs> proofs;  ///< empty unless asked for (see certify)
+};
+
+/// Assesses a report of any strategy; the report may be wrong in every way. Deterministic. Never throws for a
+/// bad report: what is malformed is left out and becomes a failed check.
+Assessment assess(const Scene& scene, const SolveReport& report);
+
+/// Brings the counts that are determined in line with the list.
+void recount(Assessment& assessment);
+
+/// Keeps the real solutions, which come first. How many complex ones there are is not determined then.
+void keep_real(Assessment& assessment);
+
+/// Keeps the first `limit` solutions. Counts of solutions follow the list; crossings keep their place.
+void keep_first(Assessment& assessment, std::size_t limit);
+
+}  // namespace gcs

@@ -1,0 +1,204 @@
+#include "solvers/answers/certify.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "solvers/certificates/coincidences.hpp"
+#include "solvers/certificates/scene_equations.hpp"
+#include "solvers/running/run_on_threads.hpp"
+
+namespace gcs {
+namespace {
+
+using Point = std::vector<std::complex<double>>;
+
+/// Reports from any thread how many points are certified.
+class CertificateProgress {
+ public:
+  CertificateProgress(Monitor* monitor, std::size_t points) : monitor_(monitor), points_(points) {}
+
+  void one_more() {
+    if (monitor_ == nullptr) return;
+    const std::lock_guard lock(mutex_);
+    monitor_->progress("proving solutions", static_cast<double>(++done_) / static_cast<double>(points_));
+  }
+
+ private:
+  Monitor* monitor_;
+  std::size_t points_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+/// Untried ones where stop is asked for.
+std::vector<Certificate> certificates(const Certifier& certifier, const std::vector<Point>& points,
+                                      int threads, Monitor* monitor, const std::stop_token& stop) {
+  std::vector<Certificate> results(points.size());
+  CertificateProgress progress(monitor, points.size());
+  const auto step = static_cast<std::size_t>(threads);
+  run_on_threads(threads, [&](int thread) {
+    const ThreadReserves reserves;
+    for (std::size_t i = static_cast<std::size_t>(thread); i < points.size() && !stop.stop_requested();
+         i += step) {
+      results[i] = certifier.certify(points[i]);
+      progress.one_more();
+    }
+  });
+  return results;
+}
+
+/// A pair by the places that its solutions have among all certificates.
+std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certificates,
+                                         const std::vector<int>& mirror) {
+  std::vector<Enclosure> enclosures;
+  std::vector<int> place;
+  for (std::size_t i = 0; i < certificates.size(); ++i) {
+    if (!certificates[i].is_isolated()) continue;
+    enclosures.push_back(certificates[i].enclosure);
+    place.push_back(static_cast<int>(i));
+  }
+  std::vector<Coincidence> pairs = coincidences(enclosures, mirror);
+  for (Coincidence& pair : pairs) {
+    pair.first = place[static_cast<std::size_t>(pair.first)];
+    pair.second = place[static_cast<std::size_t>(pair.second)];
+  }
+  return pairs;
+}
+
+/// How many classes the points are proven to be, each next to a solution of its own.
+std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point>& points, int threads,
+                             Monitor* monitor, const std::stop_token& stop) {
+  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor, stop);
+  std::vector<bool> counts;
+  for (const Certificate& certificate : all) counts.push_back(certificate.is_proven);
+  for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror))
+    counts[static_cast<std::size_t>(pair.second)] = false;
+  return static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), true));
+}
+
+/// What keeps a solution from counting as proven; empty when nothing does. `unit`: the scene's, in the
+/// file's.
+std::string objection(const AssessedSolution& solution, const SolutionProof& proof, double unit) {
+  using Realness = Certificate::Realness;
+  const bool is_real = solution.figure.is_real();
+  const int cluster = proof.certificate.cluster;
+  if (cluster > 0 && !proof.fits(solution.multiplicity))
+    return fmt::format(
+        "is listed with multiplicity {} and is a cluster of {} solutions, multiplicities counted",
+        solution.multiplicity, cluster);
+  if (cluster > 0)
+    return fmt::format("is not proven: {}, no further from it than {:.1e}", proof.certificate.cause,
+                       proof.distance * unit);
+  if (!proof.certificate.is_proven) return "is not proven: " + proof.certificate.cause;
+  if (solution.multiplicity > 1)
+    return fmt::format("is listed with multiplicity {} and is a simple one", solution.multiplicity);
+  if (proof.is_proven_same) return fmt::format("is the same class as solution {}", proof.same_as);
+  if (proof.same_as >= 0)
+    return fmt::format("is not proven to be another class than solution {}", proof.same_as);
+  if (is_real && proof.certificate.realness == Realness::not_real) return "is listed as real and is not";
+  if (!is_real && proof.certificate.realness == Realness::real) return "is listed as complex and is real";
+  if (proof.certificate.realness == Realness::undecided) return "is neither proven real nor proven not to be";
+  return "";
+}
+
+/// value·2^exponent, rounded up where it is so near underflow that it is rounded at all.
+double scaled_up(double value, int exponent) {
+  const double scaled = std::ldexp(value, exponent);
+  return std::ldexp(scaled, -exponent) < value ? std::nextafter(scaled, std::numeric_limits<double>::max())
+                                               : scaled;
+}
+
+std::uint64_t proven_real(const Assessment& assessment) {
+  return static_cast<std::uint64_t>(
+      std::count_if(assessment.solutions.begin(), assessment.solutions.end(),
+                    [](const AssessedSolution& s) { return s.certified && s.figure.is_real(); }));
+}
+
+}  // namespace
+
+std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
+                                           const std::vector<Figure>& figures, int threads, Monitor* monitor,
+                                           const std::stop_token& stop) {
+  std::vector<Point> points;
+  for (const Figure& figure : figures) points.push_back(equations.coordinates(figure));
+  const Certifier certifier(equations.system());
+  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor, stop);
+  std::vector<SolutionProof> proofs;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    proofs.push_back({all[i]});
+    if (all[i].is_isolated()) proofs.back().distance = equations.distance(figures[i], all[i]);
+  }
+  for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror)) {
+    SolutionProof& later = proofs[static_cast<std::size_t>(pair.second)];
+    if (later.is_proven_same || (later.same_as >= 0 && !pair.is_proven)) continue;
+    later.same_as = pair.first;
+    later.is_proven_same = pair.is_proven;
+  }
+  for (SolutionProof& proof : proofs) {
+    if (proof.certificate.cluster == 0) continue;
+    const int images = meeting_images(proof.certificate.enclosure, certifier.system().mirror);
+    proof.least = (proof.certificate.cluster + images - 1) / images;
+    if (proof.same_as < 0) proof.cluster = proof.least;
+  }
+  return proofs;
+}
+
+void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs) {
+  for (const SolutionProof& solution : solutions) {
+    proofs.clusters += solution.cluster > 0 ? 1 : 0;
+    proofs.in_clusters += static_cast<std::uint64_t>(solution.cluster);
+  }
+}
+
+void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
+             int threads, Monitor* monitor, Assessment& assessment, const std::stop_token& stop) {
+  Proofs& proofs = assessment.proofs.emplace();
+  if (auto reason = why_not_certified(scene)) {
+    proofs.why_none = std::move(*reason);
+    return;
+  }
+  const SceneEquations equations(scene);
+  std::vector<Figure> figures;
+  for (const AssessedSolution& solution : assessment.solutions)
+    figures.push_back(scene.in_scene_unit(solution.figure));
+  const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads, monitor, stop);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].certificate.is_tried()) continue;
+    AssessedSolution& solution = assessment.solutions[i];
+    const std::string what = objection(solution, all[i], std::ldexp(1.0, scene.unit_exponent()));
+    if (!what.empty()) {
+      const Certificate& certificate = all[i].certificate;
+      const bool is_multiple =
+          !certificate.is_proven &&
+          (certificate.cluster == 0 ? solution.multiplicity > 1 : all[i].fits(solution.multiplicity));
+      assessment.failed_checks.push_back(
+          {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
+    }
+    if (all[i].certificate.is_proven)
+      solution.error_bound = scaled_up(all[i].distance, scene.unit_exponent());
+    solution.certified = what.empty();
+    proofs.classes += solution.certified ? 1 : 0;
+    proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
+  }
+  count_clusters(all, proofs);
+  proofs.real = proven_real(assessment);
+  assessment.counts.certified = proofs.classes;
+  if (generic)
+    proofs.generic = proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions,
+                                    threads, monitor, stop);
+  set_limit(limits, proofs);
+}
+
+void set_limit(const TheoreticalCounts& limits, Proofs& proofs) {
+  const SolutionCount* limit = limits.upper_limit();
+  if (!limit) return;
+  proofs.limit = limit->up_to_reflection();
+  proofs.limit_is_exact = limits.exact.has_value();
+}
+
+bool Proofs::meets_limit(std::uint64_t count) const { return limit && Natural(count) == *limit; }
+
+}  // namespace gcs

@@ -1,0 +1,52 @@
+#pragma once
+/// Proves what an assessment lists: that every solution exists, is the only one there, is real or not as
+/// listed and in a class of its own, and that the list is complete where its length meets a limit that
+/// nothing exceeds. (Krawczyk's test with the decimal lengths of the file; solvers/certification/.)
+
+#include <stop_token>
+
+#include "solvers/answers/assess.hpp"
+#include "solvers/certificates/certificate.hpp"
+#include "solvers/counting/theoretical_counts.hpp"
+
+namespace gcs {
+
+class SceneEquations;
+
+/// One solution of a list and what is proven about it.
+struct SolutionProof {
+  Certificate certificate;
+  double distance = 0;  ///< at most so far from the figure, in the scene's unit; see SceneEquations::distance
+  int same_as = -1;     ///< the first solution of the list that is not proven to be another class; −1: none
+  bool is_proven_same = false;  ///< and it is proven to be the same class
+  int least = 1;                ///< so many classes at least, with multiplicities, are in its enclosure
+  int cluster = 0;              ///< so many of a cluster that no earlier solution stands for
+
+  /// Whether a solution may be listed with that multiplicity. Of its own mirror image it is not known whether
+  /// that is it, or another solution in the enclosure.
+  bool fits(int multiplicity) const {
+    return certificate.is_proven ? multiplicity == 1
+                                 : least <= multiplicity && multiplicity <= certificate.cluster;
+  }
+};
+
+/// Adds the clusters to `proofs`.
+void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs);
+
+/// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). The same for
+/// any number of threads, unless stopped: then some are not tried. `monitor` may be null.
+std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
+                                           const std::vector<Figure>& figures, int threads, Monitor* monitor,
+                                           const std::stop_token& stop = {});
+
+/// Sets what no list is longer than.
+void set_limit(const TheoreticalCounts& limits, Proofs& proofs);
+
+/// Fills in `certified`, `error_bound`, counts.certified and `proofs` of an assessment; what cannot be proven
+/// becomes a failed check by the name of "certificate", or "singular" where it is listed as multiple. Where
+/// certificates do not reach the scene proofs.why_none says why. Stopped, it leaves the rest uncertified.
+/// `monitor` may be null.
+void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
+             int threads, Monitor* monitor, Assessment& assessment, const std::stop_token& stop = {});
+
+}  // namespace gcs

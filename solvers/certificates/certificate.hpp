@@ -1,0 +1,60 @@
+#pragma once
+/// Proofs that numbers lie next to a solution: Krawczyk's test in doubles where these suffice, else in balls
+/// of more and more bits. Where it does not succeed at all, how many solutions lie together there.
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solvers/certificates/ball_krawczyk.hpp"
+#include "solvers/certificates/disc_krawczyk.hpp"
+
+namespace gcs {
+
+/// What is proven about one point x.
+struct Certificate {
+  enum class Realness { undecided, real, not_real };
+
+  bool is_proven = false;  ///< the solution in `enclosure` exists and is alone there
+  /// Solutions in `enclosure`, with multiplicities, that are not proven to be different or to be one; 0: the
+  /// point was not found to be in a cluster.
+  int cluster = 0;
+  int bits = 0;  ///< the precision that it took; 53: doubles
+  Enclosure enclosure;
+  Realness realness = Realness::undecided;  ///< of the solution: of all its unknowns together
+  std::string cause;                        ///< why nothing is proven, in words; empty when it is
+
+  /// Whether the point has been looked at.
+  bool is_tried() const { return is_proven || !cause.empty(); }
+  /// Whether `enclosure` is one.
+  bool is_isolated() const { return is_proven || cluster > 0; }
+  /// At least |x_i − solution_i|, for every solution of a cluster.
+  double offset(std::size_t i, std::complex<double> x_i) const;
+};
+
+/// Of the solution in an enclosure, the system having real coefficients.
+Certificate::Realness realness(const Enclosure& enclosure);
+
+class Certifier {
+ public:
+  explicit Certifier(QuadraticSystem system);
+
+  const QuadraticSystem& system() const { return system_; }
+  /// About the solution that Newton's method reaches from x, one number per unknown. The precision is raised
+  /// until the solution is proven and, of a system with real coefficients, is known to be real or not to be.
+  /// `least_bits`: where to begin; above 53 the enclosure is as small as the rounding of its doubles.
+  Certificate certify(const std::vector<std::complex<double>>& x, int least_bits = 53) const;
+  /// The proof in balls of that precision, for many digits; nothing where it does not suffice.
+  std::optional<BallKrawczyk::Proof> prove(const std::vector<std::complex<double>>& x, slong bits) const;
+
+ private:
+  void find_cluster(const std::vector<std::complex<double>>& x, Certificate& certificate) const;
+
+  QuadraticSystem system_;
+  bool is_real_;
+  std::optional<DiscKrawczyk> discs_;
+  std::vector<BallKrawczyk> levels_;
+};
+
+}  // namespace gcs

@@ -1,0 +1,127 @@
+#include "solvers/certificates/decimal_figure.hpp"
+
+#include <flint/flint.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/model/given_numbers.hpp"
+#include "solvers/running/run_on_threads.hpp"
+
+namespace gcs {
+namespace {
+
+/// The decimals of a proof's balls, and how far they are off.
+class Decimals {
+ public:
+  Decimals(const BallKrawczyk::Proof& proof, const Scene& scene, int digits, slong bits)
+      : proof_(proof), exponent_(scene.unit_exponent()), digits_(digits), bits_(bits) {}
+
+  /// An unknown that is a length, in the file's unit, or one without a unit.
+  DecimalNumber unknown(int number, bool is_length) {
+    Ball ball;
+    acb_mul_2exp_si(ball, proof_.solution(number, 0), is_length ? exponent_ : 0);
+    return decimal(ball);
+  }
+
+  DecimalNumber given(const ExactNumber& number) {
+    Ball ball;
+    enclose(ball, number, bits_);
+    acb_mul_2exp_si(ball, ball, exponent_);
+    return decimal(ball);
+  }
+
+  double error() const { return error_; }
+
+ private:
+  DecimalNumber decimal(const Ball& ball) {
+    const acb_srcptr number = ball;
+    return {part(acb_realref(number)), part(acb_imagref(number))};
+  }
+
+  std::string part(arb_srcptr ball) {
+    std::string text = "0";
+    arb_t rounded;
+    arb_init(rounded);
+    if (!arb_contains_zero(ball)) {
+      arb_get_mid_arb(rounded, ball);
+      char* digits = arb_get_str(rounded, digits_, ARB_STR_NO_RADIUS);
+      text = digits;
+      flint_free(digits);
+      arb_set_str(rounded, text.c_str(), bits_);
+    }
+    arb_sub(rounded, rounded, ball, bits_);
+    Ball difference;
+    acb_set_arb(difference, rounded);
+    error_ = std::max(error_, magnitude(difference));
+    arb_clear(rounded);
+    return text;
+  }
+
+  const BallKrawczyk::Proof& proof_;
+  int exponent_;
+  int digits_;
+  slong bits_;
+  double error_ = 0;
+};
+
+DecimalFigure decimals_of(const BallKrawczyk::Proof& proof, const SceneEquations& equations,
+                          const Scene& scene, int digits, slong bits) {
+  Decimals decimals(proof, scene, digits, bits);
+  DecimalFigure figure;
+  for (int point = 0; point < scene.point_count(); ++point) {
+    DecimalVector& place = figure.points.emplace_back();
+    for (int axis = 0; axis < scene.dimension(); ++axis) {
+      const int unknown = equations.point_unknown(point, axis);
+      place[static_cast<std::size_t>(axis)] = unknown >= 0
+                                                  ? decimals.unknown(unknown, true)
+                                                  : decimals.given(given_coordinate(scene, point, axis));
+    }
+  }
+  for (int line = 0; line < static_cast<int>(scene.problem().lines.size()); ++line) {
+    DecimalFigure::Line& place = figure.lines.emplace_back();
+    place.direction[0].re = "1";
+    for (int axis = 0; axis < 3 && equations.line_unknown(line, 0, 0) >= 0; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      place.point[i] = decimals.unknown(equations.line_unknown(line, 0, axis), true);
+      place.direction[i] = decimals.unknown(equations.line_unknown(line, 1, axis), false);
+    }
+  }
+  figure.error = decimals.error();
+  figure.unique = proof.unique;
+  figure.bits = static_cast<int>(bits);
+  return figure;
+}
+
+}  // namespace
+
+std::optional<DecimalFigure> decimal_figure(const SceneEquations& equations, const Scene& scene,
+                                            const Figure& near, int digits) {
+  const Certifier certifier(equations.system());
+  const double wanted = std::pow(10.0, 1 - digits) * std::ldexp(scene.size(), scene.unit_exponent());
+  for (slong bits = 8L * digits; bits <= 32L * digits; bits *= 2) {
+    const auto proof = certifier.prove(equations.coordinates(near), bits);
+    if (!proof) continue;
+    DecimalFigure figure = decimals_of(*proof, equations, scene, digits, bits);
+    // Of coordinates far beyond the scene's size the last digit is larger.
+    const double reach = std::max(1.0, extent(near) / scene.size());
+    if (figure.error <= wanted * reach) return figure;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::optional<DecimalFigure>> decimal_figures(const SceneEquations& equations, const Scene& scene,
+                                                          const std::vector<Figure>& near, int digits,
+                                                          int threads, const std::stop_token& stop) {
+  std::vector<std::optional<DecimalFigure>> figures(near.size());
+  const auto step = static_cast<std::size_t>(threads);
+  run_on_threads(threads, [&](int thread) {
+    const ThreadReserves reserves;
+    for (auto i = static_cast<std::size_t>(thread); i < near.size() && !stop.stop_requested(); i += step)
+      figures[i] = decimal_figure(equations, scene, near[i], digits);
+  });
+  return figures;
+}
+
+}  // namespace gcs

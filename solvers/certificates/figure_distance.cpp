@@ -1,0 +1,175 @@
+#include "solvers/certificates/figure_distance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include "solvers/numeric/balls.hpp"
+
+namespace gcs {
+namespace {
+
+using Differences = std::array<std::complex<double>, 3>;
+
+double length(const Differences& differences) {
+  double result = 0;
+  for (const std::complex<double>& difference : differences)
+    result = std::hypot(result, std::abs(difference));
+  return result;
+}
+
+// ---- doubles
+
+/// Real and imaginary parts of a vector; null: it is real.
+struct Vector {
+  const Eigen::Vector3d re;
+  const Eigen::Vector3d im;
+};
+
+Vector point_of(const Figure& figure, Eigen::Index point) {
+  return {figure.points.col(point), figure.imaginary.cols() == 0
+                                        ? Eigen::Vector3d::Zero()
+                                        : Eigen::Vector3d(figure.imaginary.col(point))};
+}
+
+double distance(const Vector& a, const Vector& b, const AxisSigns& signs, int sign = 1) {
+  Differences differences;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double s = sign * signs[static_cast<std::size_t>(axis)];
+    differences[static_cast<std::size_t>(axis)] = {a.re[axis] - s * b.re[axis], a.im[axis] - s * b.im[axis]};
+  }
+  return length(differences);
+}
+
+Vector line_part(const Figure& figure, std::size_t line, Eigen::Vector3d LinePosition::*part) {
+  return {figure.lines[line].*part,
+          figure.is_real() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(figure.imaginary_lines[line].*part)};
+}
+
+// ---- decimals
+
+/// Four bits a digit, of the longest text.
+slong bits_of(const DecimalNumber& number) {
+  return 64 + 4 * static_cast<slong>(std::max(number.re.size(), number.im.size()));
+}
+
+double part_difference(const std::string& a, const std::string& b, int sign, slong bits) {
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  arb_set_str(x, a.c_str(), bits);
+  arb_set_str(y, b.c_str(), bits);
+  if (sign > 0)
+    arb_sub(x, x, y, bits);
+  else
+    arb_add(x, x, y, bits);
+  const double difference = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+  arb_clear(x);
+  arb_clear(y);
+  return difference;
+}
+
+double distance(const DecimalVector& a, const DecimalVector& b, const AxisSigns& signs, int sign = 1) {
+  Differences differences;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const slong bits = std::max(bits_of(a[axis]), bits_of(b[axis]));
+    differences[axis] = {part_difference(a[axis].re, b[axis].re, sign * signs[axis], bits),
+                         part_difference(a[axis].im, b[axis].im, sign * signs[axis], bits)};
+  }
+  return length(differences);
+}
+
+std::string decimal(double value) { return fmt::format("{:.40g}", value); }
+
+DecimalVector decimals_of(const Vector& vector) {
+  DecimalVector decimals;
+  for (int axis = 0; axis < 3; ++axis)
+    decimals[static_cast<std::size_t>(axis)] = {decimal(vector.re[axis]), decimal(vector.im[axis])};
+  return decimals;
+}
+
+}  // namespace
+
+std::vector<AxisSigns> mirror_images(const Scene& scene) {
+  std::vector<AxisSigns> images;
+  const int count = scene.is_anchored() ? 1 : 1 << scene.dimension();
+  for (int mask = 0; mask < count; ++mask)
+    images.push_back({(mask & 1) != 0 ? -1 : 1, (mask & 2) != 0 ? -1 : 1, (mask & 4) != 0 ? -1 : 1});
+  return images;
+}
+
+double largest_distance(const Figure& a, const Figure& b, const AxisSigns& signs, double size) {
+  double largest = 0;
+  for (Eigen::Index i = 0; i < a.points.cols(); ++i)
+    largest = std::max(largest, distance(point_of(a, i), point_of(b, i), signs));
+  for (std::size_t i = 0; i < a.lines.size(); ++i) {
+    const auto apart = [&](Eigen::Vector3d LinePosition::*part, int sign) {
+      return distance(line_part(a, i, part), line_part(b, i, part), signs, sign);
+    };
+    const double turn = std::min(apart(&LinePosition::direction, 1), apart(&LinePosition::direction, -1));
+    largest = std::max({largest, apart(&LinePosition::point, 1), size * turn});
+  }
+  return largest;
+}
+
+double least_distance(const Figure& a, const Figure& b, std::span<const AxisSigns> images, double size) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const AxisSigns& signs : images) least = std::min(least, largest_distance(a, b, signs, size));
+  return least;
+}
+
+double largest_distance(const DecimalFigure& a, const DecimalFigure& b, const AxisSigns& signs, double size) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+    largest = std::max(largest, distance(a.points[i], b.points[i], signs));
+  for (std::size_t i = 0; i < a.lines.size(); ++i) {
+    const double turn = std::min(distance(a.lines[i].direction, b.lines[i].direction, signs),
+                                 distance(a.lines[i].direction, b.lines[i].direction, signs, -1));
+    largest = std::max({largest, distance(a.lines[i].point, b.lines[i].point, signs), size * turn});
+  }
+  return largest;
+}
+
+Figure figure_of(const DecimalFigure& decimals) {
+  const auto count = static_cast<Eigen::Index>(decimals.points.size());
+  Figure figure{Eigen::Matrix3Xd::Zero(3, count), {}};
+  Eigen::Matrix3Xd imaginary = figure.points;
+  bool is_real = true;
+  const auto read = [&](const DecimalVector& vector, double* re, double* im) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      re[axis] = std::strtod(vector[axis].re.c_str(), nullptr);
+      im[axis] = std::strtod(vector[axis].im.c_str(), nullptr);
+      is_real = is_real && vector[axis].im == "0";
+    }
+  };
+  for (Eigen::Index i = 0; i < count; ++i)
+    read(decimals.points[static_cast<std::size_t>(i)], figure.points.col(i).data(), imaginary.col(i).data());
+  std::vector<LinePosition> imaginary_lines;
+  for (const DecimalFigure::Line& line : decimals.lines) {
+    LinePosition& re = figure.lines.emplace_back();
+    LinePosition& im = imaginary_lines.emplace_back();
+    read(line.point, re.point.data(), im.point.data());
+    read(line.direction, re.direction.data(), im.direction.data());
+  }
+  if (is_real) return figure;
+  figure.imaginary = std::move(imaginary);
+  figure.imaginary_lines = std::move(imaginary_lines);
+  return figure;
+}
+
+DecimalFigure decimals_of(const Figure& figure) {
+  DecimalFigure decimals;
+  for (Eigen::Index i = 0; i < figure.points.cols(); ++i)
+    decimals.points.push_back(decimals_of(point_of(figure, i)));
+  for (std::size_t i = 0; i < figure.lines.size(); ++i)
+    decimals.lines.push_back({decimals_of(line_part(figure, i, &LinePosition::point)),
+                              decimals_of(line_part(figure, i, &LinePosition::direction))});
+  return decimals;
+}
+
+}  // namespace gcs

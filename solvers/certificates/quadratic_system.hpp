@@ -1,0 +1,42 @@
+#pragma once
+/// Square systems of quadratic equations with exactly known coefficients: what certificates speak about.
+
+#include <vector>
+
+#include "solvers/numeric/exact_number.hpp"
+
+namespace gcs {
+
+/// coefficient·x[unknown]
+struct ScaledUnknown {
+  int unknown = 0;
+  ExactNumber coefficient = exactly(1);
+};
+
+/// Σ terms + constant
+struct LinearForm {
+  std::vector<ScaledUnknown> terms;
+  ExactNumber constant{};
+};
+
+struct FormProduct {
+  LinearForm left;
+  LinearForm right;
+};
+
+/// Σ left·right = given
+struct QuadraticEquation {
+  std::vector<FormProduct> products;
+  ExactNumber given{};
+};
+
+/// As many equations as unknowns.
+struct QuadraticSystem {
+  int unknowns = 0;
+  std::vector<QuadraticEquation> equations;
+  /// Changing the signs of all unknowns with the same number ≥ 0 leads from solutions to solutions that are
+  /// not counted apart; −1: the unknown's sign stays. One per unknown.
+  std::vector<int> mirror;
+};
+
+}  // namespace gcs

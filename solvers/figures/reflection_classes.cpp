@@ -1,0 +1,218 @@
+#include "solvers/figures/reflection_classes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "solvers/figures/congruence.hpp"
+#include "solvers/model/complex_lines.hpp"
+#include "solvers/model/complex_points.hpp"
+
+namespace gcs {
+namespace {
+
+/// Numbers that are equal for two figures if and only if the figures are the same class; a small change of
+/// the figure changes each by as little.
+using Signature = std::vector<double>;
+
+Eigen::Vector3d foot(const LinePosition& line, const Eigen::Vector3d& point) {
+  return line.point + line.direction * line.direction.dot(point - line.point);
+}
+
+/// The points of the figure, then of every line the feet of the perpendiculars from all points.
+std::vector<Eigen::Vector3d> points_and_feet(const Figure& figure) {
+  std::vector<Eigen::Vector3d> result;
+  for (Eigen::Index i = 0; i < figure.points.cols(); ++i) result.push_back(figure.points.col(i));
+  for (const LinePosition& line : figure.lines) {
+    for (Eigen::Index i = 0; i < figure.points.cols(); ++i)
+      result.push_back(foot(line, figure.points.col(i)));
+  }
+  return result;
+}
+
+/// Length of the chord between two unit vectors up to sign: unlike a cosine it feels small angles.
+double chord(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+  return std::min((u - v).norm(), (u + v).norm());
+}
+
+Signature distances(const Figure& figure, double size) {
+  Signature signature;
+  const std::vector<Eigen::Vector3d> points = points_and_feet(figure);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = i + 1; j < points.size(); ++j) signature.push_back((points[i] - points[j]).norm());
+  }
+  for (std::size_t i = 0; i < figure.lines.size(); ++i) {
+    for (std::size_t j = i + 1; j < figure.lines.size(); ++j) {
+      signature.push_back(size * chord(figure.lines[i].direction, figure.lines[j].direction));
+    }
+  }
+  return signature;
+}
+
+/// Of a line the point nearest to the origin and the products u_i u_j, which no sign of u changes.
+Signature coordinates(const Figure& figure, double size) {
+  Signature signature;
+  const auto append = [&](const auto& values) {
+    signature.insert(signature.end(), values.begin(), values.end());
+  };
+  append(figure.points.reshaped());
+  for (const LinePosition& line : figure.lines) {
+    append(foot(line, Eigen::Vector3d::Zero()));
+    append((size * line.direction * line.direction.transpose()).eval().reshaped());
+  }
+  return signature;
+}
+
+/// As points_and_feet for a complex figure.
+ComplexPoints complex_points_and_feet(const Figure& figure) {
+  const ComplexPoints points = complex_points(figure);
+  const std::vector<ComplexLine> lines = complex_lines(figure);
+  const Eigen::Index n = points.cols();
+  ComplexPoints result(3, n * (1 + static_cast<Eigen::Index>(lines.size())));
+  result.leftCols(n) = points;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (Eigen::Index p = 0; p < n; ++p)
+      result.col(n * (static_cast<Eigen::Index>(i) + 1) + p) = foot(lines[i], points.col(p));
+  return result;
+}
+
+/// Of a complex figure with one line at most the squared distances, real and imaginary parts, over the size:
+/// the group is that of complex rotations and reflections. Twice as many numbers as a real figure has, and so
+/// never equal to one.
+Signature squared_distances(const Figure& figure, double size) {
+  Signature signature;
+  const ComplexPoints points = complex_points_and_feet(figure);
+  for (int a = 0; a < static_cast<int>(points.cols()); ++a) {
+    for (int b = 0; b < a; ++b) {
+      const std::complex<double> square = squared_distance(points, a, b) / size;
+      signature.insert(signature.end(), {square.real(), square.imag()});
+    }
+  }
+  return signature;
+}
+
+/// As `coordinates`, real and imaginary parts: twice as many numbers as a real figure has.
+Signature complex_coordinates(const Figure& figure, double size) {
+  Signature signature;
+  const auto append = [&](const auto& values) {
+    for (const std::complex<double>& value : values)
+      signature.insert(signature.end(), {value.real(), value.imag()});
+  };
+  append(complex_points(figure).reshaped());
+  for (const ComplexLine& line : normalised(complex_lines(figure))) {
+    append(line.point);
+    append((size * line.direction * line.direction.transpose()).eval().reshaped());
+  }
+  return signature;
+}
+
+/// Of a line the feet of the perpendiculars.
+ComplexPoints points_to_place(const Figure& figure) {
+  if (!figure.is_real()) return complex_points_and_feet(figure);
+  const std::vector<Eigen::Vector3d> real = points_and_feet(figure);
+  ComplexPoints points(3, static_cast<Eigen::Index>(real.size()));
+  for (std::size_t i = 0; i < real.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) = real[i].cast<std::complex<double>>();
+  return points;
+}
+
+Signature signature_of(const Scene& scene, const Figure& figure) {
+  if (!figure.is_real())
+    return scene.is_anchored() ? complex_coordinates(figure, scene.size())
+                               : squared_distances(figure, scene.size());
+  return scene.is_anchored() ? coordinates(figure, scene.size()) : distances(figure, scene.size());
+}
+
+bool equal(const Signature& a, const Signature& b, double tolerance) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [tolerance](double x, double y) { return std::abs(x - y) <= tolerance; });
+}
+
+/// Bounds the partial sums of the signature, to which the rounding of its total is relative.
+double magnitude(const Signature& signature) {
+  return std::accumulate(signature.begin(), signature.end(), 0.0,
+                         [](double sum, double value) { return sum + std::abs(value); });
+}
+
+/// The classes found so far, ordered by the sum of the first figure's signature: equal figures have close
+/// sums. Classes of different tolerance, to a factor of ten, are kept apart, so that coarse ones do not widen
+/// the search for all.
+class ClassIndex {
+ public:
+  /// The first class that the signature equals and that may be the figure's, or −1.
+  template <typename MayBe>
+  int find(const Signature& signature, double tolerance, MayBe may_be) const {
+    const double sum = total(signature);
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * magnitude(signature);
+    int found = -1;
+    for (const auto& [bound, classes] : by_tolerance_) {
+      const double window = static_cast<double>(signature.size()) * (std::max(tolerance, bound) + rounding);
+      const auto end = classes.upper_bound(sum + window);
+      for (auto entry = classes.lower_bound(sum - window); entry != end; ++entry) {
+        const Member& first = entry->second;
+        if ((found < 0 || first.number < found) &&
+            equal(signature, first.signature, std::max(tolerance, first.tolerance)) && may_be(first.number))
+          found = first.number;
+      }
+    }
+    return found;
+  }
+
+  void add(int number, Signature signature, double tolerance) {
+    const double sum = total(signature);
+    by_tolerance_[next_power_of_ten(tolerance)].emplace(sum, Member{number, tolerance, std::move(signature)});
+  }
+
+ private:
+  struct Member {
+    int number = 0;
+    double tolerance = 0;
+    Signature signature{};
+  };
+
+  static double next_power_of_ten(double tolerance) {
+    return tolerance > 0 ? std::max(tolerance, std::pow(10, std::ceil(std::log10(tolerance)))) : 0;
+  }
+
+  static double total(const Signature& signature) {
+    return std::accumulate(signature.begin(), signature.end(), 0.0);
+  }
+
+  std::map<double, std::multimap<double, Member>> by_tolerance_;
+};
+
+}  // namespace
+
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance) {
+  return reflection_classes(scene, figures, std::vector<ClassTolerance>(figures.size(), {tolerance}));
+}
+
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures,
+                                     std::span<const ClassTolerance> tolerances) {
+  ReflectionClasses classes;
+  ClassIndex index;
+  for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
+    const double tolerance = tolerances[i].distances * scene.size();
+    Signature signature = signature_of(scene, figures[i]);
+    const auto may_be = [&](int number) {
+      const int first = classes.first[number];
+      const double places = std::max(tolerances[i].places, tolerances[first].places) * scene.size();
+      return scene.is_anchored() || !std::isfinite(places) ||
+             may_be_congruent(points_to_place(figures[i]), points_to_place(figures[first]), places);
+    };
+    const bool finite = std::isfinite(magnitude(signature));  // else its sum has no place in an order
+    int found = finite ? index.find(signature, tolerance, may_be) : -1;
+    if (found < 0) {
+      found = classes.count();
+      classes.first.push_back(i);
+      if (finite) index.add(found, std::move(signature), tolerance);
+    }
+    classes.class_of.push_back(found);
+  }
+  return classes;
+}
+
+}  // namespace gcs

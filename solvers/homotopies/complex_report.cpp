@@ -1,0 +1,304 @@
+#include "solvers/homotopies/complex_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "solvers/certificates/near_solutions.hpp"
+#include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/certificates/proven_error.hpp"
+#include "solvers/certificates/scene_equations.hpp"
+#include "solvers/figures/complex_distances.hpp"
+#include "solvers/figures/fold_solutions.hpp"
+#include "solvers/figures/reflection_classes.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/homotopies/close_pair.hpp"
+#include "solvers/homotopies/distinct_ends.hpp"
+#include "solvers/homotopies/shortcomings.hpp"
+#include "solvers/model/distance_system.hpp"
+#include "solvers/model/wide_reference.hpp"
+
+namespace gcs {
+namespace {
+
+/// How far from the reals Newton's method in R may find the solution of a regular end.
+constexpr double next_to_real = 1e-9;
+
+/// How far the rounding of the lengths to the doubles that paths are followed for moves a regular solution.
+double moved_by_rounding(const Scene& scene, const Figure& figure) {
+  return 4 * std::numeric_limits<double>::epsilon() * jacobian_condition(scene, figure) * scene.size();
+}
+
+/// How far from the reals x may be and be taken for a real point: `nearby`, relative to 1 + the largest
+/// |x_i|.
+double real_tolerance(const ComplexVectorX& x, double nearby) {
+  double size = 0;
+  for (const std::complex<double>& value : x) size = std::max(size, std::abs(value));
+  return nearby * (1 + size);
+}
+
+/// The real part of x, if the rest is within `tolerance`.
+std::optional<Eigen::VectorXd> real_part(const ComplexVectorX& x, double tolerance) {
+  const auto is_off = [&](const std::complex<double>& value) { return std::abs(value.imag()) > tolerance; };
+  if (std::any_of(x.begin(), x.end(), is_off)) return std::nullopt;
+  Eigen::VectorXd real(static_cast<Eigen::Index>(x.size()));
+  for (std::size_t i = 0; i < x.size(); ++i) real[static_cast<Eigen::Index>(i)] = x[i].real();
+  return real;
+}
+
+Figure complex_figure(const DistanceSystem& system, const ComplexVectorX& x) {
+  return complex_figure(system,
+                        Eigen::VectorXcd(Eigen::Map<const Eigen::VectorXcd>(x.data(), system.unknowns())));
+}
+
+/// Whether doubles are known to lie next to different solutions, eight times further apart than the rounding
+/// of each may leave it from its own, and whether each is known to be real or not to be.
+bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  double uncertain = 0;
+  for (const Figure& figure : figures) {
+    const double stretch = std::max(1.0, extent(figure) / scene.size());
+    uncertain = std::max(uncertain, 8 * rounding * jacobian_condition(scene, figure) * stretch * stretch);
+    if (!figure.is_real() && figure.imaginary.cwiseAbs().maxCoeff() <= next_to_real * stretch) return false;
+  }
+  double apart = (figures[0].points - figures[1].points).cwiseAbs().maxCoeff();
+  if (!figures[0].is_real() && !figures[1].is_real())
+    apart = std::max(apart, (figures[0].imaginary - figures[1].imaginary).cwiseAbs().maxCoeff());
+  return apart > uncertain * scene.size();
+}
+
+PathRecord record_of(const PathEnd& end) {
+  PathRecord record;
+  switch (end.kind) {
+    case PathEnd::Kind::regular:
+      record.end = PathRecord::End::regular;
+      break;
+    case PathEnd::Kind::singular:
+      record.end = PathRecord::End::singular;
+      break;
+    case PathEnd::Kind::at_infinity:
+      record.end = PathRecord::End::at_infinity;
+      break;
+    case PathEnd::Kind::failed:
+      record.end = PathRecord::End::failed;
+      break;
+    case PathEnd::Kind::stopped:
+      record.end = PathRecord::End::stopped;
+      break;
+  }
+  record.cause = end.cause;
+  if (end.kind == PathEnd::Kind::failed || end.kind == PathEnd::Kind::stopped) return record;
+  record.winding_number = end.winding_number;
+  record.pole_order = end.pole_order;
+  return record;
+}
+
+/// A condition number that leaves three digits or fewer of a correction along the Jacobian's near kernel.
+constexpr double rank_lost = 1e13;
+
+/// Of distances, relative to the scene's size: more than any solutions are merged by (merging_tolerance).
+constexpr double neighbourhood = 2e-5;
+
+/// Below this condition number no solution is so near another that doubles do not tell them apart.
+constexpr double regular = 1e4;
+
+bool is_multiple_solution(const Scene& scene, const Figure& figure) {
+  return relative_residual(scene, figure) <= double_root_residual &&
+         jacobian_condition(scene, figure) >= regular;
+}
+
+/// Makes the report of the ends of all paths.
+class ComplexReporter {
+ public:
+  ComplexReporter(const Scene& scene, const DistanceSystem& system) : scene_(scene), system_(system) {
+    report_.claim = Claim::all_complex;
+  }
+
+  SolveReport run(const std::vector<PathEnd>& ends, const WorkCounters& work, std::mt19937_64& random) {
+    report_.work = work;
+    const DistinctEnds distinct(ends, mirror_axes(scene_, system_), random);
+    missing_.jumps = distinct.jumps();
+    for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
+    prove_neighbours();
+    for (const PathEnd& end : ends) add_path(end);
+    const bool stopped =
+        std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
+    report_.reason = stopped ? "stopped on the way" : missing_.in_words();
+    report_.status = stopped                  ? SolveStatus::stopped
+                     : report_.reason.empty() ? SolveStatus::complete
+                                              : SolveStatus::partial;
+    return std::move(report_);
+  }
+
+ private:
+  void add_end(const DistinctEnds& distinct, int i) {
+    const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
+    const Figure figure = is_singular ? singular_figure(distinct[i]) : figure_of(distinct[i], next_to_real);
+    const bool is_isolated = !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
+    missing_.too_far += loses_distances(scene_, figure);
+    missing_.lonely += is_lonely;
+    missing_.not_isolated += !is_isolated;
+    if (!is_singular)
+      add_proven(figure);
+    else if (is_isolated)
+      add_meeting(distinct[i], distinct.paths(i), figure);
+    else
+      add_multiple(figure, distinct.paths(i));
+  }
+
+  /// An end at which paths met: solutions next to it, or a multiple one.
+  void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure) {
+    bool is_in_between = !is_multiple_solution(scene_, figure);
+    if (paths == 2) {
+      const std::optional<FoldSolutions> fold = fold_at(nearly_real(x));
+      if (fold && add_proven_pair(*fold)) return;
+      is_in_between |= fold.has_value();
+      if (is_in_between && add_close_pair(x)) return;
+    }
+    if (const auto near = settled_near(x, paths)) {
+      if (std::ssize(near->simple) == paths) return add_simple(near->simple);
+      is_in_between = near->count() != paths;
+    }
+    missing_.in_between += is_in_between;
+    add_multiple(figure, paths);
+  }
+
+  /// What the file's own numbers make of the place at which so many paths met, if certificates reach it.
+  std::optional<SettledSolutions> settled_near(const ComplexVectorX& x, int paths) {
+    if (paths < 2 || why_not_certified(scene_)) return std::nullopt;
+    const SceneEquations equations(scene_);
+    if (equations.coordinates(complex_figure(system_, x)) != x) return std::nullopt;
+    return settle(equations.system(), {{x, paths}}, paths, {});
+  }
+
+  void add_simple(const std::vector<Certificate>& solutions) {
+    const SceneEquations equations(scene_);
+    std::vector<Candidate> simple;
+    for (const Certificate& solution : solutions) {
+      const ComplexVectorX& mid = solution.enclosure.mid;
+      const bool is_real = solution.realness == Certificate::Realness::real;
+      const Figure figure = is_real ? system_.figure(*real_part(mid, std::numeric_limits<double>::infinity()))
+                                    : complex_figure(system_, mid);
+      simple.push_back({figure, 1, equations.distance(figure, solution)});
+    }
+    missing_.in_between += !are_different_classes(scene_, simple);
+    report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
+  }
+
+  /// Of complex ones those that have neighbours are proven when all are known.
+  void add_proven(const Figure& figure) {
+    report_.candidates.push_back({figure, 1});
+    Candidate& candidate = report_.candidates.back();
+    if (figure.is_real()) candidate.error = proven_error(scene_, squares_, figure);
+  }
+
+  /// Of simple complex solutions that their distances alone may not tell apart. There are few.
+  void prove_neighbours() {
+    std::vector<Candidate*> complex;
+    std::vector<Figure> figures;
+    for (Candidate& candidate : report_.candidates)
+      if (!candidate.figure.is_real() && candidate.multiplicity == 1 && !std::isfinite(candidate.error)) {
+        complex.push_back(&candidate);
+        figures.push_back(candidate.figure);
+      }
+    const ReflectionClasses alike = reflection_classes(scene_, figures, neighbourhood);
+    std::vector<int> members(static_cast<std::size_t>(alike.count()), 0);
+    for (const int one : alike.class_of) ++members[one];
+    for (std::size_t i = 0; i < complex.size(); ++i)
+      if (members[alike.class_of[i]] > 1) complex[i]->error = proven_error(scene_, squares_, figures[i]);
+  }
+
+  void add_multiple(const Figure& figure, int multiplicity) {
+    report_.candidates.push_back({figure, multiplicity, std::numeric_limits<double>::infinity()});
+  }
+
+  /// The real part of a singular end, if the end is nearly real.
+  static std::optional<Eigen::VectorXd> nearly_real(const ComplexVectorX& x) {
+    return real_part(x, real_tolerance(x, singular_uncertainty));
+  }
+
+  /// What there is next to a real part, if there is one.
+  std::optional<FoldSolutions> fold_at(const std::optional<Eigen::VectorXd>& real) {
+    return real ? solutions_at_fold(system_, squares_, *real, report_.work) : std::nullopt;
+  }
+
+  /// Whether there are real ones, and it is proven which solutions they are.
+  bool add_proven_pair(const FoldSolutions& fold) {
+    std::vector<Candidate> pair;
+    for (const Eigen::VectorXd& x : fold.x) {
+      const Figure figure = system_.figure(x);
+      pair.push_back({figure, 1, proven_error(scene_, squares_, figure)});
+      if (!std::isfinite(pair.back().error)) return false;
+    }
+    report_.candidates.insert(report_.candidates.end(), pair.begin(), pair.end());
+    return !pair.empty();
+  }
+
+  /// Whether two solutions next to x are told apart.
+  bool add_close_pair(const ComplexVectorX& x) {
+    const auto pair = close_pair(system_, squares_, x);
+    if (!pair) return false;
+    const std::array figures{figure_of((*pair)[0], next_to_real), figure_of((*pair)[1], next_to_real)};
+    if (!are_told_apart(scene_, figures)) return false;
+    for (const Figure& figure : figures) add_proven(figure);
+    return true;
+  }
+
+  void add_path(const PathEnd& end) {
+    report_.paths.push_back(record_of(end));
+    if (end.kind != PathEnd::Kind::failed) return;
+    LostPaths& lost = missing_.lost[end.cause];
+    ++lost.count;
+    const Figure where = complex_figure(system_, end.x);
+    if (std::isfinite(extent(where)))
+      lost.condition = std::max(lost.condition, jacobian_condition(scene_, where));
+  }
+
+  /// Newton's method does not settle where a column of the Jacobian vanishes, as at a figure that is its own
+  /// mirror image: there the exact lengths decide whether it is real, and where they do not, to rounding, it
+  /// is one that the real part is.
+  Figure singular_figure(const ComplexVectorX& x) {
+    const Figure figure = figure_of(x, singular_uncertainty);
+    const std::optional<Eigen::VectorXd> real = nearly_real(x);
+    if (figure.is_real() || !real) return figure;
+    if (const auto fold = fold_at(real)) return fold->x.empty() ? figure : system_.figure(fold->x.front());
+    const Figure flat = system_.figure(*real);
+    return relative_residual(scene_, flat) <= double_root_residual ? flat : figure;
+  }
+
+  Figure figure_of(const ComplexVectorX& x, double nearby) const {
+    const std::optional<Figure> real = real_figure(x, nearby);
+    return real ? *real : complex_figure(system_, x);
+  }
+
+  /// The real solution next to x, if there is one.
+  std::optional<Figure> real_figure(const ComplexVectorX& x, double nearby) const {
+    const double tolerance = real_tolerance(x, nearby);
+    const std::optional<Eigen::VectorXd> start = real_part(x, tolerance);
+    if (!start) return std::nullopt;
+    Eigen::VectorXd real = *start;
+    if (!refine(system_, squares_, real).converged) return std::nullopt;
+    const Figure figure = system_.figure(real);
+    const double moved = (real - *start).cwiseAbs().maxCoeff();
+    if (moved <= tolerance) return figure;
+    const bool is_regular_end = nearby < singular_uncertainty;
+    return is_regular_end && moved <= moved_by_rounding(scene_, figure) ? std::optional(figure)
+                                                                        : std::nullopt;
+  }
+
+  const Scene& scene_;
+  const DistanceSystem& system_;
+  const std::vector<DoubleDouble> squares_ = target_squares(scene_);
+  Shortcomings missing_;
+  SolveReport report_;
+};
+
+}  // namespace
+
+SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
+                           const WorkCounters& work, std::mt19937_64& random) {
+  return ComplexReporter(scene, system).run(ends, work, random);
+}
+
+}  // namespace gcs

@@ -1,0 +1,20 @@
+#pragma once
+/// From the ends of paths to solutions of a scene, with what they prove or leave open.
+
+#include <random>
+#include <vector>
+
+#include "solvers/homotopies/endgame.hpp"
+#include "solvers/interface/strategy_interface.hpp"
+#include "solvers/lanes/square_system.hpp"
+
+namespace gcs {
+
+/// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
+/// Newton's method on the real part agrees; a record for every path. The status is partial where paths
+/// failed, where two ended at one regular solution (a step has jumped), where the conjugate of a finite end
+/// is not among the ends, or where a singular end is no multiple solution but lies between some.
+SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
+                           const WorkCounters& work, std::mt19937_64& random);
+
+}  // namespace gcs

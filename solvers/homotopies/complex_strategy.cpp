@@ -1,0 +1,175 @@
+#include "solvers/homotopies/complex_strategy.hpp"
+
+#include <limits>
+
+#include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/homotopies/complex_report.hpp"
+#include "solvers/homotopies/released_report.hpp"
+#include "solvers/interface/options.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr std::string_view instruction_sets = "auto|portable|avx2|avx512";
+constexpr std::string_view ways_with_images = "divided|followed";
+
+InstructionSet read_instruction_set(const OptionMap& options) {
+  const int choice = choice_option(options, "instructions", instruction_sets);
+  if (choice == 0) return widest_instruction_set();
+  const auto set = static_cast<InstructionSet>(choice - 1);
+  if (!is_available(set))
+    throw OptionError("option instructions=" + options.find("instructions")->second +
+                      ": this machine does not have them; auto takes the widest that it has");
+  return set;
+}
+
+/// The squared lengths that the file gives.
+ComplexVectorX given_squares(const Scene& scene) {
+  ComplexVectorX squares;
+  for (const DoubleDouble& square : target_squares(scene)) squares.push_back(square.value());
+  return squares;
+}
+
+void add_start(const GenericStart& start, SolveReport& report) {
+  report.particulars = start.particulars();
+  const std::string missing = start.missing();
+  if (missing.empty()) {
+    report.generic = start.solutions().size();
+    report.generic_member = GenericMember{start.squares(), start.solutions()};
+    return;
+  }
+  report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
+  if (report.status != SolveStatus::stopped)
+    report.status = start.is_stopped() ? SolveStatus::stopped : SolveStatus::partial;
+}
+
+/// With two mirror images for each doubling.
+std::optional<std::uint64_t> most_classes(const Scene& scene, int doublings) {
+  const TheoreticalCounts counts = theoretical_counts(scene.problem());
+  const SolutionCount* limit = counts.upper_limit();
+  if (!limit) return std::nullopt;
+  const Natural classes = limit->up_to_reflection() * Natural::power_of_two(doublings);
+  if (classes > Natural(std::numeric_limits<std::uint32_t>::max())) return std::nullopt;
+  return static_cast<std::uint64_t>(classes.approximate());
+}
+
+ClassLimit limit_of(const Scene& scene) {
+  return [&scene] { return most_classes(scene, 0); };
+}
+
+/// Wherever the given points are, the given scene has no more isolated solutions than its limit.
+ClassLimit limit_of(const ReleasedScene& released, const Scene& given) {
+  return [&] { return most_classes(given, released.doublings()); };
+}
+
+bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
+
+SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
+  return {scene,           request.seed,    request.threads, request.stop,
+          request.monitor, request.journal, request.starts};
+}
+
+}  // namespace
+
+std::vector<OptionSpec> tracking_option_specs() {
+  return {{"order", "12", "whole number from 4 to 40", "of the Taylor predictor"},
+          {"tolerance", "1e-6", "number from 1e-12 to 1e-3",
+           "error of a prediction, relative to how far the path goes until its series diverges"},
+          {"precision", "auto", "auto|twice",
+           "twice: every path in about 106 bits; auto: where 53 do not suffice"},
+          {"mirror_images", "divided", ways_with_images,
+           "followed: on the way to random lengths they are followed too, for the same solutions"},
+          {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them",
+           false, false}};
+}
+
+std::vector<OptionMap> tracking_accuracy_settings() {
+  return {{{"tolerance", "1e-4"}},
+          {{"tolerance", "1e-8"}},
+          {{"tolerance", "1e-10"}},
+          {{"order", "8"}},
+          {{"order", "20"}}};
+}
+
+TrackingSetup tracking_setup(const OptionMap& options) {
+  TrackingSetup setup;
+  setup.options.order = static_cast<int>(integer_option(options, "order", 4, 40));
+  setup.options.tolerance = number_option(options, "tolerance", 1e-12, 1e-3);
+  setup.all_wide = choice_option(options, "precision", "auto|twice") == 1;
+  setup.set = read_instruction_set(options);
+  return setup;
+}
+
+GenericStart::GenericStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup)
+    : random(seed),
+      coordinates(scene),
+      system(square_system(coordinates)),
+      elimination(order_elimination(system, random)),
+      tracking(system, elimination, setup) {}
+
+ComplexStrategy::ComplexStrategy(const OptionMap& options)
+    : setup_(tracking_setup(options)),
+      follows_mirror_images_(choice_option(options, "mirror_images", ways_with_images) == 1) {}
+
+std::optional<std::string> ComplexStrategy::why_unsupported(const Scene& scene) const {
+  if (scene.problem().lines.size() > 1) return "it places one line at most";
+  if (is_released(scene)) return why_not_released(scene);
+  if (scene.has_lines() && scene.reference().line < 0)
+    return "it puts the line on the x-axis, which a reference of points does not allow";
+  return std::nullopt;
+}
+
+void ComplexStrategy::prepare(const SolveRequest& request) {
+  if (!is_released(request.scene)) {
+    prepared_ = solve_at_random_lengths(request, limit_of(request.scene));
+    return;
+  }
+  const ReleasedScene released(request.scene);
+  prepared_ =
+      solve_at_random_lengths(request_on(released.scene(), request), limit_of(released, request.scene));
+}
+
+SolveReport ComplexStrategy::solve(const SolveRequest& request) {
+  if (!is_released(request.scene)) return solve_free(request, limit_of(request.scene));
+  const ReleasedScene released(request.scene);
+  return carried_back(released, request.scene,
+                      solve_free(request_on(released.scene(), request), limit_of(released, request.scene)));
+}
+
+SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const ClassLimit& limit) const {
+  const std::unique_ptr<GenericStart> fresh =
+      is_prepared_for(request.scene) ? nullptr : solve_at_random_lengths(request, limit);
+  GenericStart& start = fresh ? *fresh : *prepared_;
+  const auto stopped = [&] { return request.stop.stop_requested(); };
+  const auto progress = [&](double fraction) {
+    report_progress(request, "paths to the given lengths", fraction);
+  };
+  WorkCounters work = start.work;
+  const ComplexVectorX squares = given_squares(request.scene);
+  const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(start.system, squares, x); };
+  const std::vector<PathEnd> ends = follow_to_end(start.tracking, start.solutions(), start.squares(), squares,
+                                                  is_zero, stopped, progress, work);
+  std::mt19937_64 random(request.seed);
+  SolveReport report = complex_report(request.scene, start.coordinates, ends, work, random);
+  add_start(start, report);
+  return report;
+}
+
+/// What was prepared serves the same equations: which ones a restated scene has depends on the positions.
+bool ComplexStrategy::is_prepared_for(const Scene& scene) const {
+  return prepared_ && prepared_->coordinates.edges() == DistanceSystem(scene).edges();
+}
+
+TrackingSetup ComplexStrategy::setup_for(const SolveRequest& request) const {
+  TrackingSetup setup = setup_;
+  setup.threads = request.threads;
+  setup.journal = request.journal;
+  return setup;
+}
+
+void ComplexStrategy::report_progress(const SolveRequest& request, std::string_view stage, double fraction) {
+  const bool stopped = request.stop.stop_requested();  // what still comes then is not on its way
+  if (request.monitor && !stopped) request.monitor->progress(stage, fraction);
+}
+
+}  // namespace gcs

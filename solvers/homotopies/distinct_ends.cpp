@@ -1,0 +1,37 @@
+#include "solvers/homotopies/distinct_ends.hpp"
+
+namespace gcs {
+namespace {
+
+double uncertainty(bool is_singular) { return is_singular ? singular_uncertainty : regular_uncertainty; }
+
+}  // namespace
+
+DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, std::vector<int> axes, std::mt19937_64& random)
+    : set_(std::move(axes), random) {
+  for (const PathEnd& end : ends) {
+    const bool is_singular = end.kind == PathEnd::Kind::singular;
+    if (!is_singular && end.kind != PathEnd::Kind::regular) continue;
+    const int number = set_.insert(end.x, uncertainty(is_singular));
+    if (number == static_cast<int>(paths_.size())) {
+      paths_.push_back(0);
+      singular_.push_back(false);
+    }
+    ++paths_[number];
+    if (is_singular) singular_[number] = true;
+  }
+}
+
+bool DistinctEnds::has_conjugate(int i) const {
+  ComplexVectorX conjugate = set_[i];
+  for (std::complex<double>& value : conjugate) value = std::conj(value);
+  return set_.find(conjugate, uncertainty(singular_[i])) >= 0;
+}
+
+int DistinctEnds::jumps() const {
+  int count = 0;
+  for (int i = 0; i < size(); ++i) count += !singular_[i] && paths_[i] > 1;
+  return count;
+}
+
+}  // namespace gcs

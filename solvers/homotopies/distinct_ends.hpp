@@ -1,0 +1,37 @@
+#pragma once
+/// The finite ends of paths, each once.
+
+#include <random>
+#include <vector>
+
+#include "solvers/homotopies/endgame.hpp"
+#include "solvers/homotopies/mirror_images.hpp"
+
+namespace gcs {
+
+/// How uncertain a singular end is, relative to 1 + the largest |x_i|: Cauchy's formula is right to the
+/// rounding of its samples, which a double root feels by its square root.
+inline constexpr double singular_uncertainty = 1e-7;
+
+/// The finite ends, distinct up to reflections, with the number of paths that end at each.
+class DistinctEnds {
+ public:
+  /// `axes`: as mirror_axes gives them.
+  DistinctEnds(const std::vector<PathEnd>& ends, std::vector<int> axes, std::mt19937_64& random);
+
+  int size() const { return set_.size(); }
+  const ComplexVectorX& operator[](int i) const { return set_[i]; }
+  int paths(int i) const { return paths_[i]; }
+  /// Whether a path took end i for a singular one.
+  bool is_singular(int i) const { return singular_[i]; }
+  bool has_conjugate(int i) const;
+  /// The number of regular ends at which several paths arrived.
+  int jumps() const;
+
+ private:
+  SolutionSet set_;
+  std::vector<int> paths_;
+  std::vector<bool> singular_;
+};
+
+}  // namespace gcs

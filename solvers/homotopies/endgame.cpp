@@ -1,0 +1,334 @@
+#include "solvers/homotopies/endgame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace gcs {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double first_radius = 0.1;       // where the endgame begins: the last tenth of the way
+constexpr double radius_ratio = 1.0 / 8;   // of one circle to the next
+constexpr double smallest_radius = 1e-13;  // of σ; the arithmetic of higher precision resolves it
+constexpr int corners = 8;                 // samples of a round
+constexpr int most_rounds = 8;             // winding numbers beyond are left to smaller circles
+constexpr double direct_step = 1e-7;       // of the last tenth; a pole not much further from the way is near
+constexpr std::size_t batch = 4096;        // paths between two reports of progress: seconds
+
+/// Circles that enclose other branch points are long and say nothing: a path is walked around once it grows
+/// by a steady power of σ, or where the radius is so small that waiting has not helped.
+constexpr double steady_power = 0.12;  // change of the power from one radius to the next
+constexpr double waiting_ends = 1e-4;
+
+/// Relative to the largest |x_i| on the circle.
+constexpr double closed = 1e-8;       // start and end of a walk are one point
+constexpr double absent = 1e-9;       // a term of the series: rounding and the powers beyond the samples
+constexpr double dominant = 0.5;      // the leading term of a pole, so that its power is not mistaken
+constexpr double agreed_pole = 1e-4;  // two circles' leading coefficients
+constexpr double agreed_end = 1e-8;   // two circles' constant terms
+/// A pole so near σ = 0 is at it, as far as lengths in doubles tell: their rounding moves it by as much.
+constexpr double at_the_end = 1e-15;
+/// A pole that is off in σ^(1/w), which no rounding of lengths explains, must leave the end at least this far
+/// away, where solutions in doubles are not told from infinity.
+constexpr double beyond_doubles = 1e14;
+
+/// σ along a straight line. The way is the difference of the rounded ends, exactly where these are near each
+/// other: near a singular end a sum that misses `end` by rounding would be far from it on the path.
+Route segment(const ComplexVectorX& from, const ComplexVectorX& to, Complex first, Complex last) {
+  Route route;
+  for (std::size_t e = 0; e < to.size(); ++e) {
+    const Complex way = from[e] - to[e];
+    const Complex begin = to[e] + first * way;
+    const Complex end = to[e] + last * way;
+    route.coefficients[0].push_back(begin);
+    route.coefficients[1].push_back(end - begin);
+    route.coefficients[2].push_back(0);
+    route.coefficients[3].push_back(0);
+    route.end.push_back(end);
+  }
+  return route;
+}
+
+/// Sum of samples[k]·e^(−2πi k p/M)/M: the term of power p/w times radius^(p/w).
+ComplexVectorX fourier(const std::vector<ComplexVectorX>& samples, int power) {
+  const int m = static_cast<int>(samples.size());
+  ComplexVectorX sum(samples.front().size());
+  for (int k = 0; k < m; ++k) {
+    const Complex factor = std::polar(1.0 / m, -2 * std::numbers::pi * ((k * power) % m) / m);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * samples[k][i];
+  }
+  return sum;
+}
+
+/// What one circle says about a path.
+struct CircleReading {
+  enum class Kind { finite, pole, unclear };
+  Kind kind = Kind::unclear;
+  int winding_number = 1;
+  int pole_order = 0;        ///< of σ^(−1/w)
+  double pole_shift = 0;     ///< how far from σ = 0 the pole may lie
+  double pole_offset = 0;    ///< the same in σ^(1/w), beside that shift
+  ComplexVectorX leading{};  ///< coefficient of the pole's term, or the constant term
+
+  /// Of a pole: whether it is at σ = 0, to rounding.
+  bool is_at_infinity() const {
+    return pole_shift <= at_the_end && beyond_doubles * std::pow(pole_offset, pole_order) <= largest(leading);
+  }
+};
+
+double largest_sample(const std::vector<ComplexVectorX>& samples) {
+  double scale = 0;
+  for (const ComplexVectorX& sample : samples) scale = std::max(scale, largest(sample));
+  return scale;
+}
+
+/// A pole at σ = −ε in the place of 0 has the terms of lower powers of σ, which fall by a factor ε/radius
+/// each; one at τ = δ, τ = σ^(1/w), has all lower powers of τ, which fall by δ/τ.
+CircleReading read_circle(const std::vector<ComplexVectorX>& samples, double radius) {
+  CircleReading reading;
+  const int m = static_cast<int>(samples.size()), w = m / corners;
+  reading.winding_number = w;
+  const double scale = largest_sample(samples), tau = std::pow(radius, 1.0 / w);
+  std::vector<double> lower;  // sizes of the powers below, from −m/2 on
+  for (int power = -m / 2; power < 0; ++power) {
+    ComplexVectorX term = fourier(samples, power);
+    const double size = largest(term);
+    if (size >= dominant * scale) {
+      reading.kind = CircleReading::Kind::pole;
+      reading.pole_order = -power;
+      for (std::size_t i = 0; i < lower.size(); ++i) {
+        const bool is_shift = (static_cast<int>(lower.size() - i) % w) == 0;
+        double& offset = is_shift ? reading.pole_shift : reading.pole_offset;
+        offset = std::max(offset, (is_shift ? radius : tau) * lower[i] / size);
+      }
+      for (Complex& value : term) value *= std::pow(tau, -power);
+      reading.leading = std::move(term);
+      return reading;
+    }
+    lower.push_back(size);
+  }
+  if (!lower.empty() && *std::max_element(lower.begin(), lower.end()) > absent * scale) return reading;
+  reading.kind = CircleReading::Kind::finite;
+  reading.leading = fourier(samples, 0);
+  return reading;
+}
+
+struct ActivePath {
+  std::size_t number = 0;
+  ComplexVectorX x;  ///< at σ = the current radius
+  std::vector<ComplexVectorX> samples{};
+  std::optional<CircleReading> last{};
+  std::optional<CircleReading>
+      between{};  ///< the last one that two circles agreed on, of an end that is no zero
+  double power = std::numeric_limits<double>::infinity();  ///< x grew like σ^(−power) lately
+  bool is_steady = false;
+  bool is_closed = false;
+  bool is_lost = false;
+};
+
+class Endgame {
+ public:
+  Endgame(LegTracking& tracking, const ComplexVectorX& from, const ComplexVectorX& to,
+          const std::function<bool(const ComplexVectorX&)>& is_zero, const std::function<bool()>& stopped,
+          WorkCounters& work)
+      : tracking_(tracking), from_(from), to_(to), is_zero_(is_zero), stopped_(stopped), work_(work) {}
+
+  std::vector<PathEnd> run(std::span<const ComplexVectorX> starts) {
+    ends_.assign(starts.size(), {});
+    std::vector<ActivePath> paths;
+    for (std::size_t i = 0; i < starts.size(); ++i) paths.push_back({i, starts[i]});
+    advance(paths, 1, first_radius);
+    approach(paths, first_radius, direct_step);
+    for (double radius = first_radius; !paths.empty() && !stopped_(); radius *= radius_ratio) {
+      if (radius < smallest_radius) {
+        approach(paths, radius, 0);
+        drop(paths, "the circles around its end did not agree");
+        break;
+      }
+      walk(paths, radius);
+      decide(paths, radius);
+      arrive_at_regular_ends();
+      advance(paths, radius, radius * radius_ratio);
+    }
+    if (stopped_())
+      for (const ActivePath& path : paths)
+        ends_[path.number] = {PathEnd::Kind::stopped, path.x, 1, 0, true, "stopped on the way"};
+    return std::move(ends_);
+  }
+
+ private:
+  std::vector<LegResult> follow(const std::vector<ActivePath*>& paths, Complex first, Complex last,
+                                double shortest_step) {
+    const Route route = segment(from_, to_, first, last);
+    std::vector<Leg> legs;
+    for (const ActivePath* path : paths) legs.push_back({path->x.data(), &route, shortest_step});
+    return tracking_.follow(legs, stopped_, work_);
+  }
+
+  static std::vector<ActivePath*> pointers(std::vector<ActivePath>& paths) {
+    std::vector<ActivePath*> result;
+    for (ActivePath& path : paths) result.push_back(&path);
+    return result;
+  }
+
+  /// All paths from one σ to another; what is lost on the way has failed.
+  void advance(std::vector<ActivePath>& paths, double first, double last) {
+    const std::vector<LegResult> results = follow(pointers(paths), first, last, 0);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      const double power = std::log(largest(results[i].x) / largest(paths[i].x)) / std::log(first / last);
+      paths[i].is_steady = std::abs(power - paths[i].power) <= steady_power || last <= waiting_ends;
+      paths[i].power = power;
+      paths[i].x = results[i].x;
+      paths[i].is_lost = results[i].state.end != LegEnd::arrived;
+    }
+    if (!stopped_()) remove_lost(paths, "its steps became too small");
+  }
+
+  void remove_lost(std::vector<ActivePath>& paths, const std::string& cause) {
+    std::erase_if(paths, [&](const ActivePath& path) {
+      if (path.is_lost)
+        ends_[path.number] = path.between ? singular_end(*path.between)
+                                          : PathEnd{PathEnd::Kind::failed, path.x, 1, 0, false, cause};
+      return path.is_lost;
+    });
+  }
+
+  void drop(std::vector<ActivePath>& paths, const std::string& cause) {
+    for (ActivePath& path : paths) path.is_lost = true;
+    remove_lost(paths, cause);
+  }
+
+  /// Takes out the paths that simply arrive at σ = 0, with no step shorter than this part of the way.
+  void approach(std::vector<ActivePath>& paths, double radius, double shortest_step) {
+    const std::vector<LegResult> results = follow(pointers(paths), radius, 0, shortest_step);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      if (results[i].state.end == LegEnd::arrived)
+        ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, true, ""};
+    std::erase_if(paths,
+                  [&](const ActivePath& path) { return ends_[path.number].kind == PathEnd::Kind::regular; });
+  }
+
+  /// Rounds of σ = radius·e^(iφ) until every steady path is back at its start.
+  void walk(std::vector<ActivePath>& paths, double radius) {
+    std::vector<ActivePath*> open;
+    for (ActivePath& path : paths) {
+      path.samples.clear();
+      path.is_closed = false;
+      if (path.is_steady) open.push_back(&path);
+    }
+    const auto place = [radius](int corner) {
+      return corner % corners == 0 ? radius : std::polar(radius, 2 * std::numbers::pi * corner / corners);
+    };
+    std::vector<ComplexVectorX> starts;
+    for (const ActivePath& path : paths) starts.push_back(path.x);
+    for (int round = 0; round < most_rounds && !open.empty() && !stopped_(); ++round) {
+      for (int corner = 0; corner < corners; ++corner) {
+        for (ActivePath* path : open) path->samples.push_back(path->x);
+        const std::vector<LegResult> results = follow(open, place(corner), place(corner + 1), 0);
+        for (std::size_t i = 0; i < open.size(); ++i) {
+          open[i]->x = results[i].x;
+          open[i]->is_lost = open[i]->is_lost || results[i].state.end != LegEnd::arrived;
+        }
+        std::erase_if(open, [](const ActivePath* path) { return path->is_lost; });
+      }
+      for (ActivePath* path : open)
+        path->is_closed = distance(path->x, path->samples.front()) <= closed * largest(path->x);
+      std::erase_if(open, [](const ActivePath* path) { return path->is_closed; });
+    }
+    // A walk that did not close goes on from where it began.
+    for (std::size_t i = 0; i < paths.size(); ++i) paths[i].x = starts[i];
+    if (!stopped_()) remove_lost(paths, "its steps became too small around the end");
+  }
+
+  void decide(std::vector<ActivePath>& paths, double radius) {
+    for (ActivePath& path : paths) {
+      if (!path.is_closed) {
+        path.last.reset();
+        continue;
+      }
+      CircleReading reading = read_circle(path.samples, radius);
+      if (path.last) conclude(path, *path.last, reading, radius);
+      path.last = std::move(reading);
+    }
+    std::erase_if(paths,
+                  [&](const ActivePath& path) { return ends_[path.number].kind != PathEnd::Kind::failed; });
+  }
+
+  /// Of a circle that encloses the ends of several paths the constant term lies between these.
+  bool may_lie_between(const CircleReading& reading, double radius) const {
+    return reading.winding_number > 1 && radius * radius_ratio >= smallest_radius &&
+           !is_zero_(reading.leading);
+  }
+
+  void conclude(ActivePath& path, const CircleReading& before, const CircleReading& now, double radius) {
+    if (before.kind != now.kind || before.winding_number != now.winding_number ||
+        before.pole_order != now.pole_order)
+      return;
+    const double change = distance(before.leading, now.leading) / largest(now.leading);
+    if (now.kind == CircleReading::Kind::pole && now.is_at_infinity() && change <= agreed_pole)
+      ends_[path.number] = {PathEnd::Kind::at_infinity, {}, now.winding_number, now.pole_order, true, ""};
+    if (now.kind != CircleReading::Kind::finite || change > agreed_end) return;
+    if (may_lie_between(now, radius))
+      path.between = now;
+    else
+      ends_[path.number] = singular_end(now);
+  }
+
+  static PathEnd singular_end(const CircleReading& reading) {
+    return {PathEnd::Kind::singular, reading.leading, reading.winding_number, 0, false, ""};
+  }
+
+  /// A path that closes after one round and has a constant term may end at a regular point, beside a pole.
+  void arrive_at_regular_ends() {
+    const Route there = segment(from_, to_, 0, 0);
+    std::vector<std::size_t> numbers;
+    std::vector<Leg> legs;
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      if (ends_[i].kind != PathEnd::Kind::singular || ends_[i].winding_number > 1 || ends_[i].is_settled)
+        continue;
+      numbers.push_back(i);
+      legs.push_back({ends_[i].x.data(), &there});
+    }
+    const std::vector<LegResult> results = tracking_.follow(legs, stopped_, work_);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      PathEnd& end = ends_[numbers[i]];
+      end.is_settled = true;
+      if (results[i].state.end != LegEnd::arrived) continue;
+      end.kind = PathEnd::Kind::regular;
+      end.x = results[i].x;
+    }
+  }
+
+  LegTracking& tracking_;
+  const ComplexVectorX& from_;
+  const ComplexVectorX& to_;
+  const std::function<bool(const ComplexVectorX&)>& is_zero_;
+  const std::function<bool()>& stopped_;
+  WorkCounters& work_;
+  std::vector<PathEnd> ends_;
+};
+
+}  // namespace
+
+std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<ComplexVectorX>& starts,
+                                   const ComplexVectorX& from, const ComplexVectorX& to,
+                                   const std::function<bool(const ComplexVectorX&)>& is_zero,
+                                   const std::function<bool()>& stopped,
+                                   const std::function<void(double)>& progress, WorkCounters& work) {
+  std::vector<PathEnd> ends;
+  progress(0);
+  for (std::size_t first = 0; first < starts.size(); first += batch) {
+    const std::size_t count = std::min(batch, starts.size() - first);
+    std::vector<PathEnd> some =
+        Endgame(tracking, from, to, is_zero, stopped, work).run(std::span(starts).subspan(first, count));
+    std::move(some.begin(), some.end(), std::back_inserter(ends));
+    progress(static_cast<double>(ends.size()) / static_cast<double>(starts.size()));
+  }
+  return ends;
+}
+
+}  // namespace gcs

@@ -1,0 +1,92 @@
+#include "solvers/homotopies/mirror_images.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "solvers/homotopies/endgame.hpp"
+
+namespace gcs {
+namespace {
+
+/// What equal solutions may differ by beside their uncertainties, relative to 1 + the largest |x_i|:
+/// rounding.
+constexpr double equality = 1e-9;
+
+}  // namespace
+
+std::vector<int> divided_by_none(const std::vector<int>& axes) { return std::vector<int>(axes.size(), -1); }
+
+int image_count(const std::vector<int>& axes) {
+  int count = 1;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::find(axes.begin(), axes.end(), axis) != axes.end()) count *= 2;
+  return count;
+}
+
+SolutionSet::SolutionSet(std::vector<int> axes, std::mt19937_64& random) : axes_(std::move(axes)) {
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < axes_.size(); ++i) weights_.push_back(normal(random));
+}
+
+/// Of the weighted sums over an axis the square is the same for all reflections.
+SolutionSet::Key SolutionSet::key_of(const ComplexVectorX& x, double uncertainty) const {
+  std::array<std::complex<double>, 3> sums{};
+  std::complex<double> fixed = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    (axes_[i] < 0 ? fixed : sums[axes_[i]]) += weights_[i] * x[i];
+    size += std::abs(weights_[i]) * (std::abs(x[i].real()) + std::abs(x[i].imag()));
+  }
+  Key key;
+  key.value = fixed.real() + fixed.imag();
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::complex<double> square = sums[axis] * sums[axis];
+    key.value += (axis + 1) * (square.real() + square.imag());
+  }
+  // The derivative of the key is at most 12 size + 2 in each weighted unknown.
+  key.window = (equality + uncertainty) * (1 + largest(x)) * static_cast<double>(x.size()) * (12 * size + 2);
+  return key;
+}
+
+bool SolutionSet::equal(const ComplexVectorX& x, const ComplexVectorX& y, double uncertainty) const {
+  const double tolerance = (equality + uncertainty) * (1 + std::max(largest(x), largest(y)));
+  std::array<bool, 4> same{true, true, true, true}, opposite{false, true, true, true};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const int group = axes_[i] + 1;  // 0: no reflection
+    same[group] = same[group] && std::abs(x[i] - y[i]) <= tolerance;
+    opposite[group] = opposite[group] && std::abs(x[i] + y[i]) <= tolerance;
+  }
+  for (int group = 0; group < 4; ++group)
+    if (!same[group] && !opposite[group]) return false;
+  return true;
+}
+
+int SolutionSet::find(const ComplexVectorX& x, double uncertainty) const {
+  // The set's own uncertainties are within the factor 2 of the window, or told apart by `equal`.
+  const Key key = key_of(x, 2 * uncertainty);
+  const auto end = by_key_.upper_bound(key.value + key.window);
+  for (auto entry = by_key_.lower_bound(key.value - key.window); entry != end; ++entry)
+    if (equal(x, solutions_[entry->second], uncertainty + uncertainties_[entry->second]))
+      return entry->second;
+  return -1;
+}
+
+int SolutionSet::insert(const ComplexVectorX& x, double uncertainty) {
+  if (const int known = find(x, uncertainty); known >= 0) return known;
+  const int number = size();
+  solutions_.push_back(x);
+  uncertainties_.push_back(uncertainty);
+  by_key_.emplace(key_of(x, uncertainty).value, number);
+  return number;
+}
+
+std::vector<ComplexVectorX> one_of_each_class(const std::vector<ComplexVectorX>& solutions,
+                                              const std::vector<int>& axes, std::mt19937_64& random) {
+  SolutionSet classes(axes, random);
+  for (const ComplexVectorX& x : solutions) classes.insert(x, regular_uncertainty);
+  return classes.solutions();
+}
+
+}  // namespace gcs

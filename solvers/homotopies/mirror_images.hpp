@@ -1,0 +1,53 @@
+#pragma once
+/// Solutions that differ by a reflection in a coordinate plane of the frame are one class.
+
+#include <map>
+#include <random>
+#include <vector>
+
+#include "solvers/lanes/square_system.hpp"
+
+namespace gcs {
+
+/// As many unknowns whose reflections are not divided out.
+std::vector<int> divided_by_none(const std::vector<int>& axes);
+
+/// How many solutions a class has at generic lengths: 2 to the number of axes.
+int image_count(const std::vector<int>& axes);
+
+/// Distinct solutions of one system, up to reflections in coordinate planes.
+class SolutionSet {
+ public:
+  SolutionSet(std::vector<int> axes, std::mt19937_64& random);
+
+  /// The number of the solution that equals x up to reflections, or −1. `uncertainty`: of x, relative to 1 +
+  /// the largest |x_i|.
+  int find(const ComplexVectorX& x, double uncertainty) const;
+  /// The number of x, which is a new one where `find` knows none.
+  int insert(const ComplexVectorX& x, double uncertainty);
+
+  int size() const { return static_cast<int>(solutions_.size()); }
+  const ComplexVectorX& operator[](int i) const { return solutions_[i]; }
+  const std::vector<ComplexVectorX>& solutions() const { return solutions_; }
+
+ private:
+  struct Key {
+    double value = 0;   ///< changes with no reflection
+    double window = 0;  ///< how far those of equal solutions may be apart
+  };
+
+  Key key_of(const ComplexVectorX& x, double uncertainty) const;
+  bool equal(const ComplexVectorX& x, const ComplexVectorX& y, double uncertainty) const;
+
+  std::vector<int> axes_;
+  std::vector<double> weights_;
+  std::vector<ComplexVectorX> solutions_;
+  std::vector<double> uncertainties_;
+  std::multimap<double, int> by_key_;
+};
+
+/// The first of each class, of solutions that are regular.
+std::vector<ComplexVectorX> one_of_each_class(const std::vector<ComplexVectorX>& solutions,
+                                              const std::vector<int>& axes, std::mt19937_64& random);
+
+}  // namespace gcs

@@ -1,0 +1,205 @@
+#include "solvers/homotopies/monodromy_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gcs {
+namespace {
+
+/// The solutions known for one choice of lengths, and where each arc leads from them.
+struct Node {
+  ComplexVectorX squares;
+  SolutionSet solutions;
+  std::vector<std::vector<int>> images{};  ///< [arc][solution]: of the other node, or a mark below
+  std::vector<int> next{};                 ///< [arc]: solutions before this one have been followed
+
+  static constexpr int open = -1, followed = -2;
+};
+
+/// A leg from solution `solution` of node `node` along arc `arc`.
+struct Task {
+  int node = 0;
+  int arc = 0;
+  int solution = 0;
+};
+
+bool is_homogeneous(const SquareSystem& system) {
+  return system.linear.empty() &&
+         std::all_of(system.differences.begin(), system.differences.end(),
+                     [](const Difference& d) { return d.constant == 0; }) &&
+         std::all_of(system.given.begin(), system.given.end(), [](double given) { return given == 0; });
+}
+
+ComplexVectorX scaled(ComplexVectorX x, std::complex<double> factor) {
+  for (std::complex<double>& value : x) value *= factor;
+  return x;
+}
+
+class Search {
+ public:
+  Search(const HomotopyFamily& family, const MonodromyOptions& options, std::mt19937_64& random)
+      : family_(family), options_(options), random_(random) {
+    const ComplexVectorX start = family.random_point(random);
+    for (const ComplexVectorX& x : {start, family.random_point(random)})
+      nodes_.push_back({squares_at(family.system, x), SolutionSet(family.mirror_axes, random)});
+    add(0, start, 0);
+    found_.squares = nodes_[0].squares;
+    while (static_cast<int>(gammas_.size()) < std::min(options.first_arcs, options.arcs)) add_arc();
+  }
+
+  GenericSolutions run(LegTracking& tracking, const Completeness& completeness,
+                       const std::function<bool()>& stopped, const std::function<void(int)>& progress,
+                       WorkCounters& work) {
+    while (!is_over(completeness) && !stopped()) {
+      const std::vector<Task> tasks = next_tasks();
+      if (tasks.empty()) {
+        if (is_quiet_and_done(completeness)) break;
+        add_arc();
+        continue;
+      }
+      follow(tasks, tracking, stopped, work);
+      progress(nodes_[0].solutions.size());
+    }
+    return found();
+  }
+
+ private:
+  std::uint64_t size() const { return static_cast<std::uint64_t>(nodes_[0].solutions.size()); }
+
+  bool is_over(const Completeness& completeness) {
+    if (!consistent_ || (completeness.count && size() > *completeness.count))
+      found_.end = SearchEnd::inconsistent;
+    else if (completeness.count && size() == *completeness.count)
+      found_.end = SearchEnd::complete;
+    return found_.end != SearchEnd::stopped;
+  }
+
+  /// Precondition: nothing is left to follow.
+  bool is_quiet_and_done(const Completeness& completeness) {
+    if (completeness.test && completeness.test(found()))
+      found_.end = SearchEnd::complete;
+    else if (static_cast<int>(gammas_.size()) == options_.arcs)
+      found_.end = SearchEnd::quiet;
+    return found_.end != SearchEnd::stopped;
+  }
+
+  GenericSolutions found() {
+    found_.solutions = nodes_[0].solutions.solutions();
+    found_.arcs_used = static_cast<int>(gammas_.size());
+    return found_;
+  }
+
+  /// The next legs to follow, at most `legs_at_once`: first what the first arcs have not been tried on.
+  std::vector<Task> next_tasks() {
+    std::vector<Task> tasks;
+    for (int arc = 0; arc < static_cast<int>(gammas_.size()); ++arc)
+      for (int node = 0; node < 2; ++node) take_tasks(node, arc, tasks);
+    return tasks;
+  }
+
+  void follow(const std::vector<Task>& tasks, LegTracking& tracking, const std::function<bool()>& stopped,
+              WorkCounters& work) {
+    std::vector<ComplexVectorX> starts;
+    std::vector<Leg> legs;
+    for (const Task& task : tasks) starts.push_back(start_of(task));
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+      legs.push_back({starts[i].data(), &routes_[2 * tasks[i].arc + tasks[i].node]});
+    const std::vector<LegResult> results = tracking.follow(legs, stopped, work);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      if (results[i].state.end == LegEnd::arrived)
+        arrive(tasks[i], results[i].x, results[i].state.last_correction);
+      else
+        ++found_.lost_legs;
+    }
+    found_.legs += static_cast<std::int64_t>(tasks.size());
+  }
+
+  ComplexVectorX start_of(const Task& task) const {
+    const ComplexVectorX& x = nodes_[task.node].solutions[task.solution];
+    return task.node == 0 ? x : scaled(x, gammas_[task.arc]);
+  }
+
+  /// Sorts in the end of the task's leg.
+  void arrive(const Task& task, const ComplexVectorX& end, double uncertainty) {
+    const int other = 1 - task.node;
+    const int number = add(other, other == 1 ? scaled(end, 1.0 / gammas_[task.arc]) : end, uncertainty);
+    int& back = nodes_[other].images[task.arc][number];
+    if (back >= 0 && back != task.solution) consistent_ = false;
+    back = task.solution;
+    nodes_[task.node].images[task.arc][task.solution] = number;
+  }
+
+  void add_arc() {
+    std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
+    const std::complex<double> gamma = is_homogeneous(family_.system) ? std::polar(1.0, angle(random_)) : 1.0;
+    ComplexVectorX bend = random_complex_vector(family_.system.equations(), random_);
+    for (std::size_t e = 0; e < bend.size(); ++e) {
+      const double size = std::sqrt(std::abs(nodes_[0].squares[e]) * std::abs(nodes_[1].squares[e]));
+      bend[e] *= family_.is_free[e] ? options_.bend * size : 0;
+    }
+    gammas_.push_back(gamma);
+    routes_.push_back(route(nodes_[0].squares, scaled(nodes_[1].squares, gamma * gamma), bend));
+    routes_.push_back(route(scaled(nodes_[1].squares, gamma * gamma), nodes_[0].squares, bend));
+    for (Node& node : nodes_) {
+      node.images.emplace_back(node.solutions.size(), Node::open);
+      node.next.push_back(0);
+    }
+  }
+
+  /// (1 − s) from + s to + s(1 − s) bend
+  static Route route(const ComplexVectorX& from, const ComplexVectorX& to, const ComplexVectorX& bend) {
+    Route route;
+    route.end = to;
+    for (std::size_t e = 0; e < from.size(); ++e) {
+      route.coefficients[0].push_back(from[e]);
+      route.coefficients[1].push_back(to[e] - from[e] + bend[e]);
+      route.coefficients[2].push_back(-bend[e]);
+      route.coefficients[3].push_back(0);
+    }
+    return route;
+  }
+
+  int add(int node, const ComplexVectorX& x, double uncertainty) {
+    const int number = nodes_[node].solutions.insert(x, uncertainty);
+    for (std::vector<int>& images : nodes_[node].images)
+      if (number >= static_cast<int>(images.size())) images.push_back(Node::open);
+    return number;
+  }
+
+  void take_tasks(int node, int arc, std::vector<Task>& tasks) {
+    int& next = nodes_[node].next[arc];
+    for (; static_cast<int>(tasks.size()) < options_.legs_at_once && next < nodes_[node].solutions.size();
+         ++next) {
+      int& image = nodes_[node].images[arc][next];
+      if (image != Node::open) continue;
+      image = Node::followed;
+      tasks.push_back({node, arc, next});
+    }
+  }
+
+  const HomotopyFamily& family_;
+  const MonodromyOptions options_;
+  std::mt19937_64& random_;
+  std::vector<Node> nodes_;
+  ComplexVectorX gammas_;      // of each arc
+  std::vector<Route> routes_;  // of each arc: from node 0, then from node 1
+  bool consistent_ = true;
+  GenericSolutions found_;  ///< but for the solutions
+};
+
+}  // namespace
+
+HomotopyFamily all_lengths(const SquareSystem& system, std::vector<int> mirror_axes) {
+  return {system, std::move(mirror_axes), std::vector<bool>(system.given.size(), true),
+          [n = system.unknowns](std::mt19937_64& random) { return random_complex_vector(n, random); }};
+}
+
+GenericSolutions search_by_monodromy(const HomotopyFamily& family, LegTracking& tracking,
+                                     const Completeness& completeness, const MonodromyOptions& options,
+                                     std::mt19937_64& random, const std::function<bool()>& stopped,
+                                     const std::function<void(int)>& progress, WorkCounters& work) {
+  return Search(family, options, random).run(tracking, completeness, stopped, progress, work);
+}
+
+}  // namespace gcs

@@ -1,0 +1,76 @@
+#pragma once
+/// All solutions of a generic member of a family of distance equations, from one of them.
+///
+/// The squared lengths A are the parameters. A random complex placement x is a solution for its own A. Two
+/// nodes A_0, A_1 are joined by arcs A(s); every arc followed from a known solution of one node gives a
+/// solution of the other. The placements with their lengths are one irreducible variety, the graph of
+/// x ↦ A(x), so that enough arcs reach all solutions; the images under one arc are distinct, since paths of
+/// regular solutions do not meet, and where two are not, a step has jumped. (Duff, Hill, Jensen, Lee, Leykin,
+/// Sommars 2018, "Solving polynomial systems via homotopy continuation and monodromy".)
+///
+/// Distances are homogeneous: scaling a placement by γ scales A by γ². Where no position is given an arc ends
+/// at γ²A_1, with its own γ on the unit circle, and the solution is scaled back. Beside that every arc bends
+/// by s(1 − s)B with a random B: straight ones of one pair of nodes lie in a plane, and group the branch
+/// points in sectors of it, of which a few solutions may see no single one.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "solvers/homotopies/leg_tracking.hpp"
+#include "solvers/homotopies/mirror_images.hpp"
+
+namespace gcs {
+
+/// Equations whose right-hand sides are the parameters, some of them perhaps fixed.
+struct HomotopyFamily {
+  const SquareSystem& system;
+  std::vector<int> mirror_axes;  ///< see mirror_axes; −1 for unknowns that no reflection changes
+  std::vector<bool> is_free;     ///< one per equation: whether its right-hand side may change
+  /// A point at which the right-hand sides that are not free have their values.
+  std::function<ComplexVectorX(std::mt19937_64&)> random_point;
+};
+
+/// Distance equations, with all squared lengths free.
+HomotopyFamily all_lengths(const SquareSystem& system, std::vector<int> mirror_axes);
+
+struct MonodromyOptions {
+  int first_arcs = 4;      ///< between the nodes; one more whenever the others find nothing new
+  int arcs = 12;           ///< at most
+  int legs_at_once = 256;  ///< followed before their ends are sorted in; part of the result's definition
+  double bend = 2;         ///< |B| over |A|
+};
+
+/// How a search ended.
+enum class SearchEnd {
+  complete,      ///< as many solutions as the count that was given, or accepted by the test
+  quiet,         ///< every arc from every solution leads to known ones
+  inconsistent,  ///< two solutions have one image, or there are more than the count
+  stopped
+};
+
+struct GenericSolutions {
+  SearchEnd end = SearchEnd::stopped;
+  ComplexVectorX squares;                 ///< A_0
+  std::vector<ComplexVectorX> solutions;  ///< distinct up to reflections
+  int arcs_used = 0;
+  std::int64_t legs = 0;       ///< followed
+  std::int64_t lost_legs = 0;  ///< that ended nowhere; their solutions may be reached by other arcs
+};
+
+/// What says whether a search is done.
+struct Completeness {
+  std::optional<std::uint64_t> count;  ///< so many solutions are all
+  /// Asked when the arcs in use lead to nothing new; may be empty.
+  std::function<bool(const GenericSolutions&)> test;
+};
+
+/// `tracking` is of the family's system. Adds every leg's steps to
+/// `work`. `progress` hears of the number of solutions so far.
+GenericSolutions search_by_monodromy(const HomotopyFamily& family, LegTracking& tracking,
+                                     const Completeness& completeness, const MonodromyOptions& options,
+                                     std::mt19937_64& random, const std::function<bool()>& stopped,
+                                     const std::function<void(int)>& progress, WorkCounters& work);
+
+}  // namespace gcs

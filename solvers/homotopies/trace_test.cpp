@@ -1,0 +1,252 @@
+#include "solvers/homotopies/trace_test.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace gcs {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int most_coordinates =
+    6;  // in E, at random; more cost time, and a few random ones are generic enough
+
+/// Last ε, of the search's: either s or E is of this order, the other one is not. At 0 pivots vanish.
+constexpr double almost_zero = 1e-9;
+
+/// Sets of unknowns whose signs change together, and with no others, in all that the equations say.
+class SignComponents {
+ public:
+  explicit SignComponents(const SquareSystem& system) : root_(static_cast<std::size_t>(system.unknowns) + 1) {
+    std::iota(root_.begin(), root_.end(), 0);
+    for (const Difference& d : system.differences) {
+      if (d.subtrahend >= 0) join(d.minuend, d.subtrahend);
+      if (d.constant != 0) join(d.minuend, none());
+    }
+  }
+
+  /// One unknown of each component whose signs can be changed.
+  std::vector<int> representatives() {
+    std::vector<int> first;
+    for (int unknown = 0; unknown < none(); ++unknown)
+      if (find(unknown) == unknown && find(none()) != unknown) first.push_back(unknown);
+    return first;
+  }
+
+ private:
+  /// Stands for the constants, whose signs do not change.
+  int none() const { return static_cast<int>(root_.size()) - 1; }
+  int find(int i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+  void join(int a, int b) { root_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+
+  std::vector<int> root_;
+};
+
+/// The system for (x, s, q_a, E, −E, i·s, i·E) with the squares q_a of E. The product s·E is 1/4 of (s + E)²
+/// − (s − E)², which is (s − (−E))² + (i·s − i·E)².
+class TraceSystem {
+ public:
+  TraceSystem(const SquareSystem& lengths, const std::vector<int>& mirror_axes, std::mt19937_64& random)
+      : lengths_(lengths), direction_(random_complex_vector(lengths.equations(), random)) {
+    choose_squares(mirror_axes, random);
+    weights_ = random_complex_vector(static_cast<int>(squares_.size()), random);
+    offset_ = random_complex_vector(1, random).front();
+    const int n = lengths.unknowns, k = static_cast<int>(squares_.size());
+    s_ = n;
+    square_ = n + 1;
+    e_ = n + 1 + k;
+    system_.unknowns = n + k + 5;
+    add_lengths();
+    for (int i = 0; i < k; ++i) system_.add_equation({squares_[i]}, {{square_ + i, -1}}, 0);
+    add_weighted_sum();
+    system_.add_equation({}, {{e_, 1}, {e_ + 1, 1}}, 0);
+    system_.add_equation({}, {{s_, Complex(0, 1)}, {e_ + 2, -1}}, 0);
+    system_.add_equation({}, {{e_, Complex(0, 1)}, {e_ + 3, -1}}, 0);
+    system_.add_equation({{s_, e_ + 1, 0}, {e_ + 2, e_ + 3, 0}}, {}, 0);
+  }
+
+  const SquareSystem& system() const { return system_; }
+  int s() const { return s_; }
+  int product_equation() const { return system_.equations() - 1; }
+
+  HomotopyFamily family(std::vector<int> mirror_axes) const {
+    mirror_axes.resize(static_cast<std::size_t>(system_.unknowns), -1);
+    std::vector<bool> is_free(system_.given.size(), false);
+    std::fill_n(is_free.begin(), lengths_.equations(), true);
+    is_free.back() = true;
+    return {system_, std::move(mirror_axes), std::move(is_free),
+            [this](std::mt19937_64& random) { return random_point(random); }};
+  }
+
+  /// φ at a point, with weights of its own.
+  Complex sum_of_squares(const ComplexVectorX& x, const ComplexVectorX& weights) const {
+    Complex sum = weights.back() * x[s_];
+    for (std::size_t i = 0; i < squares_.size(); ++i) sum += weights[i] * x[square_ + static_cast<int>(i)];
+    return sum;
+  }
+  int weights_needed() const { return static_cast<int>(squares_.size()) + 1; }
+
+ private:
+  /// Some coordinates at random, and what tells apart the images of a component that are not divided out:
+  /// its distance from another one of the same axis or, where nothing is divided out, from a constant.
+  void choose_squares(const std::vector<int>& mirror_axes, std::mt19937_64& random) {
+    std::vector<int> order(static_cast<std::size_t>(lengths_.unknowns));
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      std::swap(order[i], order[i + random() % (order.size() - i)]);
+    order.resize(std::min<std::size_t>(order.size(), most_coordinates));
+    for (const int unknown : order) squares_.push_back({unknown});
+    std::uniform_real_distribution<double> constant(0.5, 1.5);
+    std::array<int, 3> first_of_axis{-1, -1, -1};
+    for (const int unknown : SignComponents(lengths_).representatives()) {
+      const int axis = mirror_axes[unknown];
+      if (axis < 0)
+        squares_.push_back({unknown, -1, constant(random)});
+      else if (first_of_axis[axis] >= 0)
+        squares_.push_back({first_of_axis[axis], unknown});
+      else
+        first_of_axis[axis] = unknown;
+    }
+  }
+
+  /// A(x) − s·V
+  void add_lengths() {
+    for (int e = 0; e < lengths_.equations(); ++e) {
+      const auto begin = lengths_.differences.begin();
+      system_.add_equation({begin + lengths_.first[e], begin + lengths_.first[e + 1]}, {{s_, -direction_[e]}},
+                           lengths_.given[e]);
+    }
+  }
+
+  void add_weighted_sum() {
+    std::vector<LinearTerm> terms{{e_, -1}};
+    for (std::size_t i = 0; i < squares_.size(); ++i)
+      terms.push_back({square_ + static_cast<int>(i), weights_[i]});
+    system_.add_equation({}, terms, 0);
+  }
+
+  ComplexVectorX random_point(std::mt19937_64& random) const {
+    ComplexVectorX x = random_complex_vector(lengths_.unknowns + 1, random);
+    Complex e = -offset_;
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+      const Difference& d = squares_[i];
+      const Complex difference = x[d.minuend] - (d.subtrahend < 0 ? Complex(d.constant) : x[d.subtrahend]);
+      x.push_back(difference * difference);
+      e += weights_[i] * x.back();
+    }
+    x.insert(x.end(), {e, -e, Complex(0, 1) * x[s_], Complex(0, 1) * e});
+    return x;
+  }
+
+  const SquareSystem& lengths_;
+  ComplexVectorX direction_;  // V
+  std::vector<Difference> squares_;
+  ComplexVectorX weights_;
+  Complex offset_;
+  SquareSystem system_;
+  int s_ = 0;
+  int square_ = 0;
+  int e_ = 0;
+};
+
+/// All points of a fibre followed to another value of the product's right-hand side; nothing where one was
+/// lost.
+std::optional<std::vector<ComplexVectorX>> moved(LegTracking& tracking, const GenericSolutions& fibre,
+                                                 int equation, Complex factor,
+                                                 const std::function<bool()>& stopped, WorkCounters& work) {
+  const ComplexVectorX zero(fibre.squares.size());
+  Route route{{fibre.squares, zero, zero, zero}, fibre.squares};
+  route.coefficients[1][equation] = (factor - 1.0) * fibre.squares[equation];
+  route.end[equation] *= factor;
+  std::vector<Leg> legs;
+  for (const ComplexVectorX& x : fibre.solutions) legs.push_back({x.data(), &route});
+  std::vector<ComplexVectorX> ends;
+  for (LegResult& result : tracking.follow(legs, stopped, work)) {
+    if (result.state.end != LegEnd::arrived) return std::nullopt;
+    ends.push_back(std::move(result.x));
+  }
+  return ends;
+}
+
+/// The test of one fibre, found by a search.
+class FibreTest {
+ public:
+  FibreTest(const TraceSystem& trace, LegTracking& tracking, std::mt19937_64& random,
+            const std::function<bool()>& stopped, WorkCounters& work)
+      : trace_(trace),
+        tracking_(tracking),
+        weights_(random_complex_vector(trace.weights_needed(), random)),
+        stopped_(stopped),
+        work_(work) {}
+
+  /// Of the sums at three values of ε, 1 + i/2, 1 and 1 − i/2 times the search's: how far the middle one is
+  /// from the line through the others, relative to what its terms are from theirs; nothing where a path was
+  /// lost.
+  std::optional<double> defect(const GenericSolutions& fibre) const {
+    const Complex aside(0, 0.5);
+    const auto ahead = at(fibre, 1.0 + aside), behind = at(fibre, 1.0 - aside);
+    if (!ahead || !behind) return std::nullopt;
+    Complex sum = 0;
+    double size = 0;
+    for (std::size_t i = 0; i < fibre.solutions.size(); ++i) {
+      const Complex term = phi((*ahead)[i]) - 2.0 * phi(fibre.solutions[i]) + phi((*behind)[i]);
+      sum += term;
+      size += std::abs(term);
+    }
+    return size > 0 ? std::abs(sum) / size : 1;
+  }
+
+  /// How many of the points have s = 0 when ε is 0.
+  std::optional<std::int64_t> count_solutions(const GenericSolutions& fibre) const {
+    const auto end = at(fibre, almost_zero);
+    if (!end) return std::nullopt;
+    return std::count_if(end->begin(), end->end(), [&](const ComplexVectorX& x) {
+      return std::abs(x[trace_.s()]) <= std::sqrt(almost_zero);
+    });
+  }
+
+ private:
+  std::optional<std::vector<ComplexVectorX>> at(const GenericSolutions& fibre, Complex factor) const {
+    return moved(tracking_, fibre, trace_.product_equation(), factor, stopped_, work_);
+  }
+  Complex phi(const ComplexVectorX& x) const { return trace_.sum_of_squares(x, weights_); }
+
+  const TraceSystem& trace_;
+  LegTracking& tracking_;
+  ComplexVectorX weights_;
+  const std::function<bool()>& stopped_;
+  WorkCounters& work_;
+};
+
+}  // namespace
+
+TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_axes,
+                     const TrackingSetup& setup, const MonodromyOptions& options, std::mt19937_64& random,
+                     const std::function<bool()>& stopped, const std::function<void(int)>& progress,
+                     WorkCounters& work) {
+  const TraceSystem trace(system, mirror_axes, random);
+  const Elimination elimination = order_elimination(trace.system(), random);
+  LegTracking tracking(trace.system(), elimination, setup);
+  const FibreTest fibre_test(trace, tracking, random, stopped, work);
+  TraceTest test;
+  const auto sums_are_affine = [&](const GenericSolutions& fibre) {
+    const std::optional<double> defect = fibre_test.defect(fibre);
+    test.defect = defect.value_or(1);
+    return test.is_affine();
+  };
+  const GenericSolutions fibre =
+      search_by_monodromy(trace.family(mirror_axes), tracking, {std::nullopt, sums_are_affine}, options,
+                          random, stopped, progress, work);
+  test.end = fibre.end;
+  test.points = static_cast<std::int64_t>(fibre.solutions.size());
+  if (test.passed()) test.solutions = fibre_test.count_solutions(fibre).value_or(0);
+  return test;
+}
+
+}  // namespace gcs

@@ -1,0 +1,170 @@
+#include "solvers/lanes/elimination.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace gcs {
+namespace {
+
+using Pattern = Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic>;
+
+std::vector<Eigen::MatrixXcd> matrices(int n, const std::vector<ComplexVectorX>& jacobians) {
+  std::vector<Eigen::MatrixXcd> result;
+  for (const ComplexVectorX& jacobian : jacobians) {
+    Eigen::MatrixXcd& matrix = result.emplace_back(n, n);
+    for (int e = 0; e < n; ++e)
+      for (int i = 0; i < n; ++i) matrix(e, i) = jacobian[e * n + i];
+  }
+  return result;
+}
+
+Pattern pattern_of(const std::vector<Eigen::MatrixXcd>& samples) {
+  Pattern pattern = Pattern::Constant(samples.front().rows(), samples.front().cols(), false);
+  for (const Eigen::MatrixXcd& sample : samples) pattern = pattern || (sample.array() != 0.0).matrix();
+  return pattern;
+}
+
+/// Eliminates the same pattern at several placements at once and picks the pivots.
+class PivotSearch {
+ public:
+  explicit PivotSearch(std::vector<Eigen::MatrixXcd> samples)
+      : pattern_(pattern_of(samples)),
+        samples_(std::move(samples)),
+        row_is_open_(static_cast<std::size_t>(pattern_.rows()), true),
+        column_is_open_(static_cast<std::size_t>(pattern_.cols()), true) {}
+
+  /// Row and column of the next pivot, which is then eliminated.
+  std::array<int, 2> next() {
+    const auto [row, column] = choose();
+    row_is_open_[row] = column_is_open_[column] = false;
+    for (int i = 0; i < pattern_.rows(); ++i)
+      if (row_is_open_[i] && pattern_(i, column)) eliminate(i, row, column);
+    return {row, column};
+  }
+
+  /// With the fill of all steps done.
+  const Pattern& pattern() const { return pattern_; }
+
+ private:
+  /// Smallest pivot beside the largest entry of its row: growth by 20 a step at the samples, at worst.
+  static constexpr double least_ratio = 0.05;
+
+  std::array<int, 2> choose() const {
+    std::array<int, 2> best{-1, -1};
+    double best_cost = std::numeric_limits<double>::infinity(), best_ratio = 0;
+    for (int i = 0; i < pattern_.rows(); ++i) {
+      if (!row_is_open_[i]) continue;
+      for (int j = 0; j < pattern_.cols(); ++j) {
+        if (!column_is_open_[j] || !pattern_(i, j)) continue;
+        const double ratio = smallest_ratio(i, j);
+        const double cost = ratio < least_ratio ? 1e9 / (ratio + 1e-9) : fill_of(i, j);
+        if (cost < best_cost || (cost == best_cost && ratio > best_ratio)) {
+          best = {i, j};
+          best_cost = cost;
+          best_ratio = ratio;
+        }
+      }
+    }
+    return best;
+  }
+
+  /// Markowitz's count for a pivot: multiplications of its step.
+  double fill_of(int row, int column) const {
+    int in_row = -1, in_column = -1;
+    for (int k = 0; k < pattern_.rows(); ++k) {
+      in_row += column_is_open_[k] && pattern_(row, k);
+      in_column += row_is_open_[k] && pattern_(k, column);
+    }
+    return static_cast<double>(in_row) * in_column;
+  }
+
+  /// |pivot| over the largest open entry of its row, at the worst sample.
+  double smallest_ratio(int row, int column) const {
+    double smallest = 1;
+    for (const Eigen::MatrixXcd& sample : samples_) {
+      double largest = 0;
+      for (int k = 0; k < sample.cols(); ++k)
+        if (column_is_open_[k]) largest = std::max(largest, std::abs(sample(row, k)));
+      smallest = std::min(smallest, largest > 0 ? std::abs(sample(row, column)) / largest : 0);
+    }
+    return smallest;
+  }
+
+  void eliminate(int i, int row, int column) {
+    for (Eigen::MatrixXcd& sample : samples_) {
+      const std::complex<double> factor = sample(i, column) / sample(row, column);
+      for (int k = 0; k < sample.cols(); ++k)
+        if (column_is_open_[k]) sample(i, k) -= factor * sample(row, k);
+    }
+    for (int k = 0; k < pattern_.cols(); ++k)
+      if (column_is_open_[k] && pattern_(row, k)) pattern_(i, k) = true;
+  }
+
+  Pattern pattern_;
+  std::vector<Eigen::MatrixXcd> samples_;
+  std::vector<bool> row_is_open_;
+  std::vector<bool> column_is_open_;
+};
+
+/// Number of each entry of the filled pattern, −1 elsewhere.
+std::vector<int> numbered(const Pattern& pattern, int& count) {
+  std::vector<int> numbers;
+  count = 0;
+  for (int i = 0; i < pattern.rows(); ++i)
+    for (int j = 0; j < pattern.cols(); ++j) numbers.push_back(pattern(i, j) ? count++ : -1);
+  return numbers;
+}
+
+void append_steps(Elimination& elimination) {
+  const auto& [rows, columns] = std::tie(elimination.equation, elimination.unknown);
+  const int n = elimination.unknowns;
+  for (int k = 0; k < n; ++k) {
+    elimination.steps.push_back({elimination.entry(rows[k], columns[k]),
+                                 static_cast<int>(elimination.lower.size()),
+                                 static_cast<int>(elimination.upper.size())});
+    std::vector<int> uppers;
+    for (int j = k + 1; j < n; ++j) {
+      const int entry = elimination.entry(rows[k], columns[j]);
+      if (entry < 0) continue;
+      elimination.upper.push_back({j, entry});
+      uppers.push_back(j);
+    }
+    for (int i = k + 1; i < n; ++i) {
+      const int entry = elimination.entry(rows[i], columns[k]);
+      if (entry < 0) continue;
+      elimination.lower.push_back({i, entry, static_cast<int>(elimination.targets.size())});
+      for (const int j : uppers) elimination.targets.push_back(elimination.entry(rows[i], columns[j]));
+    }
+  }
+  elimination.steps.push_back(
+      {-1, static_cast<int>(elimination.lower.size()), static_cast<int>(elimination.upper.size())});
+}
+
+}  // namespace
+
+Elimination order_elimination(int unknowns, const std::vector<ComplexVectorX>& jacobians) {
+  Elimination elimination;
+  elimination.unknowns = unknowns;
+  PivotSearch search(matrices(unknowns, jacobians));
+  for (int k = 0; k < unknowns; ++k) {
+    const auto [row, column] = search.next();
+    elimination.equation.push_back(row);
+    elimination.unknown.push_back(column);
+  }
+  elimination.entry_numbers = numbered(search.pattern(), elimination.entries);
+  append_steps(elimination);
+  return elimination;
+}
+
+Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random) {
+  constexpr int samples = 6;
+  std::vector<ComplexVectorX> jacobians;
+  for (int i = 0; i < samples; ++i)
+    jacobians.push_back(jacobian_at(system, random_complex_vector(system.unknowns, random)));
+  return order_elimination(system.unknowns, jacobians);
+}
+
+}  // namespace gcs

@@ -1,0 +1,28 @@
+#pragma once
+/// Sparse systems f_e(x; c) = Σ c_j·x_u·x_v in C^n, whose parameters are all their coefficients.
+
+#include <vector>
+
+#include "solvers/lanes/square_system.hpp"
+
+namespace gcs {
+
+/// x[u]·x[v]; −1 stands for a factor 1, and v is −1 where u is.
+struct Monomial {
+  int u = -1;
+  int v = -1;
+};
+
+struct MonomialSystem {
+  int unknowns = 0;
+  std::vector<Monomial> monomials;  ///< those of equation e are first[e] … first[e + 1] − 1
+  std::vector<int> first{0};
+
+  int equations() const { return static_cast<int>(first.size()) - 1; }
+};
+
+/// df_e/dx_i for these coefficients, one per monomial, row by row.
+ComplexVectorX jacobian_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                           const ComplexVectorX& x);
+
+}  // namespace gcs

@@ -1,0 +1,35 @@
+#include "solvers/numeric/balls.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+namespace gcs {
+
+void enclose(acb_ptr ball, const ExactNumber& number, slong bits) {
+  acb_set_d_d(ball, number.value.real(), number.value.imag());
+  if (!number.decimal.empty() && arb_set_str(acb_realref(ball), number.decimal.c_str(), bits) != 0)
+    throw std::invalid_argument("'" + number.decimal + "' is no decimal number");
+  acb_mul_2exp_si(ball, ball, number.exponent);
+  if (number.is_squared) acb_sqr(ball, ball, bits);
+  if (number.is_negative) acb_neg(ball, ball);
+}
+
+double magnitude(acb_srcptr ball) {
+  mag_t bound;
+  mag_init(bound);
+  acb_get_mag(bound, ball);
+  const double value = mag_is_inf(bound) ? std::numeric_limits<double>::infinity() : mag_get_d(bound);
+  mag_clear(bound);
+  return value * (1 + std::numeric_limits<double>::epsilon());
+}
+
+double least_magnitude(acb_srcptr ball) {
+  mag_t bound;
+  mag_init(bound);
+  acb_get_mag_lower(bound, ball);
+  const double value = mag_get_d(bound);
+  mag_clear(bound);
+  return value * (1 - std::numeric_limits<double>::epsilon());
+}
+
+}  // namespace gcs

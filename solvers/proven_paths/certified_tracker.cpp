@@ -1,0 +1,202 @@
+#include "solvers/proven_paths/certified_tracker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "solvers/tracking/path_report.hpp"
+
+namespace gcs {
+namespace {
+
+/// How much of a tube is used: the next one has to hold the end, and the sketch must not fall between two.
+constexpr std::array<double, 4> used_parts{0.96, 0.9, 0.83, 0.75};
+
+/// The part of the expected half length at which the next centre is tried first.
+constexpr double first_reach = 0.88;
+
+/// A trial after a failed one, relative to it.
+constexpr double shrink = 0.7;
+
+}  // namespace
+
+std::optional<std::string> why_not_proven(const Scene& scene) {
+  if (const auto reason = why_no_path(scene)) return reason;
+  if (scene.is_anchored() || scene.constraint_count() == 0)
+    return "S is proven in scenes of constraints between points in the frame only, where nothing is fixed";
+  return std::nullopt;
+}
+
+CertifiedTracker::CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options,
+                                   const TrackerContext& context)
+    : system_(scene),
+      options_(options),
+      context_(context),
+      curve_(scene, options.order, options.tolerance),
+      data_(enclose_path_data(scene, system_)),
+      known_as_box_(0, curve_.coordinates()),
+      here_(system_, data_.lengths, options.order),
+      there_(system_, data_.lengths, options.order),
+      series_(curve_.coordinates(), options.order) {}
+
+TrackedPath CertifiedTracker::run() {
+  if (!data_.is_finite())
+    return finish(
+        TrackedPath::End::failed,
+        "the sketch does not determine the frame: its reference points are not in general position");
+  if (!curve_.start(options_.orientation, series_) || !there_.expand(series_))
+    return finish(TrackedPath::End::failed,
+                  "the Jacobian is singular at the sketch: hypothesis (h1) fails there");
+  WorkCounters& work = curve_.work();
+  double half_length =
+      std::min({options_.step_max, series_.step_for(options_.tolerance), there_.promising_half_length()});
+  Failure failure = first_tube(half_length);
+  for (; failure != Failure::none && half_length > options_.step_min; failure = first_tube(half_length)) {
+    half_length *= shrink;
+    ++work.rejected_steps;
+  }
+  if (failure != Failure::none) return finish(TrackedPath::End::failed, cause(failure));
+  take();
+  while (!stretch_.closes) {
+    if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
+    if (work.iterations >= options_.max_steps)
+      return finish(TrackedPath::End::failed, "max_steps reached before the path closed");
+    if (!advance()) return finish(TrackedPath::End::failed, path_.cause);
+    take();
+    if (context_.monitor && work.iterations % 256 == 0) context_.monitor->progress("proving S", -1);
+  }
+  path_.proven = true;
+  return finish(TrackedPath::End::closed, "");
+}
+
+CertifiedTracker::Failure CertifiedTracker::first_tube(double half_length) {
+  if (!there_.prove(half_length, there_.room_for(data_.start, known_as_box_))) return Failure::proof;
+  stretch_ = {};
+  const PlaceInTube start = there_.locate(data_.start, known_as_box_);
+  if (start.kind != PlaceInTube::Kind::inside) return Failure::link;
+  stretch_.entry = start.s;
+  return end_stretch(there_, true, stretch_);
+}
+
+bool CertifiedTracker::advance() {
+  Failure furthest = Failure::none;
+  for (double ahead = ahead_; ahead >= options_.step_min; ahead *= shrink) {
+    const Failure failure = next_tube(ahead);
+    if (failure == Failure::none) return true;
+    furthest = std::max(furthest, failure);
+    ++curve_.work().rejected_steps;
+  }
+  path_.cause = cause(furthest);
+  return false;
+}
+
+CertifiedTracker::Failure CertifiedTracker::next_tube(double ahead) {
+  Eigen::VectorXd from, y, tangent;
+  here_.curve().evaluate(exit_s_, from);
+  here_.curve().evaluate(exit_s_ + ahead, y);
+  here_.curve().tangent(exit_s_ + ahead, tangent);
+  y += exit_.point.mid - from;
+  if (!curve_.advance(y, tangent, series_) || !there_.expand(series_)) return Failure::corrector;
+  stretch_ = {};
+  const double needed = ahead / first_reach;
+  const double most = std::min(
+      {options_.step_max, series_.step_for(options_.tolerance), there_.promising_half_length(), 2 * needed});
+  const Eigen::ArrayXd room = there_.room_for(exit_.point, exit_.spread);
+  Failure failure = Failure::proof;
+  for (double h = std::max(most, needed); h >= needed; h = std::max(h * shrink, h > needed ? needed : 0))
+    if (there_.prove(h, room)) {
+      failure = Failure::none;
+      break;
+    }
+  if (failure == Failure::none) failure = link(there_, stretch_);
+  if (failure == Failure::none) failure = end_stretch(there_, false, stretch_);
+  return failure;
+}
+
+CertifiedTracker::Failure CertifiedTracker::link(const PathTube& tube, Stretch& stretch) const {
+  const PlaceInTube place = tube.locate(exit_.point, exit_.spread);
+  if (place.kind != PlaceInTube::Kind::inside) return Failure::link;
+  const PointBox tangent = tube.tangent(place.s);
+  const Eigen::VectorXd a = exit_.tangent.mid.cwiseAbs(), b = tangent.mid.cwiseAbs();
+  const double error = a.dot(tangent.radius) + b.dot(exit_.tangent.radius) +
+                       exit_.tangent.radius.dot(tangent.radius) +
+                       static_cast<double>(a.size()) * std::numeric_limits<double>::epsilon() * a.dot(b);
+  if (!(exit_.tangent.mid.dot(tangent.mid) > error * round_up)) return Failure::direction;
+  stretch.entry = place.s;
+  return Failure::none;
+}
+
+/// The sketch cannot lie on the first stretch again: s grows along a tube's arc.
+CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bool is_first,
+                                                        Stretch& stretch) const {
+  const double used = used_parts[0] * tube.half_length();
+  std::optional<ParameterRange> close;
+  if (!is_first) {
+    const PlaceInTube sketch = tube.locate(data_.start, known_as_box_);
+    if (sketch.kind == PlaceInTube::Kind::inside && sketch.s.high > stretch.entry.low) {
+      if (!(sketch.s.low > stretch.entry.high)) return Failure::closing;
+      if (sketch.s.low <= used) close = sketch.s;
+    }
+    if (sketch.kind == PlaceInTube::Kind::unknown) return Failure::closing;
+  }
+  stretch.closes = close.has_value();
+  for (const double part : used_parts) {
+    const double at_part = part * tube.half_length();
+    stretch.exit = close.value_or(ParameterRange{at_part, at_part});
+    if (side_of(tube, 1, stretch.exit.low) == 0) continue;
+    const auto crossings = crossings_of(tube, 1, stretch.entry, stretch.exit);
+    if (!crossings) return Failure::crossing;
+    stretch.crossings = *crossings;
+    return Failure::none;
+  }
+  return Failure::crossing;
+}
+
+void CertifiedTracker::take() {
+  WorkCounters& work = curve_.work();
+  std::swap(here_, there_);
+  const double step = stretch_.exit.low - stretch_.entry.low;
+  ++work.iterations;
+  work.smallest_step = std::min(work.smallest_step.value_or(step), step);
+  if (keeps_arcs_)
+    arcs_.push_back({here_.curve(), stretch_.entry.low, stretch_.exit.high, path_.length,
+                     (here_.radius() + here_.polynomial_error()).norm() * round_up, here_.turn(),
+                     stretch_.crossings});
+  path_.length += step;
+  for (const TubeCrossing& crossing : stretch_.crossings)
+    path_.crossings.push_back({here_.at(crossing.s).point.mid, crossing.direction});
+  exit_s_ = stretch_.exit.low;
+  ahead_ = first_reach * here_.half_length();
+  if (!stretch_.closes) exit_ = here_.at(exit_s_);
+}
+
+std::string CertifiedTracker::cause(Failure failure) const {
+  const Eigen::Index last = series_.coefficients().rows() - 1;
+  const std::string where = " near t = " + std::to_string(series_.coefficients()(last, 0));
+  switch (failure) {
+    case Failure::none:
+      break;
+    case Failure::corrector:
+      return "no next point was found" + where + ": S is singular there or nearly so (hypothesis h1)";
+    case Failure::proof:
+      return "no tube could be proven" + where + ": S is singular there or nearly so (hypothesis h1)";
+    case Failure::link:
+      return "no tube that holds the end of the last one could be proven" + where;
+    case Failure::direction:
+      return "the direction of travel could not be proven" + where;
+    case Failure::crossing:
+      return "the crossings of t = 1 could not be decided" + where + ": S touches it there or nearly so";
+    case Failure::closing:
+      return "it could not be decided whether S is back at the sketch" + where;
+  }
+  return "";
+}
+
+TrackedPath CertifiedTracker::finish(TrackedPath::End end, std::string cause) {
+  path_.end = end;
+  path_.cause = std::move(cause);
+  path_.work = curve_.work();
+  return std::move(path_);
+}
+
+}  // namespace gcs

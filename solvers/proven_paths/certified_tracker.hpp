@@ -1,0 +1,89 @@
+#pragma once
+/// Follows S by a chain of tubes, each proven to hold exactly one arc (certification/path_tube.hpp).
+///
+/// Links. The end of the part used of a tube's arc is enclosed in a tiny box, and the box is shown to lie in
+/// the next tube: since S meets that tube in one arc only, it is a point of that arc. The tangents of both
+/// arcs there, which span the same line, are shown to make an acute angle, so that both are followed in the
+/// same direction. The first tube is shown to hold the sketch in the same way.
+///
+/// Closing. In every tube it is decided whether the sketch lies on the part used of its arc. A regular curve
+/// followed in one direction is closed where it first meets its start.
+///
+/// Crossings. On every part used, all crossings of t = 1 are proven (certification/tube_crossings.hpp).
+///
+/// So a path that is closed is S, all of it, followed once; S is regular ([I] (h1)), and the number and order
+/// of its crossings are theorems for the exact decimals of the file (see certification/path_data.hpp). As S
+/// is regular, no length vanishes on it, so that in squared lengths it is the same component as in lengths.
+///
+/// Steps. The next centre is tried well beyond the end of the last tube, so that tubes reach to both sides of
+/// their centre; where a tube is not proven, not linked, or leaves a crossing undecided, the next one is
+/// tried nearer and shorter. Below the smallest step the tracker gives up with the last reason: S is singular
+/// there, or passes a singularity or another arc too closely, or touches t = 1.
+
+#include <optional>
+#include <string>
+
+#include "solvers/proven_paths/path_tube.hpp"
+#include "solvers/proven_paths/proven_path.hpp"
+#include "solvers/proven_paths/tube_crossings.hpp"
+#include "solvers/tracking/distance_curve.hpp"
+#include "solvers/tracking/series_tracker.hpp"
+#include "solvers/tracking/tracked_path.hpp"
+
+namespace gcs {
+
+/// Why S cannot be proven in this scene, or nothing.
+std::optional<std::string> why_not_proven(const Scene& scene);
+
+class CertifiedTracker {
+ public:
+  /// `options.tolerance` and `options.step_max` bound the first trial of a step only; nothing that is proven
+  /// depends on them. Precondition: see why_not_proven.
+  CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options, const TrackerContext& context);
+
+  /// To be called before run: arcs() then holds all of S that was proven.
+  void keep_arcs() { keeps_arcs_ = true; }
+  TrackedPath run();
+  const std::vector<ProvenArc>& arcs() const { return arcs_; }
+  /// The figure of a crossing's point, in the frame.
+  Figure figure(const Eigen::VectorXd& y) const { return curve_.figure(y); }
+
+ private:
+  /// Why a tube was not taken, in the order of the tests.
+  enum class Failure { none, corrector, proof, link, direction, closing, crossing };
+
+  /// The part of a tube's arc that the path uses.
+  struct Stretch {
+    ParameterRange entry, exit;
+    bool closes = false;
+    std::vector<TubeCrossing> crossings;
+  };
+
+  Failure first_tube(double half_length);
+  Failure next_tube(double ahead);
+  Failure prove(PathTube& tube, const ArcSeries& series, double needed, double most);
+  Failure link(const PathTube& tube, Stretch& stretch) const;
+  Failure end_stretch(const PathTube& tube, bool is_first, Stretch& stretch) const;
+  bool advance();
+  void take();
+  std::string cause(Failure failure) const;
+  TrackedPath finish(TrackedPath::End end, std::string cause);
+
+  DistanceSystem system_;
+  SeriesTrackerOptions options_;
+  TrackerContext context_;
+  DistanceCurve curve_;
+  PathData data_;
+  Eigen::MatrixXd known_as_box_;  ///< the sketch's spread: none
+  PathTube here_, there_;         ///< the last tube taken, and the one being tried
+  ArcSeries series_;
+  Stretch stretch_;    ///< of there_ while it is tried, then of here_
+  ArcPoint exit_;      ///< where the used part of here_ ends
+  double exit_s_ = 0;  ///< on here_
+  double ahead_ = 0;   ///< how far beyond it the next centre is tried first
+  bool keeps_arcs_ = false;
+  std::vector<ProvenArc> arcs_;
+  TrackedPath path_;
+};
+
+}  // namespace gcs

@@ -1,0 +1,368 @@
+#include "solvers/proven_paths/path_tube.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gcs {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Of a sum of few floating-point products, relative to their sizes.
+constexpr double few_roundings = 16 * epsilon;
+
+/// A wider tube is proven as easily, as long as its width changes J little, and the next point of the chain
+/// is well inside.
+constexpr double least_radius = 0x1p-38;  ///< relative to the terms of the equation
+constexpr double width = 4;               ///< relative to the residual
+
+constexpr double largest_contraction = 0.9;
+
+/// How far t may be from that on c: the bounds on lengths hold up to 1.
+constexpr double largest_time_reach = 0.5;
+
+/// The transpose of J G for the J with these differences of coordinates and derivatives −pull(e) by t;
+/// `transposed` is Gᵀ.
+template <class Difference, class Pull>
+Eigen::MatrixXd jacobian_times(const TubeSeries& series, const Eigen::MatrixXd& transposed,
+                               const Difference& difference, const Pull& pull) {
+  const Eigen::Index time = transposed.cols() - 1;
+  Eigen::MatrixXd product(transposed.rows(), series.edges());
+  for (int e = 0; e < series.edges(); ++e) {
+    auto row = product.col(e);
+    row = -pull(e) * transposed.col(time);
+    for (int axis = 0; axis < series.axes(); ++axis) {
+      const auto [i, j] = series.ends(axis, e);
+      const double d = difference(axis, e);
+      if (i <= time) row += d * transposed.col(i);
+      if (j <= time) row -= d * transposed.col(j);
+    }
+  }
+  return product;
+}
+
+}  // namespace
+
+PointBox ArcPoint::hull() const {
+  PointBox box = point;
+  box.radius = (box.radius + spread.cwiseAbs().colwise().sum().transpose()) * round_up;
+  return box;
+}
+
+PathTube::PathTube(const DistanceSystem& system, std::vector<EnclosedLength> lengths, int order)
+    : series_(system, std::move(lengths), order) {}
+
+bool PathTube::expand(const ArcSeries& c) {
+  series_.expand(c);
+  if (!set_section(series_.jacobian(), c.coefficient(1), section_)) return false;
+  set_matrices();
+  return true;
+}
+
+void PathTube::set_matrices() {
+  const int m = series_.edges(), n = series_.coordinates();
+  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(m, n + 1);
+  padded.leftCols(n) = section_.rows;
+  differences_.resize(m, series_.axes() * m);
+  std::array<Eigen::MatrixXd*, 3> orders{&defect_, &turn_, &bend_};
+  for (int k = 0; k < 3; ++k) {
+    orders[k]->resize(m, m);
+    for (int e = 0; e < m; ++e) orders[k]->col(e) = -series_.pull(e, k) * padded.col(n - 1);
+  }
+  for (int axis = 0; axis < series_.axes(); ++axis)
+    for (int e = 0; e < m; ++e) {
+      const auto [i, j] = series_.ends(axis, e);
+      auto difference = differences_.col(axis * m + e);
+      difference = padded.col(i) - padded.col(j);
+      for (int k = 0; k < 3; ++k) orders[k]->col(e) += series_.coefficient(axis, e, k) * difference;
+    }
+  defect_.diagonal().array() -= 1;
+  for (Eigen::MatrixXd* matrix : orders) *matrix = matrix->cwiseAbs().eval();
+  differences_ = differences_.cwiseAbs().eval();
+  row_sizes_ = section_.rows.cwiseAbs();
+}
+
+double PathTube::promising_half_length() const {
+  Eigen::VectorXd v = Eigen::VectorXd::Ones(series_.edges());
+  double growth = 0;
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::VectorXd next = turn_.transpose() * v;
+    growth = next.maxCoeff();
+    if (!(growth > 0)) break;
+    // Entries that nothing feeds must not vanish.
+    v = (next / growth).cwiseMax(0x1p-10);
+  }
+  return growth > 0 ? 0.5 / growth : std::numeric_limits<double>::infinity();
+}
+
+/// What each unit of |P_i − P_j| v and of |P_t| v moves in (I − J P) for a v of this size.
+void PathTube::set_weights(const Eigen::ArrayXd& v) {
+  const Eigen::Index m = series_.edges(), axes = series_.axes();
+  const Eigen::ArrayXd reach = (differences_.transpose() * v.matrix()).array();
+  const double time = row_sizes_.col(row_sizes_.cols() - 1).dot(v.matrix());
+  axis_weights_ = bounds_.rest.head(axes * m) + reach + few_roundings * bounds_.size.head(axes * m);
+  time_weights_.resize(m);
+  for (Eigen::Index e = 0; e < m; ++e) {
+    const double slope_move = 2 * std::abs(series_.lengths()[static_cast<std::size_t>(e)].path.bend) * time;
+    const double slope = bounds_.slope[e] + slope_move, move = slope * time;
+    const double length = bounds_.size[axes * m + e] + bounds_.length_error[e] + move;
+    time_weights_[e] = bounds_.pull_rest[e] + slope * (bounds_.length_error[e] + move) +
+                       length * (bounds_.slope_error[e] + slope_move) + few_roundings * slope * length;
+  }
+}
+
+void PathTube::set_moves(const Eigen::ArrayXd& v) {
+  const Eigen::Index m = series_.edges(), time = row_sizes_.cols() - 1;
+  set_weights(v);
+  moves_ = defect_ + bounds_.h * turn_ + (bounds_.h * bounds_.h) * bend_;
+  for (Eigen::Index e = 0; e < m; ++e) {
+    for (int axis = 0; axis < series_.axes(); ++axis)
+      moves_.col(e) += axis_weights_[axis * m + e] * differences_.col(axis * m + e);
+    moves_.col(e) += time_weights_[e] * row_sizes_.col(time);
+  }
+}
+
+Eigen::ArrayXd PathTube::moved(const Eigen::ArrayXd& v) const {
+  return (moves_.transpose() * v.matrix()).array() * round_up;
+}
+
+Eigen::MatrixXd PathTube::in_section(const Eigen::MatrixXd& spread) const {
+  return jacobian_times(
+      series_, spread, [this](int axis, int e) { return series_.coefficient(axis, e, 0); },
+      [this](int e) { return series_.pull(e, 0); });
+}
+
+Eigen::ArrayXd PathTube::room_for(const PointBox& box, const Eigen::MatrixXd& spread) const {
+  return (section_.jacobian.cwiseAbs() * box.radius).array() +
+         in_section(spread).cwiseAbs().colwise().sum().transpose().array();
+}
+
+bool PathTube::prove(double h, const Eigen::ArrayXd& room) {
+  series_.bound(h, bounds_);
+  const Eigen::MatrixXd sizes = series_.curve().coefficients().cwiseAbs();
+  coordinate_size_ = coordinate_speed_ = coordinate_turn_ = Eigen::VectorXd::Zero(sizes.rows());
+  double power = 1;
+  for (Eigen::Index n = 0; n < sizes.cols(); ++n, power *= h) {
+    const auto k = static_cast<double>(n);
+    coordinate_size_ += power * sizes.col(n);
+    coordinate_speed_ += k * power / h * sizes.col(n);
+    coordinate_turn_ += k * (k - 1) * power / (h * h) * sizes.col(n);
+  }
+  set_progress();
+  if (!(progress_ > 0 && contracts(room))) return false;
+  bound_arc();
+  return true;
+}
+
+void PathTube::bound_arc() {
+  const Eigen::VectorXd time = row_sizes_.rightCols<1>();
+  inner_radius_ = resolved(bounds_.residual).min(radius_);
+  set_start_defect();
+  set_speed();
+  time_radius_ = time.dot(inner_radius_.matrix()) * round_up;
+  time_speed_radius_ = time.dot(speed_.matrix()) * round_up;
+}
+
+/// ν·c'(s) ≥ ν·c_1 − Σ_{n ≥ 2} n |ν·c_n| h^(n−1)
+void PathTube::set_progress() {
+  const Eigen::VectorXd along = series_.curve().coefficients().transpose() * section_.normal;
+  double rest = 0, power = bounds_.h;
+  for (Eigen::Index n = 2; n < along.size(); ++n, power *= bounds_.h)
+    rest += static_cast<double>(n) * std::abs(along[n]) * power;
+  const double rounding = static_cast<double>(along.size() + section_.normal.size()) * epsilon *
+                          section_.normal.cwiseAbs().dot(coordinate_speed_);
+  progress_ = (along[1] - rest * round_up) * (1 - few_roundings) - rounding;
+}
+
+/// r = (I − |I − J P|)⁻¹ b for a right side b that is the same part of every equation's terms: then
+/// Krawczyk's operator contracts in the norm of r by what r leaves of b. The matrix depends on r, but little.
+bool PathTube::contracts(const Eigen::ArrayXd& room) {
+  constexpr int rounds = 3;
+  const Eigen::Index m = series_.edges();
+  Eigen::ArrayXd terms = Eigen::ArrayXd::Zero(m);
+  for (int axis = 0; axis <= series_.axes(); ++axis) terms += bounds_.size.segment(axis * m, m).square();
+  const double part = (width * (bounds_.residual + room) / terms).maxCoeff() + least_radius;
+  radius_ = 2 * part * terms;
+  for (int i = 0; i < rounds; ++i) {
+    set_moves(radius_);
+    move_lu_.compute(Eigen::MatrixXd::Identity(m, m) - moves_.transpose());
+    radius_ = move_lu_.solve((part * terms).matrix()).array();
+    const double least = radius_.minCoeff(), time_reach = row_sizes_.rightCols<1>().dot(radius_.matrix());
+    if (!(least > 0 && time_reach <= largest_time_reach)) return false;
+    set_moves(radius_);
+    contraction_ = ratio(moved(radius_));
+    if (contraction_ > largest_contraction) continue;
+    if ((radius_ > (moved(radius_) + bounds_.residual) * round_up).all()) return true;
+  }
+  return false;
+}
+
+/// A vector w with push + |I − J P| w ≤ w bounds all v with |v| ≤ push + |I − J P| |v|.
+Eigen::ArrayXd PathTube::resolved(const Eigen::ArrayXd& push) const {
+  constexpr double above = 1 + 0x1p-20;
+  const Eigen::ArrayXd w = above * move_lu_.solve(push.matrix()).array();
+  if ((w >= 0).all() && (w >= (push + moved(w)) * round_up).all()) return w;
+  return radius_ * (ratio(push) / (1 - contraction_) * round_up);
+}
+
+void PathTube::set_start_defect() {
+  const Eigen::Index m = series_.edges(), axes = series_.axes();
+  const Eigen::ArrayXd reach = (differences_.transpose() * radius_.matrix()).array();
+  Eigen::ArrayXd terms = bounds_.slope * (bounds_.size.tail(m) + bounds_.length_error) *
+                         row_sizes_.col(row_sizes_.cols() - 1).dot(radius_.matrix());
+  for (Eigen::Index axis = 0; axis < axes; ++axis)
+    terms += bounds_.size.segment(axis * m, m) * reach.segment(axis * m, m);
+  start_defect_ = ratio((defect_.transpose() * radius_.matrix()).array() + few_roundings * terms);
+}
+
+/// v' = −(∂F/∂v)⁻¹ ∂F/∂s, where ∂F/∂s(s, v) − ∂F/∂s(s, 0) = (J(c + P v) − J(c)) c'.
+void PathTube::set_speed() {
+  const Eigen::Index m = series_.edges(), axes = series_.axes();
+  const Eigen::ArrayXd reach = (differences_.transpose() * inner_radius_.matrix()).array();
+  const double time = row_sizes_.col(row_sizes_.cols() - 1).dot(inner_radius_.matrix());
+  Eigen::ArrayXd push = bounds_.residual_speed;
+  for (Eigen::Index axis = 0; axis < axes; ++axis)
+    push += reach.segment(axis * m, m) * bounds_.speed.segment(axis * m, m);
+  for (Eigen::Index e = 0; e < m; ++e) {
+    const double slope_move = 2 * std::abs(series_.lengths()[static_cast<std::size_t>(e)].path.bend) * time;
+    const double slope = bounds_.slope[e] + slope_move, move = slope * time;
+    const double length = bounds_.size[axes * m + e] + bounds_.length_error[e] + move;
+    push[e] += (slope * move + length * slope_move) * bounds_.time_speed;
+  }
+  speed_ = resolved(push);
+}
+
+Eigen::VectorXd PathTube::polynomial_error() const {
+  return static_cast<double>(2 * series_.curve().order() + 4) * epsilon * coordinate_size_;
+}
+
+Eigen::VectorXd PathTube::radius() const {
+  return row_sizes_.transpose() * inner_radius_.matrix() * round_up;
+}
+
+double PathTube::section_parameter(const Eigen::VectorXd& y) const {
+  Eigen::VectorXd along = series_.curve().coefficients().transpose() * section_.normal;
+  along[0] = section_.normal.dot(series_.curve().coefficient(0) - y);
+  double s = 0;
+  for (int i = 0; i < 12; ++i) {
+    double value = 0, slope = 0;
+    for (Eigen::Index n = along.size() - 1; n >= 0; --n) {
+      slope = slope * s + value;
+      value = value * s + along[n];
+    }
+    s = std::clamp(s - value / slope, -bounds_.h, bounds_.h);
+  }
+  return s;
+}
+
+/// ν·y = ν·c(s) fixes s up to ds; then v = J (y − c(s)) + (I − J P) v.
+PlaceInTube PathTube::locate(const PointBox& box, const Eigen::MatrixXd& spread) const {
+  const double s = section_parameter(box.mid), terms = static_cast<double>(box.mid.size() + 4) * epsilon;
+  Eigen::VectorXd c;
+  series_.curve().evaluate(s, c);
+  const Eigen::VectorXd offset = box.mid - c;
+  const Eigen::VectorXd error = box.radius + polynomial_error() +
+                                terms * (offset.cwiseAbs() + spread.cwiseAbs().colwise().sum().transpose());
+  const double along = section_.normal.dot(offset);
+  const double along_error =
+      (section_.normal.cwiseAbs().dot(error) + (spread * section_.normal).cwiseAbs().sum()) * round_up;
+  // ν·c grows with s: beyond an end of the tube, ν·y is beyond that end's value.
+  if (s == bounds_.h && along > along_error) return {PlaceInTube::Kind::outside, {s, s}};
+  if (s == -bounds_.h && along < -along_error) return {PlaceInTube::Kind::outside, {s, s}};
+  const double ds = (std::abs(along) + along_error) / progress_ * round_up;
+  PlaceInTube place{PlaceInTube::Kind::unknown, {s - ds, s + ds}};
+  if (!(place.s.low > -bounds_.h && place.s.high < bounds_.h)) return place;
+  const PointBox direction = polynomial_tangent({s, s});
+  const Eigen::MatrixXd sizes = section_.jacobian.cwiseAbs();
+  const Eigen::ArrayXd v = (section_.jacobian * offset).array().abs();
+  const Eigen::ArrayXd v_error =
+      ((sizes * (error + ds * (direction.radius + ds * coordinate_turn_ + terms * direction.mid.cwiseAbs())) +
+        ds * (section_.jacobian * direction.mid).cwiseAbs())
+           .array() +
+       in_section(spread).cwiseAbs().colwise().sum().transpose().array()) *
+      round_up;
+  if (((v + v_error) * round_up < radius_ * (1 - start_defect_)).all())
+    place.kind = PlaceInTube::Kind::inside;
+  else if ((v - v_error > radius_ * (1 + start_defect_) * round_up).any())
+    place.kind = PlaceInTube::Kind::outside;
+  return place;
+}
+
+void PathTube::residual(const Eigen::VectorXd& y, const Eigen::VectorXd& error, Eigen::ArrayXd& f,
+                        Eigen::ArrayXd& f_error) const {
+  const Eigen::Index m = series_.edges(), time = y.size() - 1;
+  for (Eigen::Index e = 0; e < m; ++e) {
+    const int edge = static_cast<int>(e);
+    const LengthPath& path = series_.lengths()[static_cast<std::size_t>(e)].path;
+    const double a = path.value(y[time]);
+    // t is within 1/2 of that on c.
+    const double a_error = bounds_.value_error[e] + (bounds_.slope[e] + std::abs(path.bend)) * error[time];
+    double sum = -a * a, size = a * a;
+    f_error[e] = (std::abs(a) + a_error) * a_error;
+    for (int axis = 0; axis < series_.axes(); ++axis) {
+      const auto [i, j] = series_.ends(axis, edge);
+      const double difference = (i <= time ? y[i] : 0) - (j <= time ? y[j] : 0);
+      const double moved = (i <= time ? error[i] : 0) + (j <= time ? error[j] : 0);
+      sum += difference * difference;
+      size += difference * difference;
+      f_error[e] += (std::abs(difference) + moved) * moved;
+    }
+    f[e] = sum / 2;
+    f_error[e] = (f_error[e] + few_roundings * size) * round_up;
+  }
+}
+
+Eigen::MatrixXd PathTube::section_jacobian(const Eigen::VectorXd& y) const {
+  const Eigen::Index time = y.size() - 1;
+  const auto difference = [&](int axis, int e) {
+    const auto [i, j] = series_.ends(axis, e);
+    return (i <= time ? y[i] : 0) - (j <= time ? y[j] : 0);
+  };
+  const auto pull = [&](int e) {
+    const LengthPath& path = series_.lengths()[static_cast<std::size_t>(e)].path;
+    return path.value(y[time]) * path.slope(y[time]);
+  };
+  return jacobian_times(series_, section_.rows, difference, pull).transpose();
+}
+
+ArcPoint PathTube::at(double s) const {
+  constexpr int rounds = 8;
+  Eigen::VectorXd c, v = Eigen::VectorXd::Zero(series_.edges());
+  series_.curve().evaluate(s, c);
+  Eigen::VectorXd y = c, error = polynomial_error();
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(section_jacobian(c));
+  Eigen::ArrayXd f(v.size()), f_error(v.size());
+  for (int i = 0; i < rounds; ++i) {
+    residual(y, error, f, f_error);
+    if ((f.abs() <= f_error).all()) break;
+    v = (v - lu.solve(f.matrix())).cwiseMax(-radius_.matrix()).cwiseMin(radius_.matrix());
+    y = c + section_.rows.transpose() * v;
+  }
+  const double terms = static_cast<double>(v.size() + 4) * epsilon;
+  error += terms * (row_sizes_.transpose() * v.cwiseAbs());
+  residual(y, error, f, f_error);
+  const Eigen::VectorXd left = resolved(f.abs() + f_error).matrix();
+  return {{y, error * round_up}, left.asDiagonal() * section_.rows, tangent({s, s})};
+}
+
+/// c' at the middle of the range, and how far it is from there to its ends.
+PointBox PathTube::polynomial_tangent(const ParameterRange& range) const {
+  const double s = (range.low + range.high) / 2;
+  const Eigen::MatrixXd& c = series_.curve().coefficients();
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(c.rows());
+  for (Eigen::Index n = c.cols() - 1; n >= 1; --n)
+    direction = direction * s + static_cast<double>(n) * c.col(n);
+  const double rounding = static_cast<double>(2 * c.cols() + 4) * epsilon;
+  return {direction, rounding * coordinate_speed_ + (range.high - range.low) * coordinate_turn_};
+}
+
+PointBox PathTube::tangent(const ParameterRange& range) const {
+  PointBox box = polynomial_tangent(range);
+  box.radius = (box.radius + row_sizes_.transpose() * speed_.matrix()) * round_up;
+  return box;
+}
+
+}  // namespace gcs

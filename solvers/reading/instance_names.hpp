@@ -1,0 +1,26 @@
+#pragma once
+/// From the names in an instance to the numbers in a Problem. Unknown names are an InputError with the
+/// nearest valid one.
+
+#include <optional>
+#include <vector>
+
+#include "solvers/reading/json_cursor.hpp"
+
+namespace gcs {
+
+/// The point that the cursor's text names; a line is refused by name.
+int point_number(const Problem& problem, const JsonCursor& cursor);
+/// The line that the cursor's text names; a point is refused by name.
+int line_number(const Problem& problem, const JsonCursor& cursor);
+/// The point or line called `name`, as numbered in DistanceConstraint; the cursor is for the complaint.
+int entity_number(const Problem& problem, const std::string& name, const JsonCursor& cursor);
+/// The constraint of that id, if there is one.
+std::optional<int> constraint_number(const Problem& problem, const std::string& id);
+/// Ids of all constraints, in order.
+std::vector<std::string> constraint_ids(const Problem& problem);
+
+/// "'p1', 'p2' and 'L'".
+std::string entity_names(const Problem& problem, const std::vector<int>& entities);
+
+}  // namespace gcs

@@ -1,0 +1,38 @@
+#pragma once
+/// Reads gcsbench-instance/1.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solvers/model/problem.hpp"
+#include "solvers/reading/json_document.hpp"
+
+namespace gcs {
+
+/// A figure from the literature: shown and compared, never used by a solver.
+struct PublishedFigure {
+  std::string quantity;
+  std::string convention;
+  double value = 0;
+  std::string source;
+  std::string by;
+};
+
+/// An instance: the problem that solvers see, and the rest that they do not.
+struct Instance {
+  std::string id;
+  std::string title;
+  std::string notes;
+  std::string origin;  ///< the file it came from, or "-"
+  Problem problem;
+  std::vector<PublishedFigure> published;
+  JsonValue document;  ///< the whole file, as written
+};
+
+/// Reads and checks an instance: the format and then the structure (degrees of freedom, rigidity,
+/// unsatisfiable inequalities). `file` is for messages; the id is compared with `expected_id` unless empty.
+/// Throws InputError.
+Instance parse_instance(std::string_view text, const std::string& file, const std::string& expected_id);
+
+}  // namespace gcs

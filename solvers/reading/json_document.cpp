@@ -1,0 +1,288 @@
+#include "solvers/reading/json_document.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
+#include <unordered_set>
+
+namespace gcs {
+namespace {
+
+/// No instance or result nests deeper than ten; the limit keeps hostile input from exhausting the stack.
+constexpr std::size_t depth_limit = 64;
+
+/// Longest piece of input that a message repeats.
+constexpr std::size_t quote_limit = 40;
+
+std::string in_quotes(const std::string& token) {
+  if (token.size() <= quote_limit) return "'" + token + "'";
+  std::size_t end = quote_limit;
+  const auto splits_a_character = [&] { return (static_cast<unsigned char>(token[end]) & 0xC0U) == 0x80U; };
+  while (end > 0 && splits_a_character()) --end;
+  return "'" + token.substr(0, end) + "…'";
+}
+
+/// Where character number `position` (from 1) of `text` stands.
+std::string line_and_column(std::string_view text, std::size_t position) {
+  const std::string_view before = text.substr(0, position == 0 ? 0 : position - 1);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t newline = before.rfind('\n');
+  const std::size_t column = before.size() - (newline == std::string_view::npos ? 0 : newline + 1) + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+/// The reason in nlohmann's message without its prefix and without the token, which may be megabytes of
+/// binary.
+std::string syntax_reason(std::string message) {
+  if (const auto start = message.find(" - "); start != std::string::npos) message.erase(0, start + 3);
+  const auto token = message.find("; last read: '");
+  const auto end = message.rfind('\'');
+  if (token != std::string::npos && end != std::string::npos) message.erase(token, end + 1 - token);
+  return message;
+}
+
+/// True when the word around character number `position` is NaN or Infinity, whatever the case.
+bool is_not_finite_word(std::string_view text, std::size_t position) {
+  std::size_t start = std::min(position == 0 ? 0 : position - 1, text.size());
+  while (start > 0 && std::isalpha(static_cast<unsigned char>(text[start - 1])) != 0) --start;
+  std::string word(text.substr(start, 3));
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word == "nan" || word == "inf";
+}
+
+bool has_nonzero_digit(const std::string& number) {
+  const auto mantissa_end = number.find_first_of("eE");
+  return number.substr(0, mantissa_end).find_first_of("123456789") != std::string::npos;
+}
+
+/// Receives nlohmann's events and builds the value. Every refusal leaves as an InputError.
+class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  DocumentBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  JsonValue take() { return std::move(root_); }
+
+  bool null() override { return attach({}); }
+
+  bool boolean(bool value) override {
+    JsonValue result;
+    result.kind = JsonValue::Kind::boolean;
+    result.boolean = value;
+    return attach(std::move(result));
+  }
+
+  /// Called for integers with a minus sign only, so that a zero was written "-0".
+  bool number_integer(number_integer_t value) override {
+    return value == 0 ? attach_number(-0.0, "-0")
+                      : attach_number(static_cast<double>(value), std::to_string(value));
+  }
+
+  /// JSON has one spelling of a non-negative integer; those beyond 64 bits arrive as number_float.
+  bool number_unsigned(number_unsigned_t value) override {
+    return attach_number(static_cast<double>(value), std::to_string(value));
+  }
+
+  bool number_float(number_float_t value, const string_t& raw) override {
+    if (value == 0 && has_nonzero_digit(raw)) {
+      fail("the number " + in_quotes(raw) + " is too small for a double and would become 0",
+           "give numbers above 1e-300, in a smaller unit if need be");
+    }
+    return attach_number(value, raw);
+  }
+
+  bool string(string_t& value) override {
+    JsonValue result;
+    result.kind = JsonValue::Kind::string;
+    result.text = std::move(value);
+    return attach(std::move(result));
+  }
+
+  bool binary(binary_t&) override { return false; }
+
+  bool start_object(std::size_t) override { return open(JsonValue::Kind::object); }
+  bool start_array(std::size_t) override { return open(JsonValue::Kind::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& name) override {
+    Level& level = open_.back();
+    level.key = name;
+    if (!level.keys.insert(name).second) {
+      fail("the key " + in_quotes(name) + " is given twice", "give every key once");
+    }
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& token,
+                   const nlohmann::detail::exception& error) override {
+    constexpr int number_overflow = 406;
+    if (error.id == number_overflow) {
+      fail("the number " + in_quotes(token) + " is too large for a double",
+           "give numbers below 1e300, in a larger unit if need be");
+    }
+    std::string what = line_and_column(text_, position) + ": not JSON: ";
+    if (is_not_finite_word(text_, position)) {
+      fail(what + "NaN and Infinity are no JSON numbers", "give a finite number");
+    }
+    fail(what + syntax_reason(error.what()), "correct the text there");
+  }
+
+ private:
+  struct Level {
+    JsonValue value;
+    std::string key;                       ///< of the member being read
+    std::unordered_set<std::string> keys;  ///< finding a duplicate must not take quadratic time
+  };
+
+  [[noreturn]] void fail(const std::string& what, const std::string& remedy) const {
+    throw InputError(file_, pointer(), what, remedy);
+  }
+
+  std::string pointer() const {
+    std::string result;
+    for (const Level& level : open_) {
+      const bool in_array = level.value.kind == JsonValue::Kind::array;
+      if (!in_array && level.keys.empty()) continue;
+      result +=
+          "/" + (in_array ? std::to_string(level.value.elements.size()) : escaped_for_pointer(level.key));
+    }
+    return result;
+  }
+
+  bool open(JsonValue::Kind kind) {
+    if (open_.size() == depth_limit) {
+      throw InputError(file_, "",
+                       "the values are nested deeper than " + std::to_string(depth_limit) + " levels",
+                       "no file of this program needs more than ten");
+    }
+    open_.emplace_back();
+    open_.back().value.kind = kind;
+    return true;
+  }
+
+  bool close() {
+    JsonValue value = std::move(open_.back().value);
+    open_.pop_back();
+    return attach(std::move(value));
+  }
+
+  bool attach_number(double value, std::string text) {
+    JsonValue result;
+    result.kind = JsonValue::Kind::number;
+    result.number = value;
+    result.text = std::move(text);
+    return attach(std::move(result));
+  }
+
+  bool attach(JsonValue value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+    } else if (Level& parent = open_.back(); parent.value.kind == JsonValue::Kind::array) {
+      parent.value.elements.push_back(std::move(value));
+    } else {
+      parent.value.members.emplace_back(parent.key, std::move(value));
+    }
+    return true;
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  std::vector<Level> open_;
+  JsonValue root_;
+};
+
+/// Appends the members or elements of a container, each by `append_item(i)`, one a line unless indent < 0.
+template <typename AppendItem>
+void append_items(std::string& out, std::string_view brackets, std::size_t count, int indent, int depth,
+                  AppendItem append_item) {
+  const auto new_line = [&](int levels) {
+    if (indent >= 0) out += '\n' + std::string(static_cast<std::size_t>(indent * levels), ' ');
+  };
+  out += brackets[0];
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) out += indent < 0 ? ", " : ",";
+    new_line(depth + 1);
+    append_item(i);
+  }
+  if (count > 0) new_line(depth);
+  out += brackets[1];
+}
+
+void append_text(std::string& out, const JsonValue& value, int indent, int depth) {
+  switch (value.kind) {
+    case JsonValue::Kind::null:
+      out += "null";
+      return;
+    case JsonValue::Kind::boolean:
+      out += value.boolean ? "true" : "false";
+      return;
+    case JsonValue::Kind::number:
+      out += value.text;
+      return;
+    case JsonValue::Kind::string:
+      out += nlohmann::json(value.text).dump();
+      return;
+    case JsonValue::Kind::array:
+      append_items(out, "[]", value.elements.size(), indent, depth,
+                   [&](std::size_t i) { append_text(out, value.elements[i], indent, depth + 1); });
+      return;
+    case JsonValue::Kind::object:
+      append_items(out, "{}", value.members.size(), indent, depth, [&](std::size_t i) {
+        out += nlohmann::json(value.members[i].first).dump() + ": ";
+        append_text(out, value.members[i].second, indent, depth + 1);
+      });
+      return;
+  }
+}
+
+}  // namespace
+
+InputError::InputError(std::string file, std::string pointer, std::string what, std::string remedy)
+    : std::runtime_error(file + ": " + (pointer.empty() ? "" : pointer + ": ") + what +
+                         (remedy.empty() ? "" : "; " + remedy)),
+      pointer_(std::move(pointer)) {}
+
+std::string escaped_for_pointer(std::string_view key) {
+  std::string escaped;
+  for (const char c : key) {
+    if (c == '~') {
+      escaped += "~0";
+    } else if (c == '/') {
+      escaped += "~1";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+JsonValue::JsonValue() = default;
+
+const JsonValue* JsonValue::find(std::string_view name) const {
+  const auto found =
+      std::find_if(members.begin(), members.end(), [&](const auto& member) { return member.first == name; });
+  return found == members.end() ? nullptr : &found->second;
+}
+
+JsonValue parse_json(std::string_view text, const std::string& file) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw InputError(file, "", "the input is empty", "give one JSON value");
+  }
+  // nlohmann takes a zero byte for the end of the input and would ignore what follows.
+  if (const auto zero = text.find('\0'); zero != std::string_view::npos) {
+    throw InputError(file, "", line_and_column(text, zero + 1) + ": not JSON: a zero byte",
+                     "give text in UTF-8");
+  }
+  DocumentBuilder builder(text, file);
+  nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+  return builder.take();
+}
+
+std::string to_text(const JsonValue& value, int indent) {
+  std::string out;
+  append_text(out, value, indent, 0);
+  return out;
+}
+
+}  // namespace gcs

@@ -1,0 +1,192 @@
+/// Certificates for solutions that are known exactly: points with whole coordinates, whose squared distances
+/// are whole numbers, and triangles whose third point has the height √(1 − b²/4).
+
+#include "solvers/certificates/certificate.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "solvers/certificates/coincidences.hpp"
+#include "solvers/certificates/scene_equations.hpp"
+#include "solvers/tests/random_numbers.hpp"
+
+using namespace gcs;
+using samples::RandomNumbers;
+using Point = std::vector<std::complex<double>>;
+using Realness = Certificate::Realness;
+
+namespace {
+
+/// Sides 1 and 1 over a base that is given in decimals, in the plane.
+Problem triangle(const std::string& base) {
+  Problem problem;
+  problem.dimension = 2;
+  problem.points = {"a", "b", "c"};
+  problem.constraints = {{"a1", {0, 1}, {std::stod(base), base}, false},
+                         {"a2", {0, 2}, {1, "1"}, false},
+                         {"a3", {1, 2}, {1, "1"}, false}};
+  problem.reference = Reference{0, 1, -1, -1, -1};
+  return problem;
+}
+
+/// b on the axis, then c, in the file's unit.
+Certificate certify_triangle(const std::string& base, double b, std::complex<double> x,
+                             std::complex<double> y) {
+  const Scene scene(triangle(base));
+  const double unit = std::ldexp(1.0, -scene.unit_exponent());
+  return Certifier(SceneEquations(scene).system()).certify({b * unit, x * unit, y * unit});
+}
+
+using Whole = Eigen::Matrix<long long, 3, Eigen::Dynamic>;
+
+/// The octahedron's graph on six points, in the frame of the first three.
+const std::vector<std::array<int, 2>> octahedron{{0, 1}, {0, 2}, {1, 2}, {0, 3}, {0, 4}, {1, 4},
+                                                 {1, 5}, {2, 5}, {2, 3}, {3, 4}, {4, 5}, {3, 5}};
+
+Whole whole_placement(RandomNumbers& random) {
+  Whole points(3, 6);
+  for (Eigen::Index i = 0; i < points.size(); ++i) points.data()[i] = std::llround(random.uniform(-20, 20));
+  points.col(0).setZero();
+  points.col(1) << std::llround(random.uniform(5, 20)), 0, 0;
+  points.col(2) << std::llround(random.uniform(-20, 20)), std::llround(random.uniform(5, 20)), 0;
+  return points;
+}
+
+Problem problem_of(const Whole& points) {
+  Problem problem;
+  problem.points = {"p1", "p2", "p3", "p4", "p5", "p6"};
+  for (const auto& [a, b] : octahedron) {
+    const long long square = (points.col(a) - points.col(b)).squaredNorm();
+    problem.constraints.push_back({"a", {a, b}, {static_cast<double>(square), std::to_string(square)}, true});
+  }
+  problem.reference = Reference{0, 1, 2, -1, -1};
+  return problem;
+}
+
+/// The coordinates in the scene's unit, each off by up to `shift`.
+Point coordinates(const SceneEquations& equations, const Scene& scene, const Whole& points, double shift,
+                  RandomNumbers& random) {
+  Figure figure;
+  figure.points = points.cast<double>() * std::ldexp(1.0, -scene.unit_exponent());
+  Point x = equations.coordinates(figure);
+  for (auto& value : x) value += shift * random.uniform(-1, 1);
+  return x;
+}
+
+bool holds(const Enclosure& enclosure, const Point& x) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (std::abs(x[i].real() - enclosure.mid[i].real()) > enclosure.radius[i].real()) return false;
+    if (std::abs(x[i].imag() - enclosure.mid[i].imag()) > enclosure.radius[i].imag()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("an enclosure holds the exact solution, in doubles and in balls") {
+  RandomNumbers random(20260101);
+  for (int i = 0; i < 50; ++i) {
+    const Whole points = whole_placement(random);
+    const Scene scene(problem_of(points));
+    const SceneEquations equations(scene);
+    const Certifier certifier(equations.system());
+    const Point exact = coordinates(equations, scene, points, 0, random);
+    const Point near = coordinates(equations, scene, points, 1e-9, random);
+    const Certificate fast = certifier.certify(near), slow = certifier.certify(near, 128);
+    INFO("placement " << i);
+    REQUIRE(slow.is_proven);
+    CHECK(holds(slow.enclosure, exact));
+    CHECK(slow.bits >= 128);
+    if (!fast.is_proven) continue;
+    CHECK(holds(fast.enclosure, exact));
+    CHECK(fast.realness == Realness::real);
+    // What was moved by 1e-9 is that far off.
+    for (std::size_t k = 0; k < near.size(); ++k)
+      CHECK(fast.offset(k, near[k]) >= std::abs(near[k] - exact[k]));
+  }
+}
+
+TEST_CASE("well-conditioned solutions are proven in doubles") {
+  const Certificate certificate = certify_triangle("1.1", 1.1, 0.55, std::sqrt(1 - 0.55 * 0.55));
+  REQUIRE(certificate.is_proven);
+  CHECK(certificate.bits == 53);
+  for (const auto& radius : certificate.enclosure.radius) CHECK(radius.real() <= 1e-14);
+}
+
+TEST_CASE("a double solution is rejected as singular, and its cluster is proven") {
+  const Certificate certificate = certify_triangle("2", 2, 1, 0);
+  CHECK_FALSE(certificate.is_proven);
+  CHECK(certificate.cluster == 2);
+  const double unit = std::ldexp(1.0, -Scene(triangle("2")).unit_exponent());
+  CHECK(holds(certificate.enclosure, {2 * unit, unit, 0}));
+  CHECK(meeting_images(certificate.enclosure, {-1, -1, 1}) == 2);
+  CHECK(certificate.cause.find("singular") != std::string::npos);
+}
+
+TEST_CASE("a near miss is rejected: there is no real solution next to it") {
+  // c would have the square −1e-6 of a height.
+  const Certificate certificate = certify_triangle("2.000001", 2.000001, 1.0000005, 0);
+  CHECK_FALSE(certificate.is_proven);
+}
+
+TEST_CASE("lengths are the decimals of the file, not their doubles") {
+  // The double nearest to this base is 2, where the solution is double; here the height is 1e-20.
+  const Certificate certificate = certify_triangle("1.9999999999999999999999999999999999999999", 2, 1, 1e-20);
+  REQUIRE(certificate.is_proven);
+  CHECK(certificate.bits > 53);
+  CHECK(certificate.realness == Realness::real);
+  CHECK(certificate.enclosure.mid[2].real() > 0);
+  // And slightly longer than 2 it is imaginary.
+  const Certificate imaginary =
+      certify_triangle("2.0000000000000000000000000000000000000001", 2, 1, {0, 1e-20});
+  REQUIRE(imaginary.is_proven);
+  CHECK(imaginary.realness == Realness::not_real);
+}
+
+TEST_CASE("a real solution is recognised in complex numbers") {
+  const double height = std::sqrt(1 - 0.3025);
+  CHECK(certify_triangle("1.1", 1.1, {0.55, 1e-18}, {height, -1e-17}).realness == Realness::real);
+  const double depth = std::sqrt(1.2 * 1.2 - 1);
+  CHECK(certify_triangle("2.4", 2.4, 1.2, {0, depth}).realness == Realness::not_real);
+}
+
+TEST_CASE("equal solutions and mirror images coincide, and no others") {
+  const Scene scene(triangle("1.1"));
+  const QuadraticSystem system = SceneEquations(scene).system();
+  const Certifier certifier(system);
+  const double height = std::sqrt(1 - 0.3025);
+  std::vector<Enclosure> boxes;
+  for (const double sign : {1.0, -1.0, 1.0}) {
+    const Certificate certificate = certifier.certify({1.1, 0.55, sign * height});
+    REQUIRE(certificate.is_proven);
+    boxes.push_back(certificate.enclosure);
+  }
+  // Far from its own place: another class as far as boxes tell.
+  boxes.push_back(boxes[0]);
+  boxes.back().mid[2] += 1e-9;
+  const std::vector<Coincidence> pairs = coincidences(boxes, system.mirror);
+  REQUIRE(pairs.size() == 3);
+  for (const Coincidence& pair : pairs) {
+    CHECK(pair.second < 3);
+    CHECK(pair.is_proven);
+  }
+  for (const Enclosure& box : boxes) CHECK(meeting_images(box, system.mirror) == 1);
+}
+
+TEST_CASE("solutions that differ by the side of one point are different classes") {
+  RandomNumbers random(7);
+  const Whole points = whole_placement(random);
+  const Scene scene(problem_of(points));
+  const SceneEquations equations(scene);
+  const Point x = coordinates(equations, scene, points, 0, random);
+  Enclosure box{x, Point(x.size(), {1e-15, 0}), 1e-3};
+  Enclosure other = box;
+  int moved = 0;
+  for (std::size_t i = 0; i < x.size() && moved == 0; ++i)
+    if (equations.system().mirror[i] == 2 && x[i] != 0.0) {
+      other.mid[i] = -other.mid[i];
+      ++moved;
+    }
+  REQUIRE(moved == 1);
+  CHECK(coincidences({box, other}, equations.system().mirror).empty());
+}

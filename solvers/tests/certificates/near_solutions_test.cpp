@@ -1,0 +1,50 @@
+#include "solvers/certificates/near_solutions.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace gcs;
+
+namespace {
+
+/// x² = square and y² = 1, from (0, 1), next to which two solutions should be.
+SettledSolutions near_zero(const std::string& square) {
+  const auto squared = [](int unknown) {
+    const LinearForm form{{{unknown}}, {}};
+    return FormProduct{form, form};
+  };
+  ExactNumber given;
+  given.decimal = square;
+  const QuadraticSystem system{2, {{{squared(0)}, given}, {{squared(1)}, exactly(1)}}, {-1, -1}};
+  return settle(system, {{{0, 1}, 2}}, 2, {});
+}
+
+void check_two(const std::string& square, Certificate::Realness realness, double apart) {
+  const SettledSolutions settled = near_zero(square);
+  INFO(square);
+  CHECK(settled.multiple.empty());
+  REQUIRE(settled.simple.size() == 2);
+  for (const Certificate& solution : settled.simple) CHECK(solution.realness == realness);
+  const auto difference = settled.simple[0].enclosure.mid[0] - settled.simple[1].enclosure.mid[0];
+  CHECK(std::abs(difference) == Approx(apart));
+}
+
+}  // namespace
+
+TEST_CASE("two solutions next to a singular point are proven to be two, and real or not") {
+  check_two("1e-10", Certificate::Realness::real, 2e-5);
+  check_two("1e-26", Certificate::Realness::real, 2e-13);
+  check_two("-1e-26", Certificate::Realness::not_real, 2e-13);
+}
+
+TEST_CASE("a double solution is settled as one") {
+  const SettledSolutions settled = near_zero("0");
+  CHECK(settled.simple.empty());
+  REQUIRE(settled.multiple.size() == 1);
+  CHECK(settled.multiple[0].multiplicity == 2);
+  CHECK(settled.count() == 2);
+  CHECK(std::abs(settled.multiple[0].x[0]) <= 1e-14);
+}
+
+TEST_CASE("solutions far from a point are not counted as next to it") {
+  CHECK(near_zero("1e-4").count() == 0);
+}

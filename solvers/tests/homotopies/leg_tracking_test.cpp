@@ -1,0 +1,266 @@
+#include "solvers/homotopies/leg_tracking.hpp"
+
+#include <Eigen/LU>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "solvers/model/distance_system.hpp"
+#include "solvers/tests/sample_problems.hpp"
+
+using namespace gcs;
+
+namespace {
+
+const auto never = [] { return false; };
+
+SquareSystem system_of(const Problem& problem) {
+  const Scene scene(problem);
+  return square_system(DistanceSystem(scene));
+}
+
+std::vector<SquareSystem> systems() {
+  samples::RandomNumbers random(5);
+  std::vector<SquareSystem> result{system_of(samples::k33()), system_of(samples::octahedron())};
+  for (const int dimension : {2, 3})
+    result.push_back(system_of(samples::random_problem(dimension, 7, random)));
+  return result;
+}
+
+Eigen::VectorXcd value_at(const SquareSystem& system, const Eigen::VectorXcd& x,
+                          const Eigen::VectorXcd& squares) {
+  Eigen::VectorXcd value = -squares;
+  for (int e = 0; e < system.equations(); ++e) {
+    for (int d = system.first[e]; d < system.first[e + 1]; ++d) {
+      const auto [minuend, subtrahend, constant] = system.differences[d];
+      const std::complex<double> difference = x[minuend] - (subtrahend < 0 ? constant : x[subtrahend]);
+      value[e] += difference * difference;
+    }
+    value[e] += system.given[e];
+  }
+  return value;
+}
+
+/// By differences of the value: it is quadratic, so that central ones are exact but for rounding.
+Eigen::MatrixXcd jacobian_at(const SquareSystem& system, const Eigen::VectorXcd& x,
+                             const Eigen::VectorXcd& squares) {
+  Eigen::MatrixXcd jacobian(system.equations(), system.unknowns);
+  for (int i = 0; i < system.unknowns; ++i) {
+    Eigen::VectorXcd ahead = x, behind = x;
+    ahead[i] += 1;
+    behind[i] -= 1;
+    jacobian.col(i) = (value_at(system, ahead, squares) - value_at(system, behind, squares)) / 2;
+  }
+  return jacobian;
+}
+
+Eigen::VectorXcd squares_on(const Route& route, double s) {
+  Eigen::VectorXcd squares(static_cast<Eigen::Index>(route.end.size()));
+  for (Eigen::Index e = 0; e < squares.size(); ++e) {
+    const auto& c = route.coefficients;
+    squares[e] = c[0][e] + s * (c[1][e] + s * (c[2][e] + s * c[3][e]));
+  }
+  return squares;
+}
+
+/// Newton's method at every one of many small steps, with pivoting: slow and obviously right.
+Eigen::VectorXcd follow_slowly(const SquareSystem& system, const ComplexVectorX& start, const Route& route) {
+  constexpr int steps = 4000;
+  Eigen::VectorXcd x = Eigen::Map<const Eigen::VectorXcd>(start.data(), system.unknowns);
+  for (int step = 1; step <= steps; ++step) {
+    const Eigen::VectorXcd squares = squares_on(route, static_cast<double>(step) / steps);
+    for (int i = 0; i < 3; ++i)
+      x -= jacobian_at(system, x, squares).partialPivLu().solve(value_at(system, x, squares));
+  }
+  return x;
+}
+
+/// From the lengths of `start` along a random cubic.
+Route random_route(const SquareSystem& system, const ComplexVectorX& start, std::mt19937_64& random) {
+  Route route;
+  route.coefficients[0] = squares_at(system, start);
+  route.end = route.coefficients[0];
+  for (int k = 1; k <= Route::degree; ++k) {
+    route.coefficients[k] = random_complex_vector(system.equations(), random);
+    for (std::size_t e = 0; e < route.end.size(); ++e) route.end[e] += route.coefficients[k][e];
+  }
+  return route;
+}
+
+Route reversed(const Route& route) {
+  Route back;
+  for (std::size_t e = 0; e < route.end.size(); ++e) {
+    const auto& c = route.coefficients;
+    back.coefficients[0].push_back(c[0][e] + c[1][e] + c[2][e] + c[3][e]);
+    back.coefficients[1].push_back(-c[1][e] - 2.0 * c[2][e] - 3.0 * c[3][e]);
+    back.coefficients[2].push_back(c[2][e] + 3.0 * c[3][e]);
+    back.coefficients[3].push_back(-c[3][e]);
+  }
+  back.end = route.coefficients[0];
+  return back;
+}
+
+/// Random starts and a route for each.
+struct Task {
+  std::vector<ComplexVectorX> starts;
+  std::vector<Route> routes;
+
+  Task(const SquareSystem& system, int count, std::mt19937_64& random) {
+    for (int i = 0; i < count; ++i) {
+      starts.push_back(random_complex_vector(system.unknowns, random));
+      routes.push_back(random_route(system, starts.back(), random));
+    }
+  }
+
+  std::vector<Leg> legs() const {
+    std::vector<Leg> result;
+    for (std::size_t i = 0; i < starts.size(); ++i) result.push_back({starts[i].data(), &routes[i]});
+    return result;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a leg ends where many small steps with a pivoting solver end") {
+  std::mt19937_64 random(11);
+  for (const SquareSystem& system : systems()) {
+    const Elimination elimination = order_elimination(system, random);
+    const Task task(system, 1, random);
+    WorkCounters work;
+    LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
+    const std::vector<LegResult> results = tracking.follow(task.legs(), never, work);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      REQUIRE(results[i].state.end == LegEnd::arrived);
+      const Eigen::VectorXcd slow = follow_slowly(system, task.starts[i], task.routes[i]);
+      const Eigen::Map<const Eigen::VectorXcd> fast(results[i].x.data(), system.unknowns);
+      CHECK((fast - slow).cwiseAbs().maxCoeff() <= 1e-9 * (1 + slow.cwiseAbs().maxCoeff()));
+    }
+  }
+}
+
+TEST_CASE("a leg followed back ends where it began") {
+  std::mt19937_64 random(12);
+  for (const SquareSystem& system : systems()) {
+    const Elimination elimination = order_elimination(system, random);
+    const Task task(system, 40, random);
+    WorkCounters work;
+    LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
+    const std::vector<LegResult> there = tracking.follow(task.legs(), never, work);
+    std::vector<Route> routes;
+    for (const Route& route : task.routes) routes.push_back(reversed(route));
+    std::vector<Leg> legs;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      REQUIRE(there[i].state.end == LegEnd::arrived);
+      legs.push_back({there[i].x.data(), &routes[i]});
+    }
+    const std::vector<LegResult> back = tracking.follow(legs, never, work);
+    for (std::size_t i = 0; i < back.size(); ++i) {
+      REQUIRE(back[i].state.end == LegEnd::arrived);
+      CHECK(distance(back[i].x, task.starts[i]) <= 1e-9);
+    }
+  }
+}
+
+TEST_CASE("the bits of a leg depend on no instruction set, thread or neighbour") {
+  std::mt19937_64 random(13);
+  const SquareSystem system = system_of(samples::octahedron());
+  const Elimination elimination = order_elimination(system, random);
+  const Task task(system, 21, random);
+  WorkCounters work;
+  LegTracking alone(system, elimination, {{}, InstructionSet::portable, 1});
+  std::vector<ComplexVectorX> expected;
+  for (const Leg& leg : task.legs())
+    expected.push_back(alone.follow(std::span(&leg, 1), never, work).front().x);
+  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!is_available(set)) continue;
+    for (const int threads : {1, 2, 3}) {
+      LegTracking tracking(system, elimination, {{}, set, threads});
+      const std::vector<LegResult> results = tracking.follow(task.legs(), never, work);
+      for (std::size_t i = 0; i < results.size(); ++i) CHECK(results[i].x == expected[i]);
+    }
+  }
+}
+
+TEST_CASE("a path that doubles cannot follow is followed in twice the precision") {
+  // p3 comes to within 1e-7 of the line through p1 and p2, where the Jacobian is nearly singular, and leaves.
+  const SquareSystem system = system_of(samples::problem_of(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {2, 1, 1}));
+  std::mt19937_64 random(14);
+  const Elimination elimination = order_elimination(system, random);
+  const ComplexVectorX start{2, 1, 1};
+  Route route;
+  route.coefficients = {ComplexVectorX{4, 2, 2}, ComplexVectorX{0, {-2, 1e-7}, {-2, 1e-7}}, ComplexVectorX(3),
+                        ComplexVectorX(3)};
+  route.end = {4, {0, 1e-7}, {0, 1e-7}};
+  WorkCounters work;
+  LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
+  const Leg leg{start.data(), &route};
+  const LegResult result = tracking.follow(std::span(&leg, 1), never, work).front();
+  REQUIRE(result.state.end == LegEnd::arrived);
+  const Eigen::VectorXcd slow = follow_slowly(system, start, route);
+  CHECK(std::abs(result.x[2] - slow[2]) <= 1e-9);
+}
+
+TEST_CASE("results of legs survive as a block of a journal") {
+  std::mt19937_64 random(16);
+  const SquareSystem system = system_of(samples::octahedron());
+  const Elimination elimination = order_elimination(system, random);
+  const Task task(system, 5, random);
+  std::vector<Leg> legs = task.legs();
+  legs[2].shortest_step = 0.9;
+  WorkCounters work;
+  LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
+  const FollowedLegs followed{tracking.follow(legs, never, work), {7, 8, 9}};
+  const FollowedLegs read = from_block(to_block(followed));
+  CHECK(read.work.accepted == 7);
+  CHECK(read.work.rejected == 8);
+  CHECK(read.work.evaluations == 9);
+  REQUIRE(read.results.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const LegState &ours = followed.results[i].state, &theirs = read.results[i].state;
+    CHECK(theirs.end == (i == 2 ? LegEnd::short_steps : LegEnd::arrived));
+    CHECK(theirs.s == ours.s);
+    CHECK(theirs.steps == ours.steps);
+    CHECK(theirs.rejected == ours.rejected);
+    CHECK(theirs.last_correction == ours.last_correction);
+    CHECK(read.results[i].x == followed.results[i].x);
+  }
+  Journal::Block cut = to_block(followed);
+  cut.pop_back();
+  CHECK_THROWS_AS(from_block(cut), std::invalid_argument);
+  CHECK_THROWS_AS(from_block({}), std::invalid_argument);
+}
+
+TEST_CASE("legs are known by their starts, routes, limits and number") {
+  std::mt19937_64 random(17);
+  const SquareSystem system = system_of(samples::k33());
+  const int n = system.unknowns;
+  const Task task(system, 3, random);
+  const std::uint64_t known = fingerprint(task.legs(), n);
+  CHECK(fingerprint(task.legs(), n) == known);
+  Task other = task;
+  other.starts[2][1] = {other.starts[2][1].real(), std::nextafter(other.starts[2][1].imag(), 9.0)};
+  CHECK(fingerprint(other.legs(), n) != known);
+  other = task;
+  other.routes[1].coefficients[3][0] += 1e-3;
+  CHECK(fingerprint(other.legs(), n) != known);
+  std::vector<Leg> legs = task.legs();
+  legs[0].shortest_step = 1e-3;
+  CHECK(fingerprint(legs, n) != known);
+  legs = task.legs();
+  std::swap(legs[0], legs[1]);
+  CHECK(fingerprint(legs, n) != known);
+  legs.pop_back();
+  CHECK(fingerprint(legs, n) != known);
+}
+
+TEST_CASE("a leg is given up where its steps become too short for it") {
+  std::mt19937_64 random(15);
+  const SquareSystem system = system_of(samples::octahedron());
+  const Elimination elimination = order_elimination(system, random);
+  const Task task(system, 1, random);
+  WorkCounters work;
+  LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
+  const Leg leg{task.starts[0].data(), &task.routes[0], 0.9};
+  const LegResult result = tracking.follow(std::span(&leg, 1), never, work).front();
+  CHECK(result.state.end == LegEnd::short_steps);
+  CHECK(result.state.s < 1);
+}

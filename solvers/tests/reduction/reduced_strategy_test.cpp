@@ -1,0 +1,247 @@
+/// With reduce=on a strategy finds what it finds with reduce=off, at the cost of the parts.
+
+#include "solvers/reduction/reduced_strategy.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/figures/solution_classes.hpp"
+#include "solvers/reduction/simplex_coordinates.hpp"
+#include "solvers/structure/decomposition.hpp"
+#include "solvers/tests/grown_graphs.hpp"
+
+using namespace gcs;
+using samples::Graph;
+using samples::RandomNumbers;
+
+namespace {
+
+const StrategyEntry& entry_of(std::string_view name) {
+  for (const StrategyEntry& entry : all_strategies())
+    if (entry.name == name) return entry;
+  throw std::invalid_argument("no such strategy");
+}
+
+SolveReport solve(std::string_view name, const Scene& scene, const char* reduce,
+                  std::optional<std::size_t> most_listed = std::nullopt) {
+  const StrategyEntry& entry = entry_of(name);
+  const auto strategy = entry.make(complete_options(entry, {{"reduce", reduce}}));
+  const SolveRequest request{scene, 1, 1, {}, nullptr, nullptr, nullptr, most_listed};
+  strategy->prepare(request);
+  return strategy->solve(request);
+}
+
+std::vector<Figure> figures_of(const Scene& scene, const SolveReport& report) {
+  std::vector<Figure> figures;
+  for (const Candidate& candidate : report.candidates)
+    figures.push_back(scene.representative(candidate.figure));
+  return figures;
+}
+
+ReflectionClasses classes_of(const Scene& scene, const std::vector<Figure>& figures) {
+  std::vector<SolutionQuality> qualities;
+  for (const Figure& figure : figures) qualities.push_back({jacobian_condition(scene, figure)});
+  return solution_classes(scene, figures, qualities);
+}
+
+std::size_t real_ones(const SolveReport& report) {
+  return static_cast<std::size_t>(std::count_if(report.candidates.begin(), report.candidates.end(),
+                                                [](const Candidate& c) { return c.figure.is_real(); }));
+}
+
+/// The same classes, each once, and as many as the totals say.
+void check_agreement(std::string_view name, const Scene& scene) {
+  const SolveReport whole = solve(name, scene, "off"), reduced = solve(name, scene, "on");
+  INFO(name << ": " << whole.reason << " / " << reduced.reason);
+  REQUIRE(whole.status == SolveStatus::complete);
+  REQUIRE(reduced.status == SolveStatus::complete);
+  REQUIRE(reduced.totals);
+  CHECK(reduced.claim == whole.claim);
+  CHECK(reduced.totals->real == Natural(real_ones(reduced)));
+  if (whole.claim == Claim::all_complex) CHECK(reduced.totals->complex == Natural(reduced.candidates.size()));
+  std::vector<Figure> figures = figures_of(scene, whole);
+  const std::size_t wholes = figures.size();
+  const int classes = classes_of(scene, figures).count();
+  CHECK(reduced.candidates.size() == static_cast<std::size_t>(classes));
+  const std::vector<Figure> others = figures_of(scene, reduced);
+  CHECK(classes_of(scene, others).count() == static_cast<int>(others.size()));
+  figures.insert(figures.end(), others.begin(), others.end());
+  CHECK(classes_of(scene, figures).count() == classes);
+  CHECK(real_ones(reduced) ==
+        static_cast<std::size_t>(
+            classes_of(scene,
+                       [&] {
+                         std::vector<Figure> real(figures.begin(),
+                                                  figures.begin() + static_cast<std::ptrdiff_t>(wholes));
+                         std::erase_if(real, [](const Figure& figure) { return !figure.is_real(); });
+                         return real;
+                       }())
+                .count()));
+}
+
+std::int64_t steps(const SolveReport& report) { return report.work.iterations + report.work.rejected_steps; }
+
+}  // namespace
+
+TEST_CASE("put together, the parts have the solutions of the whole") {
+  RandomNumbers random(11);
+  for (int trial = 0; trial < 4; ++trial) {
+    Graph octahedron = samples::octahedron_graph(), k33 = samples::k33_graph();
+    samples::hang_at_random(octahedron, 2, 0, random);
+    samples::hang_at_random(k33, 3, 0, random);
+    for (const Graph& graph : {octahedron, k33, samples::chain_of_octahedra(2)}) {
+      const Scene scene(samples::placed_at_random(graph, random));
+      check_agreement("monodromy", scene);
+      if (trial < 2) check_agreement("plan-scan", scene);
+    }
+  }
+}
+
+TEST_CASE("what is on both sides of a simplex is put together by it, whatever the order") {
+  RandomNumbers random(13);
+  const auto [a, b] = samples::k33_graph().edges.front();
+  const Graph plane = samples::with_simplex_between(samples::k33_graph(), {a, b});
+  const Graph space = samples::with_simplex_between(samples::chain_of_octahedra(1), {0, 1, 2});
+  for (int trial = 0; trial < 4; ++trial)
+    check_agreement("monodromy",
+                    Scene(samples::placed_at_random(samples::relabelled(plane, random), random)));
+  check_agreement("monodromy", Scene(samples::placed_at_random(samples::relabelled(space, random), random)));
+}
+
+TEST_CASE("scenes grown at random have the same solutions in parts and whole") {
+  RandomNumbers random(14);
+  for (int trial = 0; trial < 12; ++trial) {
+    const Graph core = trial % 2 == 0 ? samples::k33_graph() : samples::octahedron_graph();
+    Graph graph = core;
+    bool has_two_cores = false;
+    while (graph.points < 10) {
+      const auto facets = samples::facets(graph);
+      if (has_two_cores || random.index(2) == 0) {
+        samples::hang_at_random(graph, 1, 0, random);
+      } else {
+        graph = samples::glued_at(graph, facets[random.index(static_cast<int>(facets.size()))], core,
+                                  samples::facets(core).front());
+        has_two_cores = true;
+      }
+    }
+    check_agreement("monodromy",
+                    Scene(samples::placed_at_random(samples::relabelled(graph, random), random)));
+  }
+}
+
+TEST_CASE("points that hang on points of several parts are placed for every choice of sides") {
+  RandomNumbers random(12);
+  Graph graph = samples::chain_of_octahedra(2);  // 0–2, 3–5 in common, 6–8
+  samples::hang(graph, {0, 4, 7});
+  samples::hang(graph, {1, 6, 9});
+  check_agreement("monodromy", Scene(samples::placed_at_random(graph, random)));
+}
+
+TEST_CASE("a thousand hung points cost no step of the tracker") {
+  RandomNumbers random(13);
+  Graph graph = samples::octahedron_graph();
+  samples::hang_at_random(graph, 1000, 6, random);
+  const Problem problem = samples::placed_at_random(graph, random);
+  Problem core = problem;
+  core.points.resize(6);
+  core.sketch->points.conservativeResize(3, 6);
+  core.constraints.resize(12);
+  const Scene whole(problem), bare(core);
+  for (const char* name : {"monodromy", "polyhedral", "plan-scan"}) {
+    const SolveReport with = solve(name, whole, "on", 5), without = solve(name, bare, "off");
+    INFO(name << ": " << with.reason);
+    CHECK(with.status == SolveStatus::complete);
+    CHECK(with.candidates.size() == 5);
+    CHECK(steps(with) == steps(without));
+    CHECK(with.work.evaluations == without.work.evaluations);
+    // The lengths are those of a figure, so that every point has two real places at least there.
+    REQUIRE(with.totals->real);
+    CHECK(*with.totals->real >= Natural::power_of_two(1000));
+    for (const Candidate& candidate : with.candidates)
+      CHECK(relative_residual(whole, candidate.figure) < 1e-12);
+  }
+}
+
+TEST_CASE("a chain of ten octahedra is counted exactly and listed as far as asked for") {
+  RandomNumbers random(14);
+  const Scene scene(samples::placed_at_random(samples::chain_of_octahedra(10), random));
+  const SolveReport report = solve("monodromy", scene, "on", 40);
+  REQUIRE(report.status == SolveStatus::complete);
+  // An octahedron has 8 classes at generic lengths, each of the ten two sides, and half are mirror images.
+  CHECK(report.totals->complex == Natural::power_of_two(3 * 10 + 9));
+  CHECK(report.totals->generic == report.totals->complex);
+  CHECK(report.candidates.size() == 40);
+  CHECK(classes_of(scene, figures_of(scene, report)).count() == 40);
+  CHECK(report.paths.size() == 80);
+}
+
+TEST_CASE("more choices than can be looked at are named, not counted") {
+  RandomNumbers random(15);
+  Graph graph = samples::octahedron_graph();
+  for (int i = 0; i < 20; ++i) samples::hang(graph, {graph.points - 1, graph.points - 3, graph.points - 5});
+  const SolveReport report = solve("monodromy", Scene(samples::placed_at_random(graph, random)), "on", 3);
+  CHECK(report.status == SolveStatus::partial);
+  CHECK(report.reason.find("more choices") != std::string::npos);
+  CHECK_FALSE(report.totals->complex);
+}
+
+TEST_CASE("on the core's path hung points stay on the sketch's side") {
+  RandomNumbers random(16);
+  Graph graph = samples::octahedron_graph();
+  samples::hang_at_random(graph, 5, 0, random);
+  std::size_t placed = 0;
+  for (int trial = 0; trial < 3; ++trial) {
+    const Problem problem = samples::placed_at_random(graph, random);
+    const Scene scene(problem);
+    for (const char* name : {"full-space", "rcp"}) {
+      const SolveReport report = solve(name, scene, "on");
+      INFO(name << ": " << report.reason);
+      CHECK(report.claim == Claim::on_path_of_core);
+      CHECK((report.status == SolveStatus::complete || report.status == SolveStatus::partial));
+      if (report.status == SolveStatus::partial) CHECK(report.reason.find("real place") != std::string::npos);
+      placed += report.candidates.size();
+      for (const Candidate& candidate : report.candidates) {
+        CHECK(relative_residual(scene, candidate.figure) < 1e-12);
+        for (const Part& part : decompose(problem, Split::hung_points)) {
+          if (!part.is_hung_point()) continue;
+          const auto side = [&](const Figure& figure) {
+            const Simplex positions = figure.points.cast<std::complex<double>>();
+            return std::signbit(SimplexFrame(columns(positions, part.base))
+                                    .coordinates(positions.col(part.points.front()))[2]
+                                    .real());
+          };
+          CHECK(side(candidate.figure) == side(*scene.sketch()));
+        }
+      }
+    }
+  }
+  CHECK(placed > 0);
+}
+
+TEST_CASE("the number of some solutions is no total") {
+  RandomNumbers random(17);
+  Graph graph = samples::octahedron_graph();
+  samples::hang_at_random(graph, 2, 0, random);
+  const Scene scene(samples::placed_at_random(graph, random));
+  const SolveReport report = solve("newton-multistart", scene, "on");
+  REQUIRE(report.status == SolveStatus::complete);
+  CHECK(report.claim == Claim::some_real);
+  CHECK(report.candidates.size() >= 4);  // the figure of the lengths, with two sides for each hung point
+  REQUIRE(report.totals);
+  CHECK_FALSE(report.totals->real);
+  CHECK_FALSE(report.totals->complex);
+}
+
+TEST_CASE("a flat point counts once, as a double solution") {
+  // p3 off the segment p1–p2, p4 on it, and p5 and p6 hang on both.
+  Problem problem =
+      samples::problem_of(2, 6, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 4}, {3, 4}, {2, 5}, {3, 5}},
+                          {3, 2.5, 2.5, 1, 2, 2, 2, 2.2, 1.9});
+  const Scene scene(problem);
+  const SolveReport report = solve("monodromy", scene, "on");
+  INFO(report.reason);
+  REQUIRE(report.totals);
+  for (const Candidate& candidate : report.candidates) CHECK(candidate.multiplicity == 2);
+}

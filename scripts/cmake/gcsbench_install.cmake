@@ -9,9 +9,13 @@ install(DIRECTORY instances DESTINATION ${data_dir} FILES_MATCHING PATTERN "*.js
 install(DIRECTORY results/published results/reference DESTINATION ${data_dir}/results FILES_MATCHING PATTERN "*.json")
 install(FILES LICENSE CITATION.cff README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # What README.md leads to.
-install(FILES results/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
+install(FILES results/README.md results/findings.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
 install(DIRECTORY results/plots DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
-install(FILES solvers/strategies/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers/strategies)
+install(FILES solvers/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers)
+foreach(room IN ITEMS strategies certificates counting homotopies reduction)
+  install(FILES solvers/${room}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers/${room})
+endforeach()
+install(FILES harness/README.md harness/glossary.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/harness)
 install(FILES instances/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/instances)
 
 # The program writes its manual page itself.

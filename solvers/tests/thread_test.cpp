@@ -28,9 +28,7 @@ SolveReport solved(const Scene& scene, std::string_view name, const OptionMap& g
   for (const StrategyEntry& entry : all_strategies()) {
     if (entry.name != name) continue;
     const std::unique_ptr<Strategy> strategy = entry.make(complete_options(entry, given));
-    SolveRequest request{scene};
-    request.threads = threads;
-    request.stop = stop;
+    const SolveRequest request{scene, 1, threads, stop};
     strategy->prepare(request);
     return strategy->solve(request);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "harness/instances/families.hpp"
 #include "harness/instances/family_lists.hpp"
 #include "harness/results/strategy_choice.hpp"
 #include "harness/tables/table_run.hpp"

@@ -24,8 +24,8 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Replaces the target's content by `text`. Call once. Throws OutputError when that fails; then nothing has
-  /// changed.
+  /// Replaces the target's content by `text`. Call once. Throws OutputError when that fails;
+  /// then nothing has changed.
   void commit(std::string_view text);
 
  private:
@@ -33,8 +33,8 @@ class AtomicFile {
 
   std::filesystem::path named_;   ///< as the user named it, for messages
   std::filesystem::path target_;  ///< with links followed
-  std::filesystem::path
-      written_;  ///< a new file beside the target, or the target when that is no regular file
+  /// A new file beside the target, or the target when that is no regular file.
+  std::filesystem::path written_;
   int descriptor_ = -1;
 };
 

@@ -9,9 +9,10 @@ struct Environment {
   std::string cpu;       ///< model name, "unknown" where the system does not say
   std::string compiler;  ///< name and version
   std::string flags;     ///< those that change the generated code
-  std::string commit;    ///< hash of the source, "unknown" outside git; where it was edited, "+dirty-" and a
-                         ///< hash of the edit are appended
-  int threads = 1;       ///< threads that the strategy was allowed
+  /// Hash of the source, "unknown" outside git;
+  /// where it was edited, "+dirty-" and a hash of the edit are appended.
+  std::string commit;
+  int threads = 1;                ///< threads that the strategy was allowed
   std::string instructions = {};  ///< the widest vector instructions there are: "AVX2"
 };
 

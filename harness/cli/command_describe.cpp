@@ -125,8 +125,8 @@ const DistanceConstraint& bent_constraint(const Problem& problem) {
   return bent >= 0 ? problem.constraints[bent] : problem.constraints.back();
 }
 
-/// The parts of the reference that are used, by the names of the instance format; none where positions are
-/// fixed.
+/// The parts of the reference that are used, by the names of the instance format;
+/// none where positions are fixed.
 std::vector<std::pair<std::string, std::string>> reference_parts(const Description& description) {
   const Problem& problem = description.instance.problem;
   const Reference& reference = description.reference;

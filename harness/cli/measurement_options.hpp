@@ -13,8 +13,8 @@ void add_measuring_options(CLI::App& command, const char* files, TableRequest& r
 /// How --resume goes on, for --help.
 extern const char* const resume_help;
 
-/// Measures, writes the folder that the request names, if any, and prints the tables. Throws as run_tables
-/// does.
+/// Measures, writes the folder that the request names, if any, and prints the tables.
+/// Throws as run_tables does.
 RunRecord measure_and_show(TableRequest request, const Publications& publications,
                            const Invocation& invocation);
 

@@ -38,8 +38,8 @@ Plot empty_plot(const StoredScene& scene, const ReducedPath& reduced, std::strin
   return plot;
 }
 
-/// Pieces of S on which `style_of(corner)` is the same, each up to where the next one begins; a label the
-/// first time.
+/// Pieces of S on which `style_of(corner)` is the same, each up to where the next one begins;
+/// a label the first time.
 template <typename StyleOf>
 std::vector<PlotSeries> pieces(const StoredPath& path, const ReducedPath& reduced, StyleOf style_of) {
   std::vector<PlotSeries> series;

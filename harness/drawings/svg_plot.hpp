@@ -46,8 +46,8 @@ struct Plot {
 /// power of ten. Precondition: low < high.
 PlotAxis axis_over(std::string label, double low, double high);
 
-/// An axis of decimal logarithms over [low, high], with at most six ticks at whole ones. Precondition: low <=
-/// high.
+/// An axis of decimal logarithms over [low, high], with at most six ticks at whole ones.
+/// Precondition: low <= high.
 PlotAxis decades_over(std::string label, double low, double high);
 
 /// The whole SVG document. Points outside the axes are left out. Equal plots give equal text.

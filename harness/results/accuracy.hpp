@@ -17,15 +17,15 @@ inline constexpr double explained_quotient = 10;
 
 /// Errors are relative to the scene's size; see figure_distance.hpp for what they measure.
 struct Accuracy {
-  std::uint64_t met = 0;                ///< reference solutions that the answer has
-  std::optional<std::uint64_t> missed;  ///< those that its claim covers (some real: all real ones) and that
-                                        ///< it has not; empty: not known
-  std::uint64_t spurious = 0;           ///< listed solutions that are none, or that stand there twice
-  double largest_error = 0;             ///< over the solutions met
+  std::uint64_t met = 0;  ///< reference solutions that the answer has
+  /// Those that its claim covers (some real: all real ones) and that it has not; empty: not known.
+  std::optional<std::uint64_t> missed;
+  std::uint64_t spurious = 0;  ///< listed solutions that are none, or that stand there twice
+  double largest_error = 0;    ///< over the solutions met
   double median_error = 0;
   double largest_condition = 0;  ///< as assessed, of the solutions met
-  double largest_quotient =
-      0;  ///< of an error over the condition number (1 at least) times the unit roundoff
+  /// Of an error over the condition number (1 at least) times the unit roundoff.
+  double largest_quotient = 0;
 
   /// It lists what is none, or has not what it claims to find; who claims some real solutions promises none
   /// in particular.

@@ -32,8 +32,8 @@ struct ProgramAnswer {
 /// real unless its coordinates are pairs. Members that it does not know are passed over. Throws InputError.
 ProgramAnswer parse_answer(const std::string& text, const Problem& problem, const std::string& source);
 
-/// The result in `text`; `file` is for messages. Members that it does not know are passed over. Throws
-/// InputError.
+/// The result in `text`; `file` is for messages. Members that it does not know are passed over.
+/// Throws InputError.
 StoredResult parse_result(const std::string& text, const std::string& file);
 
 /// The result in the file of that name; "-" is standard input. Throws InputError.

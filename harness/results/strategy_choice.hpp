@@ -12,8 +12,8 @@ namespace gcs {
 /// The strategy of that name. Throws UsageError with the nearest name when there is none.
 const StrategyEntry& find_strategy(std::string_view name);
 
-/// The strategy of that name, or the external program of "exec:COMMAND", whose entry refers to `name`. Throws
-/// UsageError likewise.
+/// The strategy of that name, or the external program of "exec:COMMAND", whose entry refers to `name`.
+/// Throws UsageError likewise.
 StrategyEntry find_strategy_or_program(const std::string& name);
 StrategyEntry find_strategy_or_program(std::string&& name) = delete;
 

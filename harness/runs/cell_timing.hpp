@@ -50,8 +50,8 @@ using MeasureCheckpoint = std::function<void(const std::vector<CellRecord>& cell
 /// Measures all tasks, in their order. `known` holds cells of an earlier session of the same program: what is
 /// decided is not solved again, repetitions that are there count, and only those that are missing are added.
 /// A solve that was stopped by its time limit is repeated when it may take longer now. What is known of cells
-/// whose turn has not come is stored and returned with the rest. After an interrupt
-/// (see stop_conditions.hpp) what is there is returned.
+/// whose turn has not come is stored and returned with the rest. After an interrupt (see stop_conditions.hpp)
+/// what is there is returned.
 std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
                                 const std::vector<CellRecord>& known, Monitor& progress,
                                 const MeasureCheckpoint& checkpoint);

@@ -60,8 +60,8 @@ struct Publication {
                             const std::string& by) const;
 };
 
-/// Reads results/published/<source>.json below the current folder, else where the program was built. Throws
-/// InputError.
+/// Reads results/published/<source>.json below the current folder, else where the program was built.
+/// Throws InputError.
 Publication load_publication(const std::string& source);
 
 /// Reads the text of such a file; `file` is for messages. Throws InputError.

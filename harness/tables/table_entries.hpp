@@ -39,8 +39,8 @@ inline constexpr double wanted_confidence = 0.95;
 inline constexpr const char* spread_remark =
     "± half of the median's 95% interval, which takes 6 runs; of fewer, the shortest and the longest";
 
-/// A number that the cell's answer gives, shown even when the answer is wrong (with a footnote); without an
-/// answer: why.
+/// A number that the cell's answer gives, shown even when the answer is wrong (with a footnote);
+/// without an answer: why.
 TableCell answer_entry(Table& table, const CellRecord* cell, std::optional<double> value);
 
 /// ours / printed; the empty entry unless there are both.

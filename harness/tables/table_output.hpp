@@ -11,8 +11,8 @@
 
 namespace gcs {
 
-/// Writes every table as <name>.<extension> in every format, each file at once or not at all. Throws
-/// OutputError.
+/// Writes every table as <name>.<extension> in every format, each file at once or not at all.
+/// Throws OutputError.
 void write_tables(const TableSet& set, const std::filesystem::path& folder,
                   std::span<const TableFormat> formats);
 

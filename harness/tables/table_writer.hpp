@@ -14,8 +14,8 @@ namespace gcs {
 std::string to_markdown(const Table& table);
 
 /// RFC 4180 with "\n" line ends: the columns section, row label, one per column ("group: column"), and notes,
-/// which holds the text of the footnotes of the row's entries; the entries carry no marks. Remarks are left
-/// out.
+/// which holds the text of the footnotes of the row's entries; the entries carry no marks.
+/// Remarks are left out.
 std::string to_csv(const Table& table);
 
 /// For booktabs; a table environment or, with more rows than a page has, a longtable. Everything that LaTeX

@@ -8,10 +8,10 @@ if(NOT TARGET gcs_test_main)
 endif()
 
 # gcs_add_tests(<program> [COST <n>] LABEL <label> LIBRARIES <lib>… SOURCES <file>…): every TEST_CASE becomes a ctest
-# test. Tests of higher cost start first, so that none is left alone at the end. The label: unit, a
-# part of the library or of the program; solve, whole solves; contract, every strategy on small scenes of every kind.
-# Tests of the program as a user runs it have the labels program and, where it reads what anybody may have written,
-# foreign. Sanitizers run unit, contract, which asks repetitions(), and foreign.
+# test. Tests of higher cost start first, so that none is left alone at the end. The label: unit, a part of the library
+# or of the program; solve, whole solves; contract, every strategy on small scenes of every kind. Tests of the program
+# as a user runs it have the labels program and, where it reads what anybody may have written, foreign. Sanitizers run
+# unit, contract, which asks repetitions(), and foreign.
 function(gcs_add_tests program)
   cmake_parse_arguments(ARG "" "COST;LABEL" "LIBRARIES;SOURCES" ${ARGN})
   add_executable(${program} ${ARG_SOURCES})

@@ -47,8 +47,8 @@ struct Counts {
 
 /// Something that must hold in a correct report and does not.
 struct FailedCheck {
-  std::string name;  ///< a fixed word: residual, off path, alternation, repetition, malformed, count,
-                     ///< certificate, singular
+  /// A fixed word: residual, off path, alternation, repetition, malformed, count, certificate, singular.
+  std::string name;
   std::string what;  ///< one sentence for a person
 };
 
@@ -60,8 +60,8 @@ struct Proofs {
   std::uint64_t clusters = 0;           ///< solutions that are proven to stand for several (ball_cluster.hpp)
   std::uint64_t in_clusters = 0;        ///< so many, with multiplicities
   int most_bits = 0;                    ///< the highest precision that a proof took
-  std::optional<std::uint64_t>
-      generic;                   ///< solutions proven in the same way at the strategy's generic lengths
+  /// Solutions proven in the same way at the strategy's generic lengths.
+  std::optional<std::uint64_t> generic;
   std::optional<Natural> limit;  ///< no lengths have more isolated solutions; empty: not known
   bool limit_is_exact = false;   ///< generic lengths have so many
 

@@ -10,8 +10,8 @@ namespace gcs {
 /// interSS,
 ///   γ = dist(p, line(c0, c1)) / max(|p c0|, |p c1|),
 /// slot 2 for interCS, γ = |p q| / max(|p c|, |p c2|) with c the circle's centre, and q the projection of p
-/// on the line through c and the projection of c2 on the circle's plane. Where that line is undefined (c0 =
-/// c1, or c2 on the circle's axis), γ is 0.
+/// on the line through c and the projection of c2 on the circle's plane. Where that line is undefined
+/// (c0 = c1, or c2 on the circle's axis), γ is 0.
 double boundary_measure(const Instruction& instruction, int slot, const Eigen::Matrix3Xd& points);
 
 /// Not in [I]: the sine of the angle at which the spheres meet. γ does not see c0 → c1, where the

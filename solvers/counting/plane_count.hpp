@@ -16,8 +16,8 @@ using GraphEdges = std::vector<std::array<int, 2>>;
 /// A graph in two parts with two vertices in common.
 struct Separation {
   std::array<int, 2> shared{};
-  std::array<GraphEdges, 2> parts;  ///< each with an edge between the shared vertices only where the graph
-                                    ///< has it
+  /// Each with an edge between the shared vertices only where the graph has it.
+  std::array<GraphEdges, 2> parts;
 };
 
 /// A pair of vertices without which the graph falls apart, and two parts that this leaves; nothing for a

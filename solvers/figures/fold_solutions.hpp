@@ -19,8 +19,8 @@ namespace gcs {
 
 struct FoldSolutions {
   Eigen::VectorXd direction;  ///< v, a unit vector
-  std::vector<Eigen::VectorXd>
-      x;  ///< real ones, none or two: in the direction −v of the fold, and in that of v
+  /// Real ones, none or two: in the direction −v of the fold, and in that of v.
+  std::vector<Eigen::VectorXd> x;
 };
 
 /// `near`: the fold, in the coordinates of the system and the scene's unit, as well as it is known. Nothing

@@ -122,8 +122,8 @@ struct ActivePath {
   ComplexVectorX x;  ///< at σ = the current radius
   std::vector<ComplexVectorX> samples{};
   std::optional<CircleReading> last{};
-  std::optional<CircleReading>
-      between{};  ///< the last one that two circles agreed on, of an end that is no zero
+  /// The last one that two circles agreed on, of an end that is no zero.
+  std::optional<CircleReading> between{};
   double power = std::numeric_limits<double>::infinity();  ///< x grew like σ^(−power) lately
   bool is_steady = false;
   bool is_closed = false;

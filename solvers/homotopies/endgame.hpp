@@ -7,8 +7,8 @@
 /// Morgan, Sommese, Wampler 1991): with no negative power the path is finite, at a singular point that w
 /// paths share; with one it is at infinity like σ^(−k/w). A pole that lies beside σ = 0, of a finite solution
 /// that is merely large, shows as powers lower than the leading one, which a pole at 0 has not; the circle
-/// shrinks until it passes between the two, or until they are known to be less than 1e-12 apart. Two circles
-/// must agree.
+/// shrinks until it passes between the two, or until they are known to be less than 1e-12 apart.
+/// Two circles must agree.
 
 #include "solvers/homotopies/leg_tracking.hpp"
 

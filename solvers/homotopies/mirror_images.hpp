@@ -20,8 +20,8 @@ class SolutionSet {
  public:
   SolutionSet(std::vector<int> axes, std::mt19937_64& random);
 
-  /// The number of the solution that equals x up to reflections, or −1. `uncertainty`: of x, relative to 1 +
-  /// the largest |x_i|.
+  /// The number of the solution that equals x up to reflections, or −1. `uncertainty`: of x, relative to
+  /// 1 + the largest |x_i|.
   int find(const ComplexVectorX& x, double uncertainty) const;
   /// The number of x, which is a new one where `find` knows none.
   int insert(const ComplexVectorX& x, double uncertainty);

@@ -66,8 +66,8 @@ struct Completeness {
   std::function<bool(const GenericSolutions&)> test;
 };
 
-/// `tracking` is of the family's system. Adds every leg's steps to
-/// `work`. `progress` hears of the number of solutions so far.
+/// `tracking` is of the family's system. Adds every leg's steps to `work`. `progress` hears of the number of
+/// solutions so far.
 GenericSolutions search_by_monodromy(const HomotopyFamily& family, LegTracking& tracking,
                                      const Completeness& completeness, const MonodromyOptions& options,
                                      std::mt19937_64& random, const std::function<bool()>& stopped,

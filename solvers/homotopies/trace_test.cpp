@@ -11,8 +11,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int most_coordinates =
-    6;  // in E, at random; more cost time, and a few random ones are generic enough
+/// In E, at random; more cost time, and a few random ones are generic enough.
+constexpr int most_coordinates = 6;
 
 /// Last ε, of the search's: either s or E is of this order, the other one is not. At 0 pivots vanish.
 constexpr double almost_zero = 1e-9;
@@ -48,8 +48,8 @@ class SignComponents {
   std::vector<int> root_;
 };
 
-/// The system for (x, s, q_a, E, −E, i·s, i·E) with the squares q_a of E. The product s·E is 1/4 of (s + E)²
-/// − (s − E)², which is (s − (−E))² + (i·s − i·E)².
+/// The system for (x, s, q_a, E, −E, i·s, i·E) with the squares q_a of E. The product s·E is
+/// 1/4 of (s + E)² − (s − E)², which is (s − (−E))² + (i·s − i·E)².
 class TraceSystem {
  public:
   TraceSystem(const SquareSystem& lengths, const std::vector<int>& mirror_axes, std::mt19937_64& random)
@@ -155,8 +155,8 @@ class TraceSystem {
   int e_ = 0;
 };
 
-/// All points of a fibre followed to another value of the product's right-hand side; nothing where one was
-/// lost.
+/// All points of a fibre followed to another value of the product's right-hand side;
+/// nothing where one was lost.
 std::optional<std::vector<ComplexVectorX>> moved(LegTracking& tracking, const GenericSolutions& fibre,
                                                  int equation, Complex factor,
                                                  const std::function<bool()>& stopped, WorkCounters& work) {

@@ -40,8 +40,8 @@ struct TraceTest {
   bool passed() const { return end == SearchEnd::complete; }
 };
 
-/// Precondition: all right-hand sides of `system` are squared lengths (see all_lengths). Adds to
-/// `work`.
+/// Precondition: all right-hand sides of `system` are squared lengths (see all_lengths).
+/// Adds to `work`.
 TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_axes,
                      const TrackingSetup& setup, const MonodromyOptions& options, std::mt19937_64& random,
                      const std::function<bool()>& stopped, const std::function<void(int)>& progress,

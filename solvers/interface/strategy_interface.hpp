@@ -104,13 +104,13 @@ struct SolveReport {
   SolveStatus status = SolveStatus::gave_up;
   std::string reason;  ///< empty when complete
   Claim claim = Claim::some_real;
-  std::vector<Candidate>
-      candidates;  ///< distinct points of S or solutions; the harness groups them into classes
+  /// Distinct points of S or solutions; the harness groups them into classes.
+  std::vector<Candidate> candidates;
   std::vector<PathRecord> paths;
   std::optional<std::uint64_t> generic;         ///< number of classes at generic lengths, where it is known
   std::optional<GenericMember> generic_member;  ///< proves `generic`, where certificates reach it
-  std::optional<std::uint64_t>
-      at_infinity;                       ///< how many of these have escaped; with paths, their ends say it
+  /// How many of these have escaped; with paths, their ends say it.
+  std::optional<std::uint64_t> at_infinity;
   std::optional<SolutionTotals> totals;  ///< of a scene that was taken apart
   WorkCounters work;
   std::vector<Particular> particulars;
@@ -122,9 +122,9 @@ struct OptionSpec {
   std::string default_value;
   std::string_view allowed;  ///< "a|b|c" for a choice, otherwise a range in words: "number > 0"
   std::string_view summary;
-  bool is_length = false;      ///< in the file's unit of length: means another length when the unit changes
-  bool changes_result = true;  ///< false: it says how to compute, or what else to write, and a journal
-                               ///< serves all its values
+  bool is_length = false;  ///< in the file's unit of length: means another length when the unit changes
+  /// False: it says how to compute, or what else to write, and a journal serves all its values.
+  bool changes_result = true;
 };
 /// Every option of the strategy has an entry: the default where the user said nothing.
 using OptionMap = std::map<std::string, std::string, std::less<>>;

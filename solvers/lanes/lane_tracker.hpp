@@ -51,8 +51,8 @@ struct LegState {
   double s = 0;
   int steps = 0;
   int rejected = 0;
-  double last_correction =
-      0;  ///< of Newton's method, the largest component's, relative to 1 + the largest |x_i|
+  /// Of Newton's method, the largest component's, relative to 1 + the largest |x_i|.
+  double last_correction = 0;
 };
 
 class LaneTracker {

@@ -76,8 +76,8 @@ std::vector<int> mirror_axes(const Scene& scene, const DistanceSystem& system);
 struct Refinement {
   bool converged = false;
   int iterations = 0;
-  double last_correction =
-      0;  ///< 2-norm of the last step, in the scene's unit: an estimate of the error left
+  /// 2-norm of the last step, in the scene's unit: an estimate of the error left.
+  double last_correction = 0;
 };
 
 /// a² in double-double, for every constraint at its target length, from the exact decimal of the file: right

@@ -11,8 +11,8 @@
 
 namespace gcs {
 
-/// A number with its decimal text: the text is exact, `value` is the nearest double. Without a text `value`
-/// is exact.
+/// A number with its decimal text: the text is exact, `value` is the nearest double.
+/// Without a text `value` is exact.
 struct Decimal {
   double value = 0;
   std::string text;
@@ -29,8 +29,8 @@ struct Figure {
   Eigen::Matrix3Xd points;
   std::vector<LinePosition> lines;
   Eigen::Matrix3Xd imaginary{};  ///< imaginary parts of the points of a complex placement; empty: it is real
-  std::vector<LinePosition>
-      imaginary_lines{};  ///< those of its lines, one for each; empty as well: it is real
+  /// Those of its lines, one for each; empty as well: it is real.
+  std::vector<LinePosition> imaginary_lines{};
 
   bool is_real() const { return imaginary.cols() == 0 && imaginary_lines.empty(); }
 };

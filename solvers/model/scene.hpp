@@ -47,8 +47,8 @@ class Scene {
   Figure in_frame(const Figure& figure) const { return in_frame(figure, reference_); }
   /// The same for another reference.
   Figure in_frame(const Figure& figure, const Reference& reference) const;
-  /// As in_frame, then the mirror image that gcsbench-result/1 prescribes for a class (2D: first non-zero y >
-  /// 0; 3D: first non-zero z > 0); "non-zero" means above 1e-9 of the scene's size.
+  /// As in_frame, then the mirror image that gcsbench-result/1 prescribes for a class (2D: first non-zero
+  /// y > 0; 3D: first non-zero z > 0); "non-zero" means above 1e-9 of the scene's size.
   Figure representative(const Figure& figure) const;
   /// From the scene's unit to the file's, exactly (a power of two) unless it overflows.
   Figure in_file_unit(const Figure& figure) const;

@@ -12,8 +12,8 @@ void subtract_multiple(ResidueVector& row, const ResidueVector& pivot_row, Resid
   }
 }
 
-/// Moves a row with a non-zero entry in `column` to place `target` and scales that entry to 1; false: there
-/// is none.
+/// Moves a row with a non-zero entry in `column` to place `target` and scales that entry to 1;
+/// false: there is none.
 bool bring_pivot(ResidueMatrix& matrix, std::size_t target, std::size_t column) {
   for (std::size_t i = target; i < matrix.size(); ++i) {
     if (matrix[i][column].is_zero()) continue;

@@ -2,9 +2,9 @@
 /// What a file's own numbers say of an octahedron: is a pair of diagonals at infinity, does it move?
 ///
 /// A closed walk b c b' c' along four edges can be stretched flat when its lengths with some signs sum to
-/// zero; then, and only then, a solution with infinite |aa'| has b, c, b' and c' on a line like that: at X =
-/// |aa'|² = ∞ the Cayley–Menger determinants of {a, a', b, b', c} and {a, a', b, b', c'} leave |bb'| = ±|bc|
-/// ± |cb'| and |bb'| = ±|bc'| ± |c'b'|. They have no common zero at X = |bb'|² = ∞.
+/// zero; then, and only then, a solution with infinite |aa'| has b, c, b' and c' on a line like that: at
+/// X = |aa'|² = ∞ the Cayley–Menger determinants of {a, a', b, b', c} and {a, a', b, b', c'} leave
+/// |bb'| = ±|bc| ± |cb'| and |bb'| = ±|bc'| ± |c'b'|. They have no common zero at X = |bb'|² = ∞.
 
 #include <array>
 #include <map>

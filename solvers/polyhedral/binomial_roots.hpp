@@ -19,8 +19,8 @@ class BinomialRoots {
 
   /// |det M|
   std::int64_t volume() const { return volume_; }
-  /// The angles θ, in turns from 0 up to 1, of the solution x = e^(2πi θ) number `i` < volume: M·θ = β +
-  /// integers.
+  /// The angles θ, in turns from 0 up to 1, of the solution x = e^(2πi θ) number `i` < volume:
+  /// M·θ = β + integers.
   std::vector<double> angles(const std::vector<double>& turns, std::int64_t i) const;
 
  private:

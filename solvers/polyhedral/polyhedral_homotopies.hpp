@@ -3,8 +3,8 @@
 /// Huber, B. Sturmfels, Math. Comp. 64 (1995).
 ///
 /// With the lifting ω and a mixed cell's normal α, x_v = y_v t^(α_v) turns Σ c_a t^(ω(a)) x^a into a system
-/// in y whose monomials have the factor t^(h_a): h_a = 0 at the cell's two points of each support, and h_a >
-/// 0 at the others. At t = 0 two monomials are left of each equation, a binomial system with as many
+/// in y whose monomials have the factor t^(h_a): h_a = 0 at the cell's two points of each support, and
+/// h_a > 0 at the others. At t = 0 two monomials are left of each equation, a binomial system with as many
 /// solutions as the cell has volume; from each a path leads to t = 1. All coefficients have modulus 1, and so
 /// have the coordinates of the starts. With t = e^(τ) the factors are e^(h τ), and the way is one in τ from
 /// where the lowest of them is small: the heights of a cell differ by orders of magnitude, and in t the paths

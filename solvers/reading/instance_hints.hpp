@@ -1,14 +1,14 @@
 #pragma once
-/// The parts of an instance that tell a solver how to go about it: `reference`, `interpolation` and
-/// `construction`.
+/// The parts of an instance that tell a solver how to go about it:
+/// `reference`, `interpolation` and `construction`.
 
 #include "solvers/model/problem.hpp"
 #include "solvers/reading/json_cursor.hpp"
 
 namespace gcs {
 
-/// Reads `reference`: origin, axis and in space plane, or a line and a height. Precondition: entities are
-/// read.
+/// Reads `reference`: origin, axis and in space plane, or a line and a height.
+/// Precondition: entities are read.
 Reference read_reference(const JsonCursor& reference, const Problem& problem);
 
 /// Reads `interpolation`. Precondition: constraints are read.

@@ -8,8 +8,8 @@
 namespace gcs {
 namespace {
 
-/// Sines and ratios below this come from rounding: coordinates have 16 digits, and differences lose one or
-/// two.
+/// Sines and ratios below this come from rounding:
+/// coordinates have 16 digits, and differences lose one or two.
 constexpr double rounding = 1e-14;
 
 struct Positions {

@@ -31,8 +31,8 @@ std::string line_and_column(std::string_view text, std::size_t position) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-/// The reason in nlohmann's message without its prefix and without the token, which may be megabytes of
-/// binary.
+/// The reason in nlohmann's message without its prefix and without the token,
+/// which may be megabytes of binary.
 std::string syntax_reason(std::string message) {
   if (const auto start = message.find(" - "); start != std::string::npos) message.erase(0, start + 3);
   const auto token = message.find("; last read: '");

@@ -85,8 +85,8 @@ class SolutionProduct {
   std::vector<std::vector<int>> depends_on_;          ///< of each part, ascending
   std::vector<bool> is_across_;     ///< of each part: it hangs on points of several parts, whose sides matter
   std::vector<bool> side_matters_;  ///< of each part
-  std::vector<std::vector<Choice>>
-      placed_at_;  ///< of each part: the choices it depends on, when it was placed
+  /// Of each part: the choices it depends on, when it was placed.
+  std::vector<std::vector<Choice>> placed_at_;
   std::vector<Choice> choices_;
   Simplex positions_;  ///< of all points, as chosen
   std::vector<std::string> undecided_;

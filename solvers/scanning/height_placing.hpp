@@ -59,8 +59,8 @@ struct PointByHeight {
 /// Sharpens what is known of a point p at given squared distances from D centres in D dimensions, at the
 /// height n·(p − c_0) = σ above their line or plane with normal n. With x the exchanged symbol less its
 /// middle, d_i the constant way from centre i to the middle m of the point, δ = p − m, s_i and n' the slopes
-/// of c_i and n by x, e_i and e_n what else is in m − d_i − c_i and n − n_0, and v_i = p − c_i − d_i
-/// = δ − s_i x + e_i,
+/// of c_i and n by x, e_i and e_n what else is in m − d_i − c_i and n − n_0, and
+/// v_i = p − c_i − d_i = δ − s_i x + e_i,
 ///   2 d_i·δ − 2 d_i·s_i x = squares_i − |d_i|² − 2 d_i·e_i − |v_i|²,
 ///   n_0·δ + (n'·d_0 − n_0·s_0) x = σ − n_0·d_0 − n_0·e_0 − e_n·d_0 − (n' x + e_n)·v_0,
 /// whose matrix is regular at the branch end too. Every point of the branch satisfies them: an enclosure put

@@ -365,8 +365,8 @@ class Scan {
   static constexpr double worth_a_visit = 0.6;  ///< of a cell: less is left than halving would leave
   static constexpr double coarse = 0.02;        ///< of the scene
   static constexpr double worth_a_test = 0.1;  ///< of the scene: in larger boxes the Jacobian varies too much
-  static constexpr double narrow =
-      1e-5;  ///< half a cell, as in ScanLimits: regular solutions are found in wider ones
+  /// Half a cell, as in ScanLimits: regular solutions are found in wider ones.
+  static constexpr double narrow = 1e-5;
   static constexpr int most_parts = 5000;          ///< of a search: tens of milliseconds
   static constexpr int most_failed_searches = 50;  ///< more would say no more, and take seconds
 

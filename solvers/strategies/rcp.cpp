@@ -9,18 +9,16 @@
 ///
 /// Where [I] is silent or wrong:
 /// - The first plan is derived with the fewest driving parameters (construction/derive.hpp), or given by the
-/// file.
-/// - For interCS the printed shift, at the larger of circle radius and a_i6, can leave γ below α (r = 1, a_i6
-/// = 12: 0.083);
-///   the circle's radius gives γ ≥ 1/√2.
+///   file.
+/// - For interCS the printed shift, at the larger of circle radius and a_i6, can leave γ below α
+///   (r = 1, a_i6 = 12: 0.083); the circle's radius gives γ ≥ 1/√2.
 /// - γ does not see p_i1 = p_i3, nor p' = c for interCS, where the intersection is as badly determined as at
-/// a tangency.
-///   measure=guarded also watches the sine of the angle of intersection; with measure=published (γ alone)
-///   trackers get stuck there, mode=paper on the icosahedron among them.
+///   a tangency. measure=guarded also watches the sine of the angle of intersection; with measure=published
+///   (γ alone) trackers get stuck there, mode=paper on the icosahedron among them.
 /// - Algorithm 4 is undefined where p_(i+1) lies on the line of the centres: a direction at a right angle is
-/// taken.
+///   taken.
 /// - Algorithm 3's restoring branch names the wrong driving parameter: what leaves is the current one and its
-/// reference.
+///   reference.
 /// - (h4)–(h6) are not proven beforehand: a radius that vanishes on S ends the tracking with that reason.
 ///
 /// mode=fast is tracking/series_tracker.hpp on tracking/plan_curve.hpp: exact derivatives through the plan. A

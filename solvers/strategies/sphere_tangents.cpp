@@ -23,10 +23,10 @@
 /// Complete: the multiplicities of the lines found and of those at infinity (isotropic directions) sum to 12.
 /// Infinitely many solutions are proven and named, with the exact decimals of the file: coinciding and
 /// collinear centres beforehand, others by a common factor of the equations (tangents/exact_spheres.hpp).
-/// Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000,
-/// sections 3.2 and 4.1, where τ is eliminated too, which coplanar centres do not allow; they follow 24 paths
-/// of a system of degrees 2, 3 and 4. The published counts are reported as particulars. Step control of paths
-/// is a heuristic: where one is taken for its neighbour a line is missing, and the status is partial.
+/// Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000, sections 3.2 and 4.1, where τ is
+/// eliminated too, which coplanar centres do not allow; they follow 24 paths of a system of degrees 2, 3 and
+/// 4. The published counts are reported as particulars. Step control of paths is a heuristic: where one is
+/// taken for its neighbour a line is missing, and the status is partial.
 
 #include <algorithm>
 #include <cmath>

@@ -31,8 +31,9 @@ struct Part {
 /// How far a scene is taken apart.
 enum class Split {
   hung_points,  ///< points that can be placed after all others, and what is left
-  all  ///< what is left also where d points, pairwise at given distances, separate it (Owen, Algebraic
-       ///< solution for geometry from dimensional constraints, 1991: there also where they are not)
+  /// What is left also where d points, pairwise at given distances, separate it (Owen, Algebraic solution for
+  /// geometry from dimensional constraints, 1991: there also where they are not).
+  all
 };
 
 /// In an order in which they can be solved. The first part holds d + 2 points at least, so that there is

@@ -9,8 +9,8 @@
 namespace gcs {
 
 /// The entities outside the body: the fixed entities and all that stays with them, or where nothing is fixed
-/// the largest set of entities that every motion of the problem moves rigidly together. Empty when all is
-/// rigid.
+/// the largest set of entities that every motion of the problem moves rigidly together.
+/// Empty when all is rigid.
 std::vector<int> loose_entities(const RigidityMatrix& matrix, std::mt19937_64& engine);
 
 }  // namespace gcs

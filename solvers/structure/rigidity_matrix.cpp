@@ -46,8 +46,8 @@ ResidueVector point_point_row(const RigidityMatrix& matrix, int p, int q) {
   return row;
 }
 
-/// With w = p − q, s = w·u, N = u·u and v = N w − s u, the squared distance to the line q + R u is w·w −
-/// s²/N, and N²/2 times its gradient is N v for p, −N v for q and −s v for u.
+/// With w = p − q, s = w·u, N = u·u and v = N w − s u, the squared distance to the line q + R u is
+/// w·w − s²/N, and N²/2 times its gradient is N v for p, −N v for q and −s v for u.
 ResidueVector point_line_row(const RigidityMatrix& matrix, int point, int line) {
   ResidueVector row(matrix.columns);
   const Residue3& u = matrix.placement[line].direction;

@@ -30,8 +30,8 @@ using Subspace =
 using Restriction =
     Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, tangent_count, tangent_count>;
 
-/// The invariant subspace of the `dimension` eigenvalues nearest to `center`, from a reordered
-/// Schur form: right to rounding over the distance to the next eigenvalue.
+/// The invariant subspace of the `dimension` eigenvalues nearest to `center`, from a reordered Schur form:
+/// right to rounding over the distance to the next eigenvalue.
 Subspace invariant_subspace(const AlgebraMatrix& matrix, std::complex<double> center, int dimension);
 
 /// The matrix of the restriction of `matrix` to an invariant subspace.

@@ -14,8 +14,8 @@ constexpr int weight_count(int weight) {
 }
 constexpr int relation_count(int weight) { return weight_count(weight - 2) + weight_count(weight - 3); }
 
-/// Row r: a multiple of f1 or f2, columns as monomials. `relations` is relation_count(weight) ×
-/// weight_count(weight).
+/// Row r: a multiple of f1 or f2, columns as monomials. `relations` is
+/// relation_count(weight) × weight_count(weight).
 template <class Matrix>
 void fill_relations(const TangentEquations& equations, int weight, Matrix& relations) {
   relations.setZero();

@@ -48,8 +48,8 @@ class CorrectorTest {
   }
 
   static constexpr double contraction = 0.1;
-  static constexpr double noise_limit =
-      1e3;  ///< rounding amplified by a condition number of the Jacobian up to 1e3·64
+  /// Rounding amplified by a condition number of the Jacobian up to 1e3·64.
+  static constexpr double noise_limit = 1e3;
   static constexpr double stale_limit = 10;
   double tolerance_;
   double previous_ = 0;

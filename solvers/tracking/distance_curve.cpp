@@ -104,8 +104,8 @@ void DistanceCurve::set_differences(int n, const ArcSeries& series) {
     for (const auto& [a, b] : system_.edges()) difference[i++] = moving_(axis, a) - moving_(axis, b);
 }
 
-/// Σ over the orders: B c_n = −constant_n with the factorised B = [f_x, f_t; tangent]; see ArcSeries for the
-/// last row.
+/// Σ over the orders: B c_n = −constant_n with the factorised B = [f_x, f_t; tangent];
+/// see ArcSeries for the last row.
 void DistanceCurve::expand(const Eigen::VectorXd& y, ArcSeries& series) {
   const Eigen::Index m = system_.equations();
   lengths_.start(y[system_.unknowns()]);

@@ -47,8 +47,8 @@ concept SeriesCurve = requires(C curve, int orientation, double t, Eigen::Vector
                                const Eigen::VectorXd& tangent, ArcSeries& series) {
   /// Number of coordinates, t included.
   { curve.coordinates() } -> std::convertible_to<Eigen::Index>;
-  /// The series at the start, going towards growing t (orientation +1) or falling t; false where S is
-  /// singular.
+  /// The series at the start, going towards growing t (orientation +1) or falling t;
+  /// false where S is singular.
   { curve.start(orientation, series) } -> std::same_as<bool>;
   /// Corrects the predicted point y in the hyperplane normal to the tangent and expands there; false when the
   /// corrector does not settle, when y is on another arc, or when a length is negative there.
@@ -183,8 +183,8 @@ class SeriesTracker {
     for (int n = 0; n <= options_.order; ++n)
       offset[static_cast<std::size_t>(n)] = start_tangent_.dot(here_.coefficient(n));
     offset[0] = first ? 0 : start_tangent_.dot(here_.coefficient(0) - start_);
-    const double slack =
-        1 + 1e-3;  // the end of this polynomial and the start of the next differ by the tolerance
+    // The end of this polynomial and the start of the next differ by the tolerance.
+    const double slack = 1 + 1e-3;
     for (double s : real_roots(offset, slack * step_)) {
       here_.evaluate(s, predicted_);
       here_.tangent(s, tangent_);

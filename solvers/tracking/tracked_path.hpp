@@ -34,8 +34,8 @@ struct TrackedPath {
   double length = 0;  ///< arc length tracked, in the coordinates of the tracker
   std::vector<PathCrossing> crossings;
   std::vector<PathTouch> touches;  ///< what the tracker takes for crossings near them is in `crossings` too
-  std::vector<Eigen::VectorXd>
-      points;           ///< accepted ones, the start first, where the tracker was to keep them
+  /// Accepted ones, the start first, where the tracker was to keep them.
+  std::vector<Eigen::VectorXd> points;
   bool proven = false;  ///< that it is closed, and the order and number of its crossings
   WorkCounters work;
 };

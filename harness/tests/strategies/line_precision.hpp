@@ -15,9 +15,10 @@ struct FourDistances {
 /// How much the relative residual of an exact line may grow when its coordinates are rounded to the nearest
 /// doubles, each by at most the unit roundoff ε = 2⁻⁵³ of its modulus.
 ///
-/// Let {p + s·u} be the line, u·u = 1 and p·u = 0, at the distance r from c. With a = c·u its point q = p +
-/// a·u is the foot of c: n = c − q has n·u = 0 and n·n = r². Let δp and δu be the changes of p and u, and u'
-/// = u + δu. The changed line holds q + δ with δ = δp + a·δu, so that the square of its distance from c is
+/// Let {p + s·u} be the line, u·u = 1 and p·u = 0, at the distance r from c. With a = c·u its point
+/// q = p + a·u is the foot of c: n = c − q has n·u = 0 and n·n = r². Let δp and δu be the changes of p and u,
+/// and u' = u + δu. The changed line holds q + δ with δ = δp + a·δu,
+/// so that the square of its distance from c is
 ///   (n − δ)·(n − δ) − ((n − δ)·u')²/(u'·u') = r² − 2n·δ + δ·δ − κ²/(u'·u'),  κ = n·δu − δ·u − δ·δu.
 /// With |δp_i| ≤ ε|p_i| and |δu_i| ≤ ε|u_i|, so |δ_i| ≤ e_i = ε(|p_i| + |a u_i|), it is off r² by at most
 ///   E = 2Σ|n_i|e_i + Σe_i² + K²/(1 − 3ε Σ|u_i|²),  K = Σ(ε|n_i u_i| + (1 + ε) e_i|u_i|).

@@ -160,8 +160,8 @@ TEST_CASE("the bound on the residual's slope holds between samples") {
     test.series.bound(h, bounds);
     for (int e = 0; e < test.series.edges(); ++e)
       for (int i = -8; i < 8; ++i) {
-        RandomNumbers same(static_cast<std::uint64_t>(i + 100)),
-            again(static_cast<std::uint64_t>(i + 100));  // the same lengths at both ends
+        // The same lengths at both ends.
+        RandomNumbers same(static_cast<std::uint64_t>(i + 100)), again(static_cast<std::uint64_t>(i + 100));
         const Quad rise =
             residual(test, e, Quad(h) * (i + 1) / 8, same) - residual(test, e, Quad(h) * i / 8, again);
         CHECK(magnitude(rise) <= Quad(bounds.residual_speed[e]) * Quad(h) / 8);

@@ -84,3 +84,28 @@ function(gcs_collect_rooms library house)
     target_link_libraries(${library} PUBLIC $<BUILD_INTERFACE:${target}>)
   endforeach()
 endfunction()
+
+# gcs_write_rooms(<file>): the rooms, and which sees which, in the language of Graphviz (scripts/draw-rooms).
+function(gcs_write_rooms file)
+  get_property(rooms GLOBAL PROPERTY GCS_ROOMS)
+  string(CONCAT text "digraph rooms {\n  rankdir=TB; ranksep=0.3; nodesep=0.2;\n"
+           "  node [shape=box, style=\"rounded,filled\", fillcolor=white, fontname=\"sans-serif\", fontsize=11, height=0.3];\n"
+           "  edge [arrowsize=0.5, color=\"#777777\"];\n")
+  foreach(house IN ITEMS solvers harness)
+    string(APPEND text "  subgraph cluster_${house} {\n    label=\"${house}/\"; style=filled; color=\"#eef2f7\"; "
+                       "fontname=\"sans-serif\";\n")
+    foreach(room IN LISTS rooms)
+      if(room MATCHES "^${house}/(.*)")
+        string(APPEND text "    \"${room}\" [label=\"${CMAKE_MATCH_1}\"];\n")
+      endif()
+    endforeach()
+    string(APPEND text "  }\n")
+  endforeach()
+  foreach(room IN LISTS rooms)
+    get_property(used GLOBAL PROPERTY GCS_USES_${room})
+    foreach(below IN LISTS used)
+      string(APPEND text "  \"${room}\" -> \"${below}\";\n")
+    endforeach()
+  endforeach()
+  file(WRITE ${file} ${text} "}\n")
+endfunction()

@@ -5,21 +5,19 @@ include(Catch)
 if(NOT TARGET gcs_test_main)
   add_library(gcs_test_main STATIC ${PROJECT_SOURCE_DIR}/solvers/tests/test_main.cpp)
   target_link_libraries(gcs_test_main PUBLIC gcs_flags Catch2::Catch2)
+  target_compile_options(gcs_test_main PRIVATE -O0)
 endif()
 
 # gcs_add_tests(<program> [COST <n>] LABEL <label> LIBRARIES <lib>… SOURCES <file>…): every TEST_CASE becomes a ctest
 # test. Tests of higher cost start first, so that none is left alone at the end. The label: unit, a part of the library
-# or of the program; solve, whole solves; contract, every strategy on small scenes of every kind. Tests of the program
-# as a user runs it have the labels program and, where it reads what anybody may have written, foreign. Sanitizers run
-# unit, contract, which asks repetitions(), and foreign.
+# or of the program, and each kind of scene once; solve, whole solves; contract, every strategy on small scenes of every
+# kind. Tests of the program as a user runs it have the labels program and, where it reads what anybody may have
+# written, foreign. Sanitizers run unit and foreign.
 function(gcs_add_tests program)
   cmake_parse_arguments(ARG "" "COST;LABEL" "LIBRARIES;SOURCES" ${ARGN})
   add_executable(${program} ${ARG_SOURCES})
   target_link_libraries(${program} PRIVATE gcs_test_main ${ARG_LIBRARIES})
-  # What is tested is optimised as configured; the tests themselves are quicker to build than to optimise. At
-  # this level g++ 12 takes members of Eigen's temporaries for uninitialised; the sanitizers watch for real ones.
-  target_compile_options(${program} PRIVATE
-    $<$<CONFIG:RelWithDebInfo>:-O1> $<$<CONFIG:Debug>:-O0> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  gcs_build_quickly(${program})
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR})  # of the tests, which see every room
   if(program STREQUAL "solvers_tests")
     target_precompile_headers(${program} PRIVATE ${gcs_precompiled_headers} <catch2/catch.hpp>)
@@ -30,5 +28,5 @@ function(gcs_add_tests program)
   if(NOT ARG_COST)
     set(ARG_COST 0)
   endif()
-  catch_discover_tests(${program} TEST_PREFIX "${program}: " PROPERTIES TIMEOUT 2400 COST ${ARG_COST} LABELS ${ARG_LABEL})
+  catch_discover_tests(${program} TEST_PREFIX "${program}: " PROPERTIES TIMEOUT 600 COST ${ARG_COST} LABELS ${ARG_LABEL})
 endfunction()

@@ -56,7 +56,7 @@ struct Description {
   std::vector<StrategyVerdict> strategies;
 };
 
-std::vector<int> entities_of(const Reference& reference, const Problem& problem) {
+std::vector<int> entities_of(const Reference& reference, const ProblemStatement& problem) {
   std::vector<int> entities;
   for (const int point : {reference.origin, reference.axis, reference.plane, reference.height})
     if (point >= 0) entities.push_back(point);
@@ -73,7 +73,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::optional<ConstructionPlan> construction_plan(const Scene& scene) {
   if (why_no_path(scene)) return std::nullopt;
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   ConstructionPlan description;
   description.given = !problem.construction.empty();
   const Plan plan = first_plan(scene, ExchangeRule{});
@@ -107,20 +107,20 @@ Description describe(Instance instance) {
   return description;
 }
 
-std::vector<std::string> names(const Problem& problem, const std::vector<int>& entities) {
+std::vector<std::string> names(const ProblemStatement& problem, const std::vector<int>& entities) {
   std::vector<std::string> result;
   for (const int entity : entities) result.push_back(problem.name(entity));
   return result;
 }
 
-std::vector<std::string> fixed_names(const Problem& problem) {
+std::vector<std::string> fixed_names(const ProblemStatement& problem) {
   std::vector<std::string> result;
   for (int entity = 0; entity < static_cast<int>(problem.points.size() + problem.lines.size()); ++entity)
     if (problem.is_fixed(entity)) result.push_back(problem.name(entity));
   return result;
 }
 
-const DistanceConstraint& bent_constraint(const Problem& problem) {
+const DistanceConstraint& bent_constraint(const ProblemStatement& problem) {
   const int bent = problem.interpolation.bent;
   return bent >= 0 ? problem.constraints[bent] : problem.constraints.back();
 }
@@ -128,7 +128,7 @@ const DistanceConstraint& bent_constraint(const Problem& problem) {
 /// The parts of the reference that are used, by the names of the instance format;
 /// none where positions are fixed.
 std::vector<std::pair<std::string, std::string>> reference_parts(const Description& description) {
-  const Problem& problem = description.instance.problem;
+  const ProblemStatement& problem = description.instance.problem;
   const Reference& reference = description.reference;
   std::vector<std::pair<std::string, std::string>> parts;
   if (!fixed_names(problem).empty()) return parts;
@@ -152,13 +152,13 @@ JsonValue freedom_value(const Structure& structure) {
                       {"rigid", json_boolean(structure.generic_rank == structure.unknowns)}});
 }
 
-JsonValue interpolation_value(const Problem& problem) {
+JsonValue interpolation_value(const ProblemStatement& problem) {
   if (!problem.sketch) return json_null();
   return json_object(
       {{"bent", json_text(bent_constraint(problem).id)}, {"bend", json_number(problem.interpolation.bend)}});
 }
 
-JsonValue core_value(const Problem& problem, const CoreReduction& reduction) {
+JsonValue core_value(const ProblemStatement& problem, const CoreReduction& reduction) {
   std::vector<std::string> constraints;
   for (const int i : reduction.core_constraints) constraints.push_back(problem.constraints[i].id);
   std::vector<JsonValue> placed;
@@ -171,7 +171,7 @@ JsonValue core_value(const Problem& problem, const CoreReduction& reduction) {
                       {"placed", json_array(std::move(placed))}});
 }
 
-JsonValue parts_value(const Problem& problem, const std::vector<Part>& parts) {
+JsonValue parts_value(const ProblemStatement& problem, const std::vector<Part>& parts) {
   std::vector<JsonValue> values;
   for (const Part& part : parts)
     values.push_back(json_object({{"base", json_texts(names(problem, part.base))},
@@ -204,7 +204,7 @@ JsonValue reference_value(const Description& description) {
 
 std::string json_description(const Description& description) {
   const Instance& instance = description.instance;
-  const Problem& problem = instance.problem;
+  const ProblemStatement& problem = instance.problem;
   const JsonValue* published = instance.document.find("published");
   const JsonValue value = json_object({{"id", json_text(instance.id)},
                                        {"title", json_text(instance.title)},
@@ -229,7 +229,7 @@ std::string json_description(const Description& description) {
 
 std::string join(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
-std::string entities_text(const Problem& problem) {
+std::string entities_text(const ProblemStatement& problem) {
   std::string text = fmt::format("{} points", problem.points.size());
   if (!problem.lines.empty())
     text += fmt::format(", {} line{}", problem.lines.size(), problem.lines.size() == 1 ? "" : "s");
@@ -248,19 +248,19 @@ std::string reference_text(const Description& description) {
   return parts.empty() ? "none: positions are fixed" : join(parts);
 }
 
-std::string sketch_text(const Problem& problem) {
+std::string sketch_text(const ProblemStatement& problem) {
   if (!problem.sketch) return "none";
   return fmt::format("given; {} is bent by {}, the other lengths change linearly",
                      bent_constraint(problem).id, problem.interpolation.bend);
 }
 
-std::string core_text(const Problem& problem, const CoreReduction& reduction) {
+std::string core_text(const ProblemStatement& problem, const CoreReduction& reduction) {
   const std::string list = join(names(problem, reduction.core));
   if (reduction.core_is_trivial) return "none: everything is placed one by one, starting from " + list;
   return fmt::format("{} constraints between {}", reduction.core_constraints.size(), list);
 }
 
-std::string placed_text(const Problem& problem, const CoreReduction& reduction) {
+std::string placed_text(const ProblemStatement& problem, const CoreReduction& reduction) {
   constexpr std::size_t most = 20;
   std::vector<std::string> placed;
   for (const PlacedPoint& point : reduction.placed)
@@ -273,7 +273,7 @@ std::string placed_text(const Problem& problem, const CoreReduction& reduction) 
 }
 
 /// A row for the parts that are solved one by one, where there are several.
-std::string parts_text(const Problem& problem, const std::vector<Part>& parts) {
+std::string parts_text(const ProblemStatement& problem, const std::vector<Part>& parts) {
   std::vector<std::string> solved;
   for (const Part& part : parts) {
     if (part.is_hung_point()) continue;
@@ -314,7 +314,7 @@ std::string published_text(const std::vector<PublishedFigure>& published) {
 
 std::string text_description(const Description& description) {
   const Instance& instance = description.instance;
-  const Problem& problem = instance.problem;
+  const ProblemStatement& problem = instance.problem;
   std::string text = instance.id + (instance.title.empty() ? "" : ": " + instance.title) + "\n";
   text += row("entities", entities_text(problem));
   if (const auto fixed = fixed_names(problem); !fixed.empty()) text += row("fixed", join(fixed));

@@ -99,7 +99,7 @@ std::size_t widest(const Items& items, NameOf name_of) {
 void print_instances(const std::vector<Instance>& instances) {
   const std::size_t width = widest(instances, [](const Instance& instance) { return instance.id; });
   for (const Instance& instance : instances) {
-    const Problem& problem = instance.problem;
+    const ProblemStatement& problem = instance.problem;
     std::cout << fmt::format("{:{}}  {}D  {:3} constraints  {}  {}\n", instance.id, width, problem.dimension,
                              problem.constraints.size(), problem.sketch ? "sketch   " : "no sketch",
                              instance.title);

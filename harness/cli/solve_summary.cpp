@@ -31,14 +31,15 @@ std::string headline(const Instance& instance, const SolveRun& run) {
 }
 
 /// The convention of a count of classes. Where positions are fixed there is no reflection to divide out.
-std::string_view convention(const Problem& problem) {
+std::string_view convention(const ProblemStatement& problem) {
   const auto given = [](const auto& position) { return position.has_value(); };
   const bool anchored = std::any_of(problem.fixed_points.begin(), problem.fixed_points.end(), given) ||
                         std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(), given);
   return anchored ? "positions are fixed, no reflection is divided out" : "up to reflection";
 }
 
-std::string solution_counts(const Problem& problem, const Counts& counts, const std::optional<Claim>& claim) {
+std::string solution_counts(const ProblemStatement& problem, const Counts& counts,
+                            const std::optional<Claim>& claim) {
   std::string text;
   const auto append = [&](std::string_view label, const std::optional<Natural>& count,
                           std::string_view what) {

@@ -64,7 +64,7 @@ std::string circle_svg(const DrawnCircle& circle, const PanelView& view) {
       c.x(), c.y(), view.scale() * circle.radius);
 }
 
-std::string panel_svg(const Problem& problem, const Configuration& shown, const PanelView& view,
+std::string panel_svg(const ProblemStatement& problem, const Configuration& shown, const PanelView& view,
                       const Eigen::Vector2d& corner) {
   const auto place = [&](int point) { return view(shown.figure.points.col(point).head<2>()); };
   std::string text = fmt::format(
@@ -92,8 +92,8 @@ std::string panel_svg(const Problem& problem, const Configuration& shown, const 
 
 }  // namespace
 
-std::string configurations_svg(const Problem& problem, const std::vector<Configuration>& configurations,
-                               const std::string& title) {
+std::string configurations_svg(const ProblemStatement& problem,
+                               const std::vector<Configuration>& configurations, const std::string& title) {
   double largest = 0;
   for (const Configuration& one : configurations) largest = std::max(largest, extent(one.figure));
   const double scale = (panel - heading - 2 * margin) / largest;

@@ -23,7 +23,7 @@ struct Configuration {
 };
 
 /// The whole SVG document, three figures to a row, all to one scale.
-std::string configurations_svg(const Problem& problem, const std::vector<Configuration>& configurations,
-                               const std::string& title);
+std::string configurations_svg(const ProblemStatement& problem,
+                               const std::vector<Configuration>& configurations, const std::string& title);
 
 }  // namespace gcs

@@ -22,7 +22,7 @@ Eigen::Vector2d on_page(const Eigen::Vector2d& place) {
 }
 
 /// Those that stay where they are: the frame, or what has a given position.
-std::set<int> held(const Problem& problem) {
+std::set<int> held(const ProblemStatement& problem) {
   std::set<int> entities;
   const int count = static_cast<int>(problem.points.size() + problem.lines.size());
   for (int e = 0; e < count; ++e)
@@ -35,7 +35,7 @@ std::set<int> held(const Problem& problem) {
   return entities;
 }
 
-int bent_constraint(const Problem& problem) {
+int bent_constraint(const ProblemStatement& problem) {
   if (!problem.sketch) return -1;
   return problem.interpolation.bent >= 0 ? problem.interpolation.bent
                                          : static_cast<int>(problem.constraints.size()) - 1;
@@ -79,7 +79,7 @@ std::string edge_name(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
 
 }  // namespace
 
-std::string graph_svg(const Problem& problem, const std::string& title) {
+std::string graph_svg(const ProblemStatement& problem, const std::string& title) {
   const Eigen::Matrix2Xd layout = graph_layout(problem);
   const auto place = [&](int entity) { return on_page(layout.col(entity)); };
   const int bent = bent_constraint(problem);

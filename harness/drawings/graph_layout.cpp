@@ -16,7 +16,7 @@ using Layout = Eigen::Matrix2Xd;
 /// Entities and which of them are constrained against each other.
 class Graph {
  public:
-  explicit Graph(const Problem& problem)
+  explicit Graph(const ProblemStatement& problem)
       : size(static_cast<Eigen::Index>(problem.points.size() + problem.lines.size())),
         adjacent(Eigen::MatrixXi::Zero(size, size)) {
     for (const DistanceConstraint& c : problem.constraints) add(c.between);
@@ -155,7 +155,7 @@ double confusion(const Layout& layout, const Graph& graph) {
 
 }  // namespace
 
-Eigen::Matrix2Xd graph_layout(const Problem& problem) {
+Eigen::Matrix2Xd graph_layout(const ProblemStatement& problem) {
   constexpr std::size_t most_triangles = 100;
   const Graph graph(problem);
   Layout best;

@@ -47,7 +47,7 @@ std::size_t widest_coordinate(const StoredPath& path, const std::vector<PathCoor
   return static_cast<std::size_t>(widest - coordinates.begin());
 }
 
-std::string name_of(const PathCoordinate& coordinate, const Problem& problem) {
+std::string name_of(const PathCoordinate& coordinate, const ProblemStatement& problem) {
   return fmt::format("{} of {}", std::string_view("xyz")[static_cast<std::size_t>(coordinate.axis)],
                      problem.points[static_cast<std::size_t>(coordinate.point)]);
 }

@@ -23,7 +23,7 @@ std::vector<PathCoordinate> moving_coordinates(const StoredPath& path, int dimen
 std::size_t widest_coordinate(const StoredPath& path, const std::vector<PathCoordinate>& coordinates);
 
 /// "y of p4"
-std::string name_of(const PathCoordinate& coordinate, const Problem& problem);
+std::string name_of(const PathCoordinate& coordinate, const ProblemStatement& problem);
 
 /// The first trail that has places, or nullptr.
 const PlanTrail* shown_trail(const SceneRecord& record);

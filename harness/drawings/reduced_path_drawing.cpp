@@ -20,7 +20,7 @@ std::string letter(std::size_t i) { return std::string(1, static_cast<char>('a' 
 std::string heading(std::size_t i, double t) { return fmt::format("({}) t = {:.3f}", letter(i), t); }
 
 Plot empty_plot(const StoredScene& scene, const ReducedPath& reduced, std::string description) {
-  const Problem& problem = scene.record.instance.problem;
+  const ProblemStatement& problem = scene.record.instance.problem;
   const auto name = [&](int point) { return problem.points[static_cast<std::size_t>(point)]; };
   const auto [low, high] = std::minmax_element(reduced.k.begin(), reduced.k.end());
   double least = 0, most = 1;
@@ -122,7 +122,7 @@ std::string boundary_figures(const StoredScene& stored, const ReducedPath& reduc
 
 // ---- Figure 6
 
-std::set<int> numbers_of(const Problem& problem, const std::vector<std::string>& ids) {
+std::set<int> numbers_of(const ProblemStatement& problem, const std::vector<std::string>& ids) {
   std::set<int> numbers;
   for (std::size_t c = 0; c < problem.constraints.size(); ++c)
     if (std::find(ids.begin(), ids.end(), problem.constraints[c].id) != ids.end())
@@ -162,7 +162,7 @@ std::string change_plot(const StoredScene& scene, const ReducedPath& reduced, co
 }
 
 std::string change_figures(const StoredScene& scene, const PlanTrail& trail) {
-  const Problem& problem = scene.record.instance.problem;
+  const ProblemStatement& problem = scene.record.instance.problem;
   std::vector<Configuration> shown;
   for (std::size_t i = 1; i < std::min(trail.places.size(), most_configurations + 1); ++i) {
     const PlanPlace& place = trail.places[i];

@@ -27,7 +27,7 @@ JsonValue line_value(const LinePosition& line) {
       {{"point", vector_value(line.point, 3)}, {"direction", vector_value(line.direction, 3)}});
 }
 
-JsonValue fixed_value(const Problem& problem) {
+JsonValue fixed_value(const ProblemStatement& problem) {
   JsonMembers members;
   for (std::size_t i = 0; i < problem.fixed_points.size(); ++i)
     if (const auto& point = problem.fixed_points[i])
@@ -40,7 +40,7 @@ JsonValue fixed_value(const Problem& problem) {
   return json_object(std::move(members));
 }
 
-JsonValue constraints_value(const Problem& problem) {
+JsonValue constraints_value(const ProblemStatement& problem) {
   std::vector<JsonValue> values;
   for (const DistanceConstraint& constraint : problem.constraints)
     values.push_back(json_object(
@@ -52,7 +52,7 @@ JsonValue constraints_value(const Problem& problem) {
   return json_array(std::move(values));
 }
 
-JsonValue reference_value(const Problem& problem, const Reference& reference) {
+JsonValue reference_value(const ProblemStatement& problem, const Reference& reference) {
   JsonMembers members;
   const auto append = [&](const char* part, int number, const std::vector<std::string>& names) {
     if (number >= 0) members.emplace_back(part, json_text(names[static_cast<std::size_t>(number)]));
@@ -65,7 +65,7 @@ JsonValue reference_value(const Problem& problem, const Reference& reference) {
   return json_object(std::move(members));
 }
 
-JsonValue sketch_value(const Problem& problem) {
+JsonValue sketch_value(const ProblemStatement& problem) {
   JsonMembers members;
   for (std::size_t i = 0; i < problem.points.size(); ++i)
     members.emplace_back(
@@ -76,7 +76,7 @@ JsonValue sketch_value(const Problem& problem) {
   return json_object(std::move(members));
 }
 
-JsonValue interpolation_value(const Problem& problem) {
+JsonValue interpolation_value(const ProblemStatement& problem) {
   JsonMembers members;
   if (const int bent = problem.interpolation.bent; bent >= 0)
     members.emplace_back("bent", json_text(problem.constraints[static_cast<std::size_t>(bent)].id));
@@ -84,14 +84,14 @@ JsonValue interpolation_value(const Problem& problem) {
   return json_object(std::move(members));
 }
 
-JsonValue radius_value(const Problem& problem, const PlanStep::Radius& radius) {
+JsonValue radius_value(const ProblemStatement& problem, const PlanStep::Radius& radius) {
   const bool is_driving = radius.constraint < 0;
   return json_texts(
       {problem.name(radius.from),
        is_driving ? radius.driving : problem.constraints[static_cast<std::size_t>(radius.constraint)].id});
 }
 
-JsonValue construction_value(const Problem& problem) {
+JsonValue construction_value(const ProblemStatement& problem) {
   std::vector<JsonValue> steps;
   for (const PlanStep& step : problem.construction) {
     std::vector<JsonValue> from;
@@ -105,7 +105,7 @@ JsonValue construction_value(const Problem& problem) {
 }  // namespace
 
 std::string problem_text(const Scene& scene) {
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   JsonMembers members{{"format", json_text("gcsbench-instance/1")},  {"id", json_text("instance")},
                       {"dimension", json_number(problem.dimension)}, {"points", json_texts(problem.points)},
                       {"lines", json_texts(problem.lines)},          {"fixed", fixed_value(problem)},

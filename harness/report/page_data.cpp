@@ -27,7 +27,7 @@ JsonValue lines_value(const Figure& figure) {
   return json_array(std::move(lines));
 }
 
-JsonValue edges_value(const Problem& problem) {
+JsonValue edges_value(const ProblemStatement& problem) {
   std::vector<JsonValue> edges;
   for (const DistanceConstraint& c : problem.constraints) {
     const auto [a, b] = std::minmax(c.between[0], c.between[1]);

@@ -40,7 +40,7 @@ std::string path_fact(const StoredScene& scene) {
 
 std::string facts(const StoredScene& scene) {
   const Instance& instance = scene.record.instance;
-  const Problem& problem = instance.problem;
+  const ProblemStatement& problem = instance.problem;
   std::string text = "<dl class=\"facts\">\n";
   text += fact("dimension", std::to_string(problem.dimension));
   text += fact("entities", problem.lines.empty() ? fmt::format("{} points", problem.points.size())
@@ -98,7 +98,7 @@ std::string with_label(std::string_view part, const std::string& label) {
   return text;
 }
 
-std::string coordinates_html(const Problem& problem) {
+std::string coordinates_html(const ProblemStatement& problem) {
   std::string now, listed;
   for (const char axis : std::string_view("xyz").substr(0, static_cast<std::size_t>(problem.dimension))) {
     now += fmt::format("<th scope=\"col\">{}</th>", axis);

@@ -17,7 +17,7 @@ struct Column {
 };
 
 /// "p4.y"
-Column column_named(const JsonCursor& place, const std::string& name, const Problem& problem) {
+Column column_named(const JsonCursor& place, const std::string& name, const ProblemStatement& problem) {
   const std::size_t dot = name.rfind('.');
   const std::string_view axes =
       std::string_view("xyz").substr(0, static_cast<std::size_t>(problem.dimension));
@@ -30,7 +30,7 @@ Column column_named(const JsonCursor& place, const std::string& name, const Prob
   place.fail("'" + name + "' is no coordinate of the instance", "write the path again");
 }
 
-std::vector<Column> read_columns(const JsonCursor& columns, const Problem& problem) {
+std::vector<Column> read_columns(const JsonCursor& columns, const ProblemStatement& problem) {
   const auto entries = columns.elements();
   std::vector<Column> moving;
   const std::vector<std::string> first{"t", "length", "radius"};
@@ -43,7 +43,7 @@ std::vector<Column> read_columns(const JsonCursor& columns, const Problem& probl
   return moving;
 }
 
-Figure read_fixed(const JsonCursor& fixed, const Problem& problem) {
+Figure read_fixed(const JsonCursor& fixed, const ProblemStatement& problem) {
   Figure figure{Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(problem.points.size())), {}};
   for (const auto& [name, value] : fixed.members()) {
     const Column column = column_named(value, name, problem);

@@ -24,7 +24,7 @@ JsonValue vector_value(const DecimalVector& vector, int dimension, bool is_real)
   return json_array(std::move(coordinates));
 }
 
-JsonValue solution_value(const Problem& problem, const DecimalFigure& figure, bool is_real) {
+JsonValue solution_value(const ProblemStatement& problem, const DecimalFigure& figure, bool is_real) {
   JsonMembers points, lines;
   for (std::size_t i = 0; i < problem.points.size(); ++i)
     points.emplace_back(problem.points[i], vector_value(figure.points[i], problem.dimension, is_real));

@@ -51,7 +51,7 @@ DecimalVector read_vector(const JsonCursor& cursor, int dimension, bool is_real)
   return vector;
 }
 
-KnownSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
+KnownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
   const bool is_real = cursor.required("real").value().boolean;
   DecimalFigure exact;
   for (const std::string& name : problem.points)
@@ -66,7 +66,7 @@ KnownSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
   return {std::move(exact), std::move(figure)};
 }
 
-ReferenceList read_list(const JsonCursor& root, const Problem& problem, const std::string& file) {
+ReferenceList read_list(const JsonCursor& root, const ProblemStatement& problem, const std::string& file) {
   ReferenceList list;
   const JsonCursor origin = root.required("origin");
   const std::string claim = origin.required("claim").text();

@@ -33,7 +33,7 @@ JsonValue line_value(const LinePosition& real, const LinePosition& imaginary) {
                       {"direction", vector_value(real.direction, imaginary.direction, 3)}});
 }
 
-JsonValue points_value(const Problem& problem, const Figure& figure) {
+JsonValue points_value(const ProblemStatement& problem, const Figure& figure) {
   JsonMembers points;
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     const auto p = static_cast<Eigen::Index>(i);
@@ -45,7 +45,7 @@ JsonValue points_value(const Problem& problem, const Figure& figure) {
   return json_object(std::move(points));
 }
 
-JsonValue lines_value(const Problem& problem, const Figure& figure) {
+JsonValue lines_value(const ProblemStatement& problem, const Figure& figure) {
   JsonMembers lines;
   for (std::size_t i = 0; i < problem.lines.size(); ++i)
     lines.emplace_back(problem.lines[i], figure.is_real()
@@ -54,7 +54,7 @@ JsonValue lines_value(const Problem& problem, const Figure& figure) {
   return json_object(std::move(lines));
 }
 
-JsonValue solution_value(const Problem& problem, const AssessedSolution& solution) {
+JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution& solution) {
   return json_object({{"points", points_value(problem, solution.figure)},
                       {"lines", lines_value(problem, solution.figure)},
                       {"real", json_boolean(solution.figure.is_real())},
@@ -65,7 +65,7 @@ JsonValue solution_value(const Problem& problem, const AssessedSolution& solutio
                       {"certified", json_boolean(solution.certified)}});
 }
 
-JsonValue solutions_value(const Problem& problem, const std::vector<AssessedSolution>& solutions) {
+JsonValue solutions_value(const ProblemStatement& problem, const std::vector<AssessedSolution>& solutions) {
   std::vector<JsonValue> values;
   for (const AssessedSolution& solution : solutions) values.push_back(solution_value(problem, solution));
   return json_array(std::move(values));

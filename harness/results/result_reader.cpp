@@ -94,7 +94,7 @@ Vectors read_vector(const JsonCursor& cursor, int dimension, bool is_real) {
   return result;
 }
 
-void read_points(const JsonCursor& points, const Problem& problem, bool is_real, Figure& figure) {
+void read_points(const JsonCursor& points, const ProblemStatement& problem, bool is_real, Figure& figure) {
   const auto count = static_cast<Eigen::Index>(problem.points.size());
   figure.points = Eigen::Matrix3Xd::Zero(3, count);
   if (!is_real) figure.imaginary = Eigen::Matrix3Xd::Zero(3, count);
@@ -106,7 +106,7 @@ void read_points(const JsonCursor& points, const Problem& problem, bool is_real,
   }
 }
 
-void read_lines(const JsonCursor& lines, const Problem& problem, bool is_real, Figure& figure) {
+void read_lines(const JsonCursor& lines, const ProblemStatement& problem, bool is_real, Figure& figure) {
   for (const std::string& name : problem.lines) {
     const JsonCursor line = lines.required(name);
     const Vectors point = read_vector(line.required("point"), 3, is_real),
@@ -117,12 +117,12 @@ void read_lines(const JsonCursor& lines, const Problem& problem, bool is_real, F
 }
 
 /// Whether the coordinates of the first point are numbers.
-bool has_real_points(const JsonCursor& points, const Problem& problem) {
+bool has_real_points(const JsonCursor& points, const ProblemStatement& problem) {
   const auto coordinates = points.required(problem.points.front()).elements();
   return coordinates.empty() || coordinates.front().value().kind != JsonValue::Kind::array;
 }
 
-AssessedSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
+AssessedSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
   AssessedSolution solution;
   const JsonCursor points = cursor.required("points");
   const auto real = cursor.optional("real");
@@ -167,7 +167,8 @@ auto count_reader(const JsonCursor& cursor) {
 
 }  // namespace
 
-ProgramAnswer parse_answer(const std::string& text, const Problem& problem, const std::string& source) {
+ProgramAnswer parse_answer(const std::string& text, const ProblemStatement& problem,
+                           const std::string& source) {
   const JsonValue document = parse_json(text, source);
   const JsonCursor root(document, source);
   if (root.optional("format")) root.require_format(format_name);

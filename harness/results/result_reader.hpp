@@ -30,7 +30,8 @@ struct ProgramAnswer {
 
 /// The answer in `text` about `problem`; `source` is for messages. A solution without the member `real` is
 /// real unless its coordinates are pairs. Members that it does not know are passed over. Throws InputError.
-ProgramAnswer parse_answer(const std::string& text, const Problem& problem, const std::string& source);
+ProgramAnswer parse_answer(const std::string& text, const ProblemStatement& problem,
+                           const std::string& source);
 
 /// The result in `text`; `file` is for messages. Members that it does not know are passed over.
 /// Throws InputError.

@@ -133,7 +133,7 @@ double largest_residual(const Assessment& assessment) {
   return largest;
 }
 
-RecordedSolution recorded(const Problem& problem, const AssessedSolution& solution) {
+RecordedSolution recorded(const ProblemStatement& problem, const AssessedSolution& solution) {
   RecordedSolution record{solution.figure.is_real(), solution.multiplicity, {}};
   if (!record.is_real) return record;
   for (std::size_t i = 0; i < problem.points.size(); ++i) {

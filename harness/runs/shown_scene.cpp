@@ -20,7 +20,7 @@ JsonValue vector_value(const Eigen::Vector3d& vector, int dimension) {
   return json_array(std::move(coordinates));
 }
 
-JsonValue solution_value(const Problem& problem, const ShownSolution& solution) {
+JsonValue solution_value(const ProblemStatement& problem, const ShownSolution& solution) {
   JsonMembers points, lines;
   for (std::size_t i = 0; i < problem.points.size(); ++i)
     points.emplace_back(
@@ -79,7 +79,7 @@ int read_whole(const JsonCursor& cursor, int low, int high) {
   return static_cast<int>(value);
 }
 
-ShownSolution read_solution(const JsonCursor& cursor, const Problem& problem) {
+ShownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
   ShownSolution solution;
   solution.multiplicity = read_whole(cursor.required("multiplicity"), 1, 1 << 20);
   solution.figure.points.resize(3, static_cast<Eigen::Index>(problem.points.size()));
@@ -117,7 +117,7 @@ PlanTrail read_trail(const JsonCursor& cursor) {
 }  // namespace
 
 std::string to_json_text(const SceneRecord& record) {
-  const Problem& problem = record.instance.problem;
+  const ProblemStatement& problem = record.instance.problem;
   return fmt::format(
       "{{\"format\": \"{}\",\n \"instance\": {},\n \"source\": {},\n \"proven\": {},\n \"all_real\": {}, "
       "\"all_real_proven\": {},\n "

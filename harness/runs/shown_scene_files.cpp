@@ -206,7 +206,7 @@ void put_solutions_on_path(StoredScene& scene) {
 
 }  // namespace
 
-bool can_be_drawn(const Problem& problem) {
+bool can_be_drawn(const ProblemStatement& problem) {
   return problem.points.size() + problem.lines.size() <= most_drawn_entities;
 }
 

@@ -14,7 +14,7 @@ namespace gcs {
 /// More entities cannot be told apart in a drawing: of larger scenes nothing but the instance is stored.
 inline constexpr std::size_t most_drawn_entities = 60;
 
-bool can_be_drawn(const Problem& problem);
+bool can_be_drawn(const ProblemStatement& problem);
 
 /// Solutions, the path S and the plans along it; the path as the text of gcsbench-path/1, where there is one.
 struct MadeScene {

@@ -17,7 +17,7 @@ std::string exact_text(const TheoreticalCounts& counts) {
   return counts.exact ? "exactly " + in_conventions(*counts.exact) : "not known: " + counts.why_no_exact;
 }
 
-std::string bound_text(const Problem& problem, const TheoreticalCounts& counts) {
+std::string bound_text(const ProblemStatement& problem, const TheoreticalCounts& counts) {
   if (!counts.bound) return "none: " + counts.why_no_bound;
   return fmt::format("at most {}; {}", in_conventions(counts.bound->count),
                      bound_origin(names_of(problem, *counts.bound)));
@@ -31,7 +31,7 @@ JsonMembers convention_members(const SolutionCount& count) {
 
 JsonValue exact_value(const SolutionCount& count) { return json_object(convention_members(count)); }
 
-JsonValue bound_value(const Problem& problem, const CountBound& bound) {
+JsonValue bound_value(const ProblemStatement& problem, const CountBound& bound) {
   JsonMembers members = convention_members(bound.count);
   const BoundNames names = names_of(problem, bound);
   members.emplace_back("reference", json_texts(names.reference));
@@ -57,11 +57,11 @@ std::string row(std::string_view label, const std::string& text) {
   return fmt::format("{:<20}{}\n", label, text);
 }
 
-std::string counts_text(const Problem& problem, const TheoreticalCounts& counts) {
+std::string counts_text(const ProblemStatement& problem, const TheoreticalCounts& counts) {
   return row("complex solutions", exact_text(counts)) + row("upper bound", bound_text(problem, counts));
 }
 
-JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts) {
+JsonValue counts_value(const ProblemStatement& problem, const TheoreticalCounts& counts) {
   const auto value_of_bound = [&](const CountBound& bound) { return bound_value(problem, bound); };
   return json_object({{"exact", json_or_null(counts.exact, exact_value)},
                       {"why_no_exact", reason_value(counts.why_no_exact)},
@@ -69,7 +69,7 @@ JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts) 
                       {"why_no_bound", reason_value(counts.why_no_bound)}});
 }
 
-BoundNames names_of(const Problem& problem, const CountBound& bound) {
+BoundNames names_of(const ProblemStatement& problem, const CountBound& bound) {
   const auto names = [&](const std::vector<int>& entities) {
     std::vector<std::string> result;
     for (const int entity : entities) result.push_back(problem.name(entity));

@@ -18,11 +18,11 @@ std::string row(std::string_view label, const std::string& text);
 
 /// A row for the exact number and one for the bound, each in all conventions or with the reason why there is
 /// none.
-std::string counts_text(const Problem& problem, const TheoreticalCounts& counts);
+std::string counts_text(const ProblemStatement& problem, const TheoreticalCounts& counts);
 
 /// The members `exact` and `bound`, objects by convention or null, and `why_no_exact` and `why_no_bound`,
 /// sentences or null. A bound has its `reference` and, empty unless it is of one, the bodies of its `ring`.
-JsonValue counts_value(const Problem& problem, const TheoreticalCounts& counts);
+JsonValue counts_value(const ProblemStatement& problem, const TheoreticalCounts& counts);
 
 /// The entities of a bound by name.
 struct BoundNames {
@@ -31,7 +31,7 @@ struct BoundNames {
   int parts = 1;
 };
 
-BoundNames names_of(const Problem& problem, const CountBound& bound);
+BoundNames names_of(const ProblemStatement& problem, const CountBound& bound);
 
 /// Which bound it is, of what.
 std::string bound_origin(const BoundNames& names);

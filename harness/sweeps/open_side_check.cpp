@@ -61,7 +61,7 @@ double closest_pair(const Scene& scene, const std::vector<Figure>& figures) {
 
 }  // namespace
 
-FineScan::FineScan(const Problem& problem, int angles) : problem_(problem) {
+FineScan::FineScan(const ProblemStatement& problem, int angles) : problem_(problem) {
   const Scene scene(problem);
   const Pyramid pyramid = *find_pyramid(scene);
   open_side_ = pyramid_plan(scene, pyramid).steps.back().checks.front().constraint;
@@ -71,8 +71,8 @@ FineScan::FineScan(const Problem& problem, int angles) : problem_(problem) {
             [](const GapSample& a, const GapSample& b) { return a.gap < b.gap; });
 }
 
-Problem FineScan::with_length(double length) const {
-  Problem problem = problem_;
+ProblemStatement FineScan::with_length(double length) const {
+  ProblemStatement problem = problem_;
   problem.constraints[open_side_].given = {length, fmt::format("{}", length)};
   return problem;
 }

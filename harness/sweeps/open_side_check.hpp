@@ -25,20 +25,20 @@ struct OpenSideVerdict {
 class FineScan {
  public:
   /// `angles`: in a full turn. Precondition: the problem is a pyramid (find_pyramid).
-  FineScan(const Problem& problem, int angles);
+  FineScan(const ProblemStatement& problem, int angles);
 
   /// Least and greatest sample of d34, in the file's unit.
   double shortest() const { return curve_.front().gap; }
   double longest() const { return curve_.back().gap; }
 
   /// The problem with that length, in the file's unit, of the open side.
-  Problem with_length(double length) const;
+  ProblemStatement with_length(double length) const;
   /// Real solutions for that length, distinct up to reflection, in the unit of the scene of with_length: from
   /// every sample within `band` (in the file's unit) of the length Newton's method starts.
   std::vector<Figure> solutions(double length, double band) const;
 
  private:
-  Problem problem_;
+  ProblemStatement problem_;
   int open_side_ = -1;            ///< the constraint
   std::vector<GapSample> curve_;  ///< by gap, in the file's unit
 };

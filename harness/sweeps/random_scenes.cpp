@@ -100,7 +100,7 @@ Figure random_placement(const SceneKind& kind, double size, Dice& dice) {
   return figure;
 }
 
-void add_constraints(const HennebergGraph& graph, const Figure& target, Problem& problem) {
+void add_constraints(const HennebergGraph& graph, const Figure& target, ProblemStatement& problem) {
   for (const auto& [a, b] : graph.edges()) {
     DistanceConstraint constraint;
     constraint.id = fmt::format("a{}", problem.constraints.size() + 1);
@@ -118,9 +118,9 @@ SceneKind random_scene_kind(std::uint64_t seed) {
   return {2 + kind % 2, 4 + kind / 2};
 }
 
-Problem random_problem(const SceneKind& kind, std::uint64_t seed) {
+ProblemStatement random_problem(const SceneKind& kind, std::uint64_t seed) {
   Dice dice(seed);
-  Problem problem;
+  ProblemStatement problem;
   problem.dimension = kind.dimension;
   for (int p = 1; p <= kind.points; ++p) problem.points.push_back(fmt::format("p{}", p));
   const HennebergGraph graph(kind, dice);

@@ -26,6 +26,6 @@ SceneKind random_scene_kind(std::uint64_t seed);
 /// others the target is a half, a quarter or an eighth of the way from the sketch to an independent
 /// placement, because from a far sketch S often turns before the target. The bent constraint is random, and
 /// the bend is twice the size of the box. Throws std::logic_error when the result is not well posed.
-Problem random_problem(const SceneKind& kind, std::uint64_t seed);
+ProblemStatement random_problem(const SceneKind& kind, std::uint64_t seed);
 
 }  // namespace gcs

@@ -6,7 +6,7 @@ namespace gcs {
 
 using Json = nlohmann::ordered_json;
 
-std::string instance_text(const Problem& problem, const std::string& id) {
+std::string instance_text(const ProblemStatement& problem, const std::string& id) {
   Json document{{"format", "gcsbench-instance/1"}, {"id", id}, {"dimension", problem.dimension}};
   document["points"] = problem.points;
   for (const DistanceConstraint& c : problem.constraints)

@@ -8,6 +8,6 @@
 namespace gcs {
 
 /// The text of gcsbench-instance/1, every number exact. Precondition: points only, with a sketch.
-std::string instance_text(const Problem& problem, const std::string& id);
+std::string instance_text(const ProblemStatement& problem, const std::string& id);
 
 }  // namespace gcs

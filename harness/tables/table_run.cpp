@@ -189,14 +189,14 @@ std::string fingerprint(const JsonValue& document) {
   return fmt::format("{:016x}", hash);
 }
 
-std::vector<GivenLength> given_lengths(const Problem& problem) {
+std::vector<GivenLength> given_lengths(const ProblemStatement& problem) {
   std::vector<GivenLength> lengths;
   for (const DistanceConstraint& c : problem.constraints)
     lengths.push_back({{problem.name(c.between[0]), problem.name(c.between[1])}, c.given.text, c.is_squared});
   return lengths;
 }
 
-std::optional<RecordedLimit> complex_limit(const Problem& problem) {
+std::optional<RecordedLimit> complex_limit(const ProblemStatement& problem) {
   const TheoreticalCounts counts = theoretical_counts(problem);
   const SolutionCount* limit = counts.upper_limit();
   if (limit == nullptr) return std::nullopt;
@@ -240,7 +240,7 @@ RunSession new_session(const TableRequest& request, const MeasureSettings& setti
 }
 
 MeasuredInstance measured(const Instance& instance, const Scene& scene) {
-  const Problem& problem = instance.problem;
+  const ProblemStatement& problem = instance.problem;
   MeasuredInstance record{instance.id,
                           instance.origin,
                           fingerprint(instance.document),

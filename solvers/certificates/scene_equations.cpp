@@ -39,7 +39,7 @@ ScaledUnknown minus(int unknown) { return {unknown, exactly(-1)}; }
 }  // namespace
 
 std::optional<std::string> why_not_certified(const Scene& scene) {
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   if (std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(),
                   [](const auto& line) { return line.has_value(); }))
     return "a line has a given position, whose equations certificates do not know";
@@ -53,7 +53,7 @@ std::optional<std::string> why_not_certified(const Scene& scene) {
 }
 
 SceneEquations::SceneEquations(const Scene& scene) : scene_(scene), points_(scene) {
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   system_.mirror = mirror_axes(scene, points_);
   const bool has_free_lines = is_free_beside_given_points(scene);
   for (int i = 0; i < scene.constraint_count(); ++i) {

@@ -20,7 +20,7 @@ struct Neighbour {
 
 using Adjacency = std::vector<std::vector<Neighbour>>;
 
-Adjacency adjacency_of(const Problem& problem) {
+Adjacency adjacency_of(const ProblemStatement& problem) {
   Adjacency adjacency(problem.points.size());
   for (std::size_t c = 0; c < problem.constraints.size(); ++c) {
     const auto [a, b] = problem.constraints[c].between;

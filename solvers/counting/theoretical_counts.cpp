@@ -21,7 +21,7 @@ constexpr std::int64_t most_steps = 4'000'000;
 using Edge = std::array<int, 2>;
 using References = std::vector<std::vector<int>>;  ///< sets of points that make a frame
 
-bool has_fixed_entity(const Problem& problem) {
+bool has_fixed_entity(const ProblemStatement& problem) {
   const int entities = static_cast<int>(problem.points.size() + problem.lines.size());
   for (int entity = 0; entity < entities; ++entity)
     if (problem.is_fixed(entity)) return true;
@@ -31,14 +31,14 @@ bool has_fixed_entity(const Problem& problem) {
 bool is_zero_length(const DistanceConstraint& constraint) { return constraint.given.value == 0; }
 
 /// Scenes of points: the frame leaves the reflection through the reference, unless all points are in it.
-SolutionCount count_of_points(const Problem& problem, Natural fixed_frame) {
+SolutionCount count_of_points(const ProblemStatement& problem, Natural fixed_frame) {
   const int points = static_cast<int>(problem.points.size());
   const bool is_flat = points <= problem.dimension;
   return {std::move(fixed_frame), is_flat ? 1 : 2, 1 << (std::min(points, problem.dimension) - 1)};
 }
 
 /// Line on the x-axis, a point on the positive z-axis: x → −x and y → −y are left, unless that is all.
-SolutionCount count_with_line(const Problem& problem, Natural fixed_frame) {
+SolutionCount count_with_line(const ProblemStatement& problem, Natural fixed_frame) {
   return {std::move(fixed_frame), problem.points.size() == 1 ? 1 : 4, 2};
 }
 
@@ -52,7 +52,7 @@ int number_of(const PointGraph& graph, int point) {
   return static_cast<int>(std::find(graph.points.begin(), graph.points.end(), point) - graph.points.begin());
 }
 
-PointGraph core_graph(const Problem& problem, const CoreReduction& reduction) {
+PointGraph core_graph(const ProblemStatement& problem, const CoreReduction& reduction) {
   PointGraph graph{reduction.core, {}};
   for (const int constraint : reduction.core_constraints) {
     const auto& [a, b] = problem.constraints[constraint].between;
@@ -61,7 +61,7 @@ PointGraph core_graph(const Problem& problem, const CoreReduction& reduction) {
   return graph;
 }
 
-PointGraph whole_graph(const Problem& problem) {
+PointGraph whole_graph(const ProblemStatement& problem) {
   PointGraph graph;
   for (int point = 0; point < static_cast<int>(problem.points.size()); ++point) graph.points.push_back(point);
   for (const DistanceConstraint& constraint : problem.constraints)
@@ -94,7 +94,7 @@ std::vector<int> points_of(const PointGraph& graph, std::vector<int> numbers) {
 constexpr const char* bound_takes_too_long =
     "The constraint graph hangs together too widely: counting its orientations would take too long.";
 
-std::optional<CountBound> bezout_bound_of_points(const Problem& problem, const PointGraph& graph,
+std::optional<CountBound> bezout_bound_of_points(const ProblemStatement& problem, const PointGraph& graph,
                                                  const References& references) {
   const BoundProblem part{problem.dimension, graph.edges, std::vector<bool>(graph.points.size(), false),
                           references};
@@ -104,7 +104,7 @@ std::optional<CountBound> bezout_bound_of_points(const Problem& problem, const P
       count_of_points(problem, smallest->fixed_frame), points_of(graph, references[smallest->reference]), {}};
 }
 
-std::optional<CountBound> ring_bound_of_points(const Problem& problem, const PointGraph& graph,
+std::optional<CountBound> ring_bound_of_points(const ProblemStatement& problem, const PointGraph& graph,
                                                const References& references) {
   if (problem.dimension != 3) return std::nullopt;
   const auto found = ring_bound(static_cast<int>(graph.points.size()), graph.edges, references);
@@ -115,7 +115,7 @@ std::optional<CountBound> ring_bound_of_points(const Problem& problem, const Poi
 }
 
 /// Of a problem of points, by the simplices of the given part of it; the rest hangs on this part.
-void bound_points(const Problem& problem, const PointGraph& graph, TheoreticalCounts& counts) {
+void bound_points(const ProblemStatement& problem, const PointGraph& graph, TheoreticalCounts& counts) {
   const auto references = reference_simplices(graph, problem.dimension);
   if (references.empty()) {
     counts.why_no_bound =
@@ -135,7 +135,7 @@ void bound_points(const Problem& problem, const PointGraph& graph, TheoreticalCo
   fixed_frame = Natural::power_of_two(hanging) * fixed_frame;
 }
 
-void count_exactly(const Problem& problem, const CoreReduction& reduction, const PointGraph& core,
+void count_exactly(const ProblemStatement& problem, const CoreReduction& reduction, const PointGraph& core,
                    TheoreticalCounts& counts) {
   if (problem.dimension == 3 && !reduction.core_is_trivial) {
     counts.why_no_exact =
@@ -153,7 +153,7 @@ void count_exactly(const Problem& problem, const CoreReduction& reduction, const
 }
 
 /// In the core, or, when it has no triangle, with the points that hang on it.
-void count_undivided(const Problem& problem, TheoreticalCounts& counts) {
+void count_undivided(const ProblemStatement& problem, TheoreticalCounts& counts) {
   const CoreReduction reduction = reduce_to_core(problem, {});
   const PointGraph core = core_graph(problem, reduction);
   count_exactly(problem, reduction, core, counts);
@@ -168,7 +168,7 @@ struct PartCounts {
   int hung = 0;
 };
 
-PartCounts counts_of_parts(const Problem& problem) {
+PartCounts counts_of_parts(const ProblemStatement& problem) {
   PartCounts counts;
   for (const Part& part : decompose(problem, Split::all)) {
     if (part.is_hung_point()) {
@@ -183,7 +183,7 @@ PartCounts counts_of_parts(const Problem& problem) {
 }
 
 /// With the base of a part held fixed its solutions in the frame are as many, whatever the others are.
-void multiply(const Problem& problem, const PartCounts& parts, TheoreticalCounts& counts) {
+void multiply(const ProblemStatement& problem, const PartCounts& parts, TheoreticalCounts& counts) {
   Natural exact = Natural::power_of_two(parts.hung), bound = exact;
   for (const TheoreticalCounts& part : parts.solved) {
     if (part.exact) exact = exact * part.exact->fixed_frame;
@@ -201,7 +201,7 @@ void multiply(const Problem& problem, const PartCounts& parts, TheoreticalCounts
                             static_cast<int>(parts.solved.size())};
 }
 
-void count_points(const Problem& problem, TheoreticalCounts& counts) {
+void count_points(const ProblemStatement& problem, TheoreticalCounts& counts) {
   const PartCounts parts = counts_of_parts(problem);
   if (parts.solved.size() > 1)
     multiply(problem, parts, counts);
@@ -209,7 +209,7 @@ void count_points(const Problem& problem, TheoreticalCounts& counts) {
     count_undivided(problem, counts);
 }
 
-void bound_points_and_line(const Problem& problem, TheoreticalCounts& counts) {
+void bound_points_and_line(const ProblemStatement& problem, TheoreticalCounts& counts) {
   const PointGraph graph = whole_graph(problem);
   BoundProblem whole{problem.dimension, graph.edges, std::vector<bool>(graph.points.size(), false), {}};
   for (const DistanceConstraint& constraint : problem.constraints)
@@ -234,7 +234,7 @@ void bound_points_and_line(const Problem& problem, TheoreticalCounts& counts) {
 }
 
 /// All points are given, and nothing but a line is sought by its distances from four of them.
-bool seeks_common_tangents(const Problem& problem) {
+bool seeks_common_tangents(const ProblemStatement& problem) {
   const auto points = static_cast<int>(problem.points.size());
   for (int point = 0; point < points; ++point)
     if (!problem.is_fixed(point)) return false;
@@ -245,7 +245,7 @@ bool seeks_common_tangents(const Problem& problem) {
 /// cubic and a quartic in the projective plane: 12 lines, by Bézout (Macdonald, Pach, Theobald, Common
 /// tangents to four unit balls in R³, 2001; Hoffmann, Yuan 2000). Isolated lines persist when centres and
 /// radii are moved, so no four centres have more.
-void bound_tangents(const Problem& problem, TheoreticalCounts& counts) {
+void bound_tangents(const ProblemStatement& problem, TheoreticalCounts& counts) {
   counts.bound = CountBound{{Natural(12), 1, 1}, {}, {}};
   for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
     counts.bound->reference.push_back(point);
@@ -253,7 +253,7 @@ void bound_tangents(const Problem& problem, TheoreticalCounts& counts) {
 
 }  // namespace
 
-TheoreticalCounts theoretical_counts(const Problem& problem) {
+TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
   TheoreticalCounts counts;
   if (seeks_common_tangents(problem)) {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";

@@ -48,6 +48,6 @@ struct TheoreticalCounts {
 /// Exact: points in the plane, if the core is small enough, and points in space of which all but three can be
 /// placed one by one. Bound, the smaller of the two, the m-Bézout bound if they are equal: points, or points
 /// and one line, and nothing fixed.
-TheoreticalCounts theoretical_counts(const Problem& problem);
+TheoreticalCounts theoretical_counts(const ProblemStatement& problem);
 
 }  // namespace gcs

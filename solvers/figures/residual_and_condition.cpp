@@ -34,7 +34,7 @@ double distance_to_line(const Eigen::Vector3d& point, const LinePosition& line) 
   return sqrt(squared_norm(cross)).value() / sqrt(squared_norm(u)).value();
 }
 
-double distance(const Problem& problem, const Figure& figure, std::array<int, 2> between) {
+double distance(const ProblemStatement& problem, const Figure& figure, std::array<int, 2> between) {
   if (!problem.is_point(between[0])) std::swap(between[0], between[1]);
   const Eigen::Vector3d first = figure.points.col(between[0]);
   if (!problem.is_point(between[1]))
@@ -43,8 +43,8 @@ double distance(const Problem& problem, const Figure& figure, std::array<int, 2>
 }
 
 /// d² − length² of a complex figure.
-std::complex<double> complex_excess(const Problem& problem, const Figure& figure, std::array<int, 2> between,
-                                    double length) {
+std::complex<double> complex_excess(const ProblemStatement& problem, const Figure& figure,
+                                    std::array<int, 2> between, double length) {
   if (!problem.is_point(between[0])) std::swap(between[0], between[1]);
   const ComplexPoints points = complex_points(figure);
   const Eigen::Vector3cd first = points.col(between[0]);

@@ -22,7 +22,7 @@ ExactNumber given_square(const Scene& scene, int constraint) {
 }
 
 ExactNumber given_coordinate(const Scene& scene, int point, int axis) {
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   const auto p = static_cast<std::size_t>(point);
   if (!scene.fixed_point(point)) return {};
   ExactNumber number = exactly((*problem.fixed_points[p])[axis]);

@@ -76,7 +76,7 @@ struct PlanStep {
   std::vector<Radius> from;
 };
 
-struct Problem {
+struct ProblemStatement {
   int dimension = 3;  ///< 2 or 3
   std::vector<std::string> points;
   std::vector<std::string> lines;

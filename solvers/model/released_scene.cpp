@@ -105,7 +105,7 @@ ComplexMotion motion(const Eigen::Matrix<std::complex<double>, 3, 4>& from, cons
 }  // namespace
 
 std::optional<std::string> why_not_released(const Scene& scene) {
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   if (problem.lines.size() != 1 || problem.is_fixed(scene.point_count()))
     return "it seeks one line, whose position must not be given";
   const Triangle triangle = large_triangle(scene);
@@ -163,9 +163,9 @@ ReleasedScene::Attached ReleasedScene::attached(int point) const {
   return {point, *std::ranges::max_element(faces, {}, height)};
 }
 
-Problem ReleasedScene::released_problem() const {
-  const Problem& given = given_.problem();
-  Problem problem;
+ProblemStatement ReleasedScene::released_problem() const {
+  const ProblemStatement& given = given_.problem();
+  ProblemStatement problem;
   problem.points = given.points;
   problem.lines = given.lines;
   problem.constraints = given.constraints;

@@ -50,7 +50,7 @@ class ReleasedScene {
 
   /// Sets base_points_ and base_; returns the given points that are not among them.
   std::vector<int> choose_base();
-  Problem released_problem() const;
+  ProblemStatement released_problem() const;
   Eigen::Vector3d given_position(int point) const;
   Attached attached(int point) const;
   bool is_where_given(const Attached& attached, const Eigen::Vector3cd& position) const;

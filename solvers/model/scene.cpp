@@ -12,7 +12,7 @@ namespace gcs {
 namespace {
 
 /// The largest coordinate of a fixed position that distances are measured from.
-double fixed_extent(const Problem& problem) {
+double fixed_extent(const ProblemStatement& problem) {
   double extent = 0;
   for (const DistanceConstraint& constraint : problem.constraints)
     for (const int end : constraint.between)
@@ -23,7 +23,7 @@ double fixed_extent(const Problem& problem) {
   return extent;
 }
 
-bool anything_fixed(const Problem& problem) {
+bool anything_fixed(const ProblemStatement& problem) {
   const auto given = [](const auto& position) { return position.has_value(); };
   return std::any_of(problem.fixed_points.begin(), problem.fixed_points.end(), given) ||
          std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(), given);
@@ -49,7 +49,7 @@ bool constrained(const std::set<std::pair<int, int>>& pairs, int a, int b) {
   return pairs.count({std::min(a, b), std::max(a, b)}) > 0;
 }
 
-std::set<std::pair<int, int>> constrained_pairs(const Problem& problem) {
+std::set<std::pair<int, int>> constrained_pairs(const ProblemStatement& problem) {
   std::set<std::pair<int, int>> pairs;
   for (const DistanceConstraint& c : problem.constraints)
     pairs.insert(std::minmax(c.between[0], c.between[1]));
@@ -58,7 +58,7 @@ std::set<std::pair<int, int>> constrained_pairs(const Problem& problem) {
 
 /// Origin, axis and (in space) plane: the first that are pairwise constrained, in the order of the
 /// constraints.
-Reference point_reference(const Problem& problem) {
+Reference point_reference(const ProblemStatement& problem) {
   const auto pairs = constrained_pairs(problem);
   const int n = static_cast<int>(problem.points.size());
   Reference fallback{0, n > 1 ? 1 : -1, problem.dimension == 3 && n > 2 ? 2 : -1};
@@ -74,7 +74,7 @@ Reference point_reference(const Problem& problem) {
   return fallback;
 }
 
-Reference default_reference(const Problem& problem) {
+Reference default_reference(const ProblemStatement& problem) {
   return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
 }
 
@@ -99,7 +99,8 @@ Eigen::Matrix3d axes_from(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
   return axes;
 }
 
-RigidMotion motion_to_points(const Problem& problem, const Reference& reference, const Figure& figure) {
+RigidMotion motion_to_points(const ProblemStatement& problem, const Reference& reference,
+                             const Figure& figure) {
   RigidMotion motion;
   motion.origin = figure.points.col(reference.origin);
   if (reference.axis < 0) return motion;
@@ -194,7 +195,7 @@ void make_first_positive(Figure& figure, int axis, double threshold) {
 
 }  // namespace
 
-Reference line_reference(const Problem& problem) {
+Reference line_reference(const ProblemStatement& problem) {
   Reference reference;
   reference.line = 0;
   const int line = static_cast<int>(problem.points.size());
@@ -207,7 +208,7 @@ Reference line_reference(const Problem& problem) {
   return reference;
 }
 
-Scene::Scene(Problem problem) : problem_(std::move(problem)), anchored_(anything_fixed(problem_)) {
+Scene::Scene(ProblemStatement problem) : problem_(std::move(problem)), anchored_(anything_fixed(problem_)) {
   double longest = 0;
   for (const DistanceConstraint& c : problem_.constraints) longest = std::max(longest, c.length());
   if (longest == 0) longest = fixed_extent(problem_);

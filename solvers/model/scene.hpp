@@ -16,9 +16,9 @@ namespace gcs {
 class Scene {
  public:
   /// Precondition: the problem is well posed (see analyse_structure) and names are unique.
-  explicit Scene(Problem problem);
+  explicit Scene(ProblemStatement problem);
 
-  const Problem& problem() const { return problem_; }
+  const ProblemStatement& problem() const { return problem_; }
   int dimension() const { return problem_.dimension; }
   int point_count() const { return static_cast<int>(problem_.points.size()); }
   int constraint_count() const { return static_cast<int>(problem_.constraints.size()); }
@@ -56,7 +56,7 @@ class Scene {
   Figure in_scene_unit(const Figure& figure) const;
 
  private:
-  Problem problem_;
+  ProblemStatement problem_;
   int unit_exponent_ = 0;
   double size_ = 1;
   bool anchored_ = false;
@@ -68,6 +68,6 @@ class Scene {
 
 /// The frame of the first line: it is the x-axis, and the first point that is constrained against it at a
 /// distance > 0 is on the z-axis. Precondition: there is a line.
-Reference line_reference(const Problem& problem);
+Reference line_reference(const ProblemStatement& problem);
 
 }  // namespace gcs

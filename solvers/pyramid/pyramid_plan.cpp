@@ -6,7 +6,7 @@
 namespace gcs {
 namespace {
 
-int constraint_between(const Problem& problem, int p, int q) {
+int constraint_between(const ProblemStatement& problem, int p, int q) {
   const auto joins = [p, q](const DistanceConstraint& c) {
     return (c.between[0] == p && c.between[1] == q) || (c.between[0] == q && c.between[1] == p);
   };
@@ -17,7 +17,7 @@ int constraint_between(const Problem& problem, int p, int q) {
 }  // namespace
 
 ScanPlan pyramid_plan(const Scene& scene, const Pyramid& pyramid) {
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   const int line = static_cast<int>(problem.points.size());
   const auto sphere = [&](int around, int point) {
     return ScanSphere{around, constraint_between(problem, around, point)};

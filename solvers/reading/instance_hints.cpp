@@ -9,7 +9,7 @@
 namespace gcs {
 namespace {
 
-Reference read_line_reference(const JsonCursor& cursor, const Problem& problem) {
+Reference read_line_reference(const JsonCursor& cursor, const ProblemStatement& problem) {
   cursor.allow_members({"line", "height"});
   Reference reference;
   reference.line = line_number(problem, cursor.required("line"));
@@ -17,7 +17,7 @@ Reference read_line_reference(const JsonCursor& cursor, const Problem& problem) 
   return reference;
 }
 
-Reference read_point_reference(const JsonCursor& cursor, const Problem& problem) {
+Reference read_point_reference(const JsonCursor& cursor, const ProblemStatement& problem) {
   if (problem.dimension == 2 && cursor.has("plane")) {
     cursor.required("plane").fail("a reference in the plane has no plane point", "give origin and axis only");
   }
@@ -37,7 +37,7 @@ Reference read_point_reference(const JsonCursor& cursor, const Problem& problem)
 /// Reads a construction plan step by step and knows which points are placed.
 class PlanReader {
  public:
-  explicit PlanReader(const Problem& problem) : problem_(problem) {
+  explicit PlanReader(const ProblemStatement& problem) : problem_(problem) {
     for (int point = 0; point < static_cast<int>(problem.points.size()); ++point) {
       placed_.push_back(problem.is_fixed(point));
     }
@@ -173,7 +173,7 @@ class PlanReader {
                       "add a step for every point");
   }
 
-  const Problem& problem_;
+  const ProblemStatement& problem_;
   bool anchored_ = false;
   std::vector<bool> placed_;
   std::set<std::string> driving_;
@@ -182,7 +182,7 @@ class PlanReader {
 
 }  // namespace
 
-Reference read_reference(const JsonCursor& reference, const Problem& problem) {
+Reference read_reference(const JsonCursor& reference, const ProblemStatement& problem) {
   const bool with_line = reference.is_object() && (reference.has("line") || reference.has("height"));
   const bool with_points =
       reference.is_object() && (reference.has("origin") || reference.has("axis") || reference.has("plane"));
@@ -196,7 +196,7 @@ Reference read_reference(const JsonCursor& reference, const Problem& problem) {
   return with_line ? read_line_reference(reference, problem) : read_point_reference(reference, problem);
 }
 
-InterpolationChoice read_interpolation(const JsonCursor& interpolation, const Problem& problem) {
+InterpolationChoice read_interpolation(const JsonCursor& interpolation, const ProblemStatement& problem) {
   interpolation.allow_members({"bent", "bend"});
   InterpolationChoice choice;
   if (const auto bent = interpolation.optional("bent")) {
@@ -215,7 +215,7 @@ InterpolationChoice read_interpolation(const JsonCursor& interpolation, const Pr
   return choice;
 }
 
-std::vector<PlanStep> read_construction(const JsonCursor& construction, const Problem& problem) {
+std::vector<PlanStep> read_construction(const JsonCursor& construction, const ProblemStatement& problem) {
   if (!construction.elements().empty() && !problem.lines.empty()) {
     construction.fail("a construction plan cannot place lines", "leave the plan out");
   }

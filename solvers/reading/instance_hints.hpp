@@ -9,14 +9,14 @@ namespace gcs {
 
 /// Reads `reference`: origin, axis and in space plane, or a line and a height.
 /// Precondition: entities are read.
-Reference read_reference(const JsonCursor& reference, const Problem& problem);
+Reference read_reference(const JsonCursor& reference, const ProblemStatement& problem);
 
 /// Reads `interpolation`. Precondition: constraints are read.
-InterpolationChoice read_interpolation(const JsonCursor& interpolation, const Problem& problem);
+InterpolationChoice read_interpolation(const JsonCursor& interpolation, const ProblemStatement& problem);
 
 /// Reads `construction`; the result places every point that is not fixed. A file may leave out the first
 /// point, and with a `reference` all of its points where they are pairwise constrained: they are added.
 /// Precondition: all but the other hints is read, and the problem's reference too.
-std::vector<PlanStep> read_construction(const JsonCursor& construction, const Problem& problem);
+std::vector<PlanStep> read_construction(const JsonCursor& construction, const ProblemStatement& problem);
 
 }  // namespace gcs

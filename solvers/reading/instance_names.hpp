@@ -1,5 +1,5 @@
 #pragma once
-/// From the names in an instance to the numbers in a Problem. Unknown names are an InputError with the
+/// From the names in an instance to the numbers in a ProblemStatement. Unknown names are an InputError with the
 /// nearest valid one.
 
 #include <optional>
@@ -10,17 +10,17 @@
 namespace gcs {
 
 /// The point that the cursor's text names; a line is refused by name.
-int point_number(const Problem& problem, const JsonCursor& cursor);
+int point_number(const ProblemStatement& problem, const JsonCursor& cursor);
 /// The line that the cursor's text names; a point is refused by name.
-int line_number(const Problem& problem, const JsonCursor& cursor);
+int line_number(const ProblemStatement& problem, const JsonCursor& cursor);
 /// The point or line called `name`, as numbered in DistanceConstraint; the cursor is for the complaint.
-int entity_number(const Problem& problem, const std::string& name, const JsonCursor& cursor);
+int entity_number(const ProblemStatement& problem, const std::string& name, const JsonCursor& cursor);
 /// The constraint of that id, if there is one.
-std::optional<int> constraint_number(const Problem& problem, const std::string& id);
+std::optional<int> constraint_number(const ProblemStatement& problem, const std::string& id);
 /// Ids of all constraints, in order.
-std::vector<std::string> constraint_ids(const Problem& problem);
+std::vector<std::string> constraint_ids(const ProblemStatement& problem);
 
 /// "'p1', 'p2' and 'L'".
-std::string entity_names(const Problem& problem, const std::vector<int>& entities);
+std::string entity_names(const ProblemStatement& problem, const std::vector<int>& entities);
 
 }  // namespace gcs

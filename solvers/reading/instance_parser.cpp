@@ -69,7 +69,7 @@ std::vector<std::string> read_names(const JsonCursor& list, std::set<std::string
   return names;
 }
 
-void read_entities(const JsonCursor& root, Problem& problem) {
+void read_entities(const JsonCursor& root, ProblemStatement& problem) {
   std::set<std::string> taken;
   const JsonCursor points = root.required("points");
   problem.points = read_names(points, taken);
@@ -96,7 +96,7 @@ void check_type(const JsonCursor& constraint) {
                   (incidence ? "; a point on a line is a distance of length 0" : ""));
 }
 
-std::array<int, 2> read_between(const JsonCursor& constraint, const Problem& problem) {
+std::array<int, 2> read_between(const JsonCursor& constraint, const ProblemStatement& problem) {
   const JsonCursor between = constraint.required("between");
   const auto ends = between.elements(2, "names of points or lines");
   const std::array<int, 2> result{entity_number(problem, ends[0].name(), ends[0]),
@@ -127,7 +127,7 @@ Decimal read_given(const JsonCursor& constraint, bool is_squared, bool with_line
               with_line ? "a distance to a line is ≥ 0" : "a distance between two points is > 0");
 }
 
-DistanceConstraint read_constraint(const JsonCursor& cursor, const Problem& problem) {
+DistanceConstraint read_constraint(const JsonCursor& cursor, const ProblemStatement& problem) {
   check_type(cursor);
   cursor.allow_members({"id", "type", "between", "length", "squared"});
   DistanceConstraint constraint;
@@ -144,7 +144,7 @@ DistanceConstraint read_constraint(const JsonCursor& cursor, const Problem& prob
   return constraint;
 }
 
-void read_constraints(const JsonCursor& list, Problem& problem) {
+void read_constraints(const JsonCursor& list, ProblemStatement& problem) {
   std::set<std::string> ids;
   std::map<std::pair<int, int>, std::string> by_pair;
   for (const JsonCursor& element : list.elements()) {
@@ -165,7 +165,7 @@ void read_constraints(const JsonCursor& list, Problem& problem) {
   if (problem.constraints.empty()) list.fail("there is no constraint", "give the distances that are to hold");
 }
 
-void read_reference_unless_fixed(const JsonCursor& cursor, Problem& problem) {
+void read_reference_unless_fixed(const JsonCursor& cursor, ProblemStatement& problem) {
   const bool anchored = std::any_of(problem.fixed_points.begin(), problem.fixed_points.end(),
                                     [](const auto& position) { return position.has_value(); }) ||
                         std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(),
@@ -175,7 +175,7 @@ void read_reference_unless_fixed(const JsonCursor& cursor, Problem& problem) {
 }
 
 /// A single constraint is pointed at; a set of them is named by the message.
-void check_structure(const JsonCursor& root, const Problem& problem) {
+void check_structure(const JsonCursor& root, const ProblemStatement& problem) {
   const Structure structure = analyse_structure(problem);
   if (structure.well_posed()) return;
   const StructureDefect& defect = structure.defects.front();
@@ -185,8 +185,8 @@ void check_structure(const JsonCursor& root, const Problem& problem) {
   constraints.elements()[longest].fail(defect.what, defect.remedy);
 }
 
-Problem read_problem(const JsonCursor& root) {
-  Problem problem;
+ProblemStatement read_problem(const JsonCursor& root) {
+  ProblemStatement problem;
   problem.dimension = read_dimension(root);
   read_entities(root, problem);
   problem.fixed_points.resize(problem.points.size());

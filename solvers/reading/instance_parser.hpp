@@ -25,7 +25,7 @@ struct Instance {
   std::string title;
   std::string notes;
   std::string origin;  ///< the file it came from, or "-"
-  Problem problem;
+  ProblemStatement problem;
   std::vector<PublishedFigure> published;
   JsonValue document;  ///< the whole file, as written
 };

@@ -22,7 +22,7 @@ struct Positions {
   }
 };
 
-Positions read_positions(const JsonCursor& cursor, const Problem& problem) {
+Positions read_positions(const JsonCursor& cursor, const ProblemStatement& problem) {
   Positions positions;
   positions.points.resize(problem.points.size());
   positions.lines.resize(problem.lines.size());
@@ -37,7 +37,8 @@ Positions read_positions(const JsonCursor& cursor, const Problem& problem) {
   return positions;
 }
 
-std::vector<std::array<std::string, 3>> point_texts(const JsonCursor& cursor, const Problem& problem) {
+std::vector<std::array<std::string, 3>> point_texts(const JsonCursor& cursor,
+                                                    const ProblemStatement& problem) {
   std::vector<std::array<std::string, 3>> texts(problem.points.size());
   for (const auto& [name, position] : cursor.members()) {
     const int entity = entity_number(problem, name, position);
@@ -46,7 +47,7 @@ std::vector<std::array<std::string, 3>> point_texts(const JsonCursor& cursor, co
   return texts;
 }
 
-int entity_count(const Problem& problem) {
+int entity_count(const ProblemStatement& problem) {
   return static_cast<int>(problem.points.size() + problem.lines.size());
 }
 
@@ -131,7 +132,7 @@ bool hold_still(const Positions& fixed, int dimension) {
 }
 
 /// Of a line: it is placed against fixed points or against free ones.
-void refuse_mixed_neighbours(const JsonCursor& fixed, const Problem& problem) {
+void refuse_mixed_neighbours(const JsonCursor& fixed, const ProblemStatement& problem) {
   for (std::size_t line = 0; line < problem.lines.size(); ++line) {
     const int entity = static_cast<int>(problem.points.size() + line);
     std::vector<int> held;
@@ -148,7 +149,7 @@ void refuse_mixed_neighbours(const JsonCursor& fixed, const Problem& problem) {
 }
 
 /// Doubles hold distances as finely as they hold the coordinates that these are between.
-void refuse_far_origin(const JsonCursor& fixed, const Problem& problem) {
+void refuse_far_origin(const JsonCursor& fixed, const ProblemStatement& problem) {
   constexpr double too_far = 0x1p20;
   double reach = 0, extent = 0;
   std::vector<Eigen::Vector3d> positions;
@@ -167,7 +168,7 @@ void refuse_far_origin(const JsonCursor& fixed, const Problem& problem) {
       "put the origin near them: there doubles hold the distances");
 }
 
-void refuse_coincident_fixed_points(const JsonCursor& fixed, const Problem& problem) {
+void refuse_coincident_fixed_points(const JsonCursor& fixed, const ProblemStatement& problem) {
   for (std::size_t a = 0; a < problem.points.size(); ++a) {
     for (std::size_t b = a + 1; b < problem.points.size(); ++b) {
       if (!problem.fixed_points[a] || problem.fixed_points[a] != problem.fixed_points[b]) continue;
@@ -185,7 +186,7 @@ bool seeks_line_from_given_points(const Positions& fixed) {
          std::all_of(fixed.points.begin(), fixed.points.end(), is_given);
 }
 
-void refuse_missing(const JsonCursor& sketch, const Problem& problem, const Positions& positions) {
+void refuse_missing(const JsonCursor& sketch, const ProblemStatement& problem, const Positions& positions) {
   std::vector<int> missing;
   for (int entity = 0; entity < entity_count(problem); ++entity) {
     if (!positions.has(entity)) missing.push_back(entity);
@@ -199,7 +200,7 @@ bool same_position(const LinePosition& a, const LinePosition& b) {
   return a.point == b.point && a.direction == b.direction;
 }
 
-void refuse_moved_fixed(const JsonCursor& sketch, const Problem& problem, const Figure& figure) {
+void refuse_moved_fixed(const JsonCursor& sketch, const ProblemStatement& problem, const Figure& figure) {
   for (int entity = 0; entity < entity_count(problem); ++entity) {
     if (!problem.is_fixed(entity)) continue;
     const auto line = entity - static_cast<int>(problem.points.size());
@@ -212,7 +213,7 @@ void refuse_moved_fixed(const JsonCursor& sketch, const Problem& problem, const 
   }
 }
 
-void refuse_coincident_ends(const JsonCursor& sketch, const Problem& problem, const Figure& figure) {
+void refuse_coincident_ends(const JsonCursor& sketch, const ProblemStatement& problem, const Figure& figure) {
   for (const DistanceConstraint& constraint : problem.constraints) {
     const auto [a, b] = std::minmax(constraint.between[0], constraint.between[1]);
     // A difference of doubles is zero only when they are equal: tiny distances are allowed.
@@ -229,7 +230,7 @@ void refuse_coincident_ends(const JsonCursor& sketch, const Problem& problem, co
 
 /// In a sketch that is flat (on a line in the plane, in a plane in space) the distances depend on each other
 /// to first order, so that no path can start from it.
-bool is_flat(const Problem& problem, const Figure& figure) {
+bool is_flat(const ProblemStatement& problem, const Figure& figure) {
   const auto count = figure.points.cols();
   if (count <= problem.dimension || !problem.lines.empty()) return false;
   const double scale = figure.points.cwiseAbs().maxCoeff();
@@ -243,7 +244,7 @@ bool is_flat(const Problem& problem, const Figure& figure) {
 
 }  // namespace
 
-void read_fixed(const JsonCursor& fixed, Problem& problem) {
+void read_fixed(const JsonCursor& fixed, ProblemStatement& problem) {
   const Positions positions = read_positions(fixed, problem);
   problem.fixed_points = positions.points;
   problem.fixed_lines = positions.lines;
@@ -257,12 +258,12 @@ void read_fixed(const JsonCursor& fixed, Problem& problem) {
   }
 }
 
-void check_fixed(const JsonCursor& fixed, const Problem& problem) {
+void check_fixed(const JsonCursor& fixed, const ProblemStatement& problem) {
   refuse_mixed_neighbours(fixed, problem);
   refuse_far_origin(fixed, problem);
 }
 
-void read_sketch(const JsonCursor& sketch, Problem& problem) {
+void read_sketch(const JsonCursor& sketch, ProblemStatement& problem) {
   const Positions positions = read_positions(sketch, problem);
   refuse_missing(sketch, problem, positions);
   Figure figure;
@@ -281,7 +282,7 @@ void read_sketch(const JsonCursor& sketch, Problem& problem) {
 
 void check_sketch_frame(const JsonCursor& sketch, const Scene& scene) {
   if (scene.is_anchored()) return;
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   const Figure& figure = *problem.sketch;
   const Reference& reference = scene.reference();
   const std::string remedy = "move one of them, or choose another reference";

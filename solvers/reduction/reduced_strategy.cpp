@@ -20,7 +20,7 @@ constexpr std::size_t listed_coordinates = 1'000'000;
 
 /// A part to be solved by a strategy, as a scene of its own.
 struct PartScene {
-  PartScene(const Problem& whole, const Part& part) : PartScene(part_problem(whole, part)) {}
+  PartScene(const ProblemStatement& whole, const Part& part) : PartScene(part_problem(whole, part)) {}
   explicit PartScene(PartProblem part) : scene(std::move(part.problem)), points(std::move(part.points)) {}
 
   Scene scene;

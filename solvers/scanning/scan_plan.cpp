@@ -12,7 +12,8 @@ namespace {
 using std::numbers::pi;
 
 /// All constraints between `point` and points placed before, in the order of placing.
-std::vector<ScanSphere> known_spheres(const Problem& problem, int point, const std::vector<int>& placed) {
+std::vector<ScanSphere> known_spheres(const ProblemStatement& problem, int point,
+                                      const std::vector<int>& placed) {
   std::vector<ScanSphere> known;
   for (const int center : placed)
     for (std::size_t c = 0; c < problem.constraints.size(); ++c) {

@@ -167,7 +167,7 @@ class SphereTangents final : public Strategy {
       : follows_paths_(choice_option(options, "method", methods) == 1) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
-    const Problem& problem = scene.problem();
+    const ProblemStatement& problem = scene.problem();
     if (problem.dimension != 3 || problem.lines.size() != 1 || problem.points.size() != 4 ||
         problem.constraints.size() != 4)
       return "it finds a line by its distances from four points";

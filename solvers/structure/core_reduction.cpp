@@ -10,7 +10,7 @@ namespace {
 /// n log n for n entities and constraints.
 class Reducer {
  public:
-  Reducer(const Problem& problem, const std::vector<int>& keep, HangsOn allowed)
+  Reducer(const ProblemStatement& problem, const std::vector<int>& keep, HangsOn allowed)
       : problem_(problem),
         allowed_(allowed),
         neighbours_(problem.points.size() + problem.lines.size()),
@@ -89,7 +89,7 @@ class Reducer {
     }
   }
 
-  const Problem& problem_;
+  const ProblemStatement& problem_;
   const HangsOn allowed_;
   std::vector<std::vector<int>> neighbours_;  ///< of every entity, in the order of the constraints
   std::vector<bool> present_;
@@ -102,7 +102,7 @@ class Reducer {
 
 }  // namespace
 
-CoreReduction reduce_to_core(const Problem& problem, const std::vector<int>& keep, HangsOn allowed) {
+CoreReduction reduce_to_core(const ProblemStatement& problem, const std::vector<int>& keep, HangsOn allowed) {
   return Reducer(problem, keep, allowed).run();
 }
 

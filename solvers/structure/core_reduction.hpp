@@ -28,7 +28,7 @@ enum class HangsOn { entities, points };
 
 /// Precondition: the problem is well posed (see analyse_structure). Entities of `keep` (a reference, say) are
 /// taken away last.
-CoreReduction reduce_to_core(const Problem& problem, const std::vector<int>& keep,
+CoreReduction reduce_to_core(const ProblemStatement& problem, const std::vector<int>& keep,
                              HangsOn allowed = HangsOn::entities);
 
 }  // namespace gcs

@@ -18,7 +18,7 @@ constexpr int left_to_solve = 2;
 /// The graph of the given distances between points.
 class DistanceGraph {
  public:
-  explicit DistanceGraph(const Problem& problem)
+  explicit DistanceGraph(const ProblemStatement& problem)
       : dimension_(problem.dimension), edges_(problem.points.size()) {
     for (int i = 0; i < static_cast<int>(problem.constraints.size()); ++i) {
       const auto& [a, b] = problem.constraints[i].between;
@@ -136,13 +136,13 @@ std::vector<Part> joined(const DistanceGraph& graph, int dimension, std::vector<
   return parts;
 }
 
-bool is_anchored(const Problem& problem) {
+bool is_anchored(const ProblemStatement& problem) {
   for (int entity = 0; entity < static_cast<int>(problem.points.size() + problem.lines.size()); ++entity)
     if (problem.is_fixed(entity)) return true;
   return false;
 }
 
-Points points_among(const Problem& problem, const std::vector<int>& entities) {
+Points points_among(const ProblemStatement& problem, const std::vector<int>& entities) {
   Points points;
   for (const int entity : entities)
     if (problem.is_point(entity)) points.push_back(entity);
@@ -150,7 +150,7 @@ Points points_among(const Problem& problem, const std::vector<int>& entities) {
 }
 
 /// Of each entity, whether it is a line or one of the points.
-std::vector<bool> present(const Problem& problem, const Part& part) {
+std::vector<bool> present(const ProblemStatement& problem, const Part& part) {
   std::vector<bool> is_there(problem.points.size() + problem.lines.size(), false);
   for (const auto* points : {&part.base, &part.points})
     for (const int point : *points) is_there[point] = true;
@@ -159,7 +159,7 @@ std::vector<bool> present(const Problem& problem, const Part& part) {
   return is_there;
 }
 
-void list_constraints(const Problem& problem, const DistanceGraph& graph, Part& part) {
+void list_constraints(const ProblemStatement& problem, const DistanceGraph& graph, Part& part) {
   if (part.is_hung_point()) {
     for (const int point : part.base)
       part.constraints.push_back(graph.constraint(part.points.front(), point));
@@ -179,7 +179,7 @@ Part hung_point(const DistanceGraph& graph, const PlacedPoint& placed) {
   return part;
 }
 
-Part whole(const Problem& problem) {
+Part whole(const ProblemStatement& problem) {
   Part part;
   for (int point = 0; point < static_cast<int>(problem.points.size()); ++point) part.points.push_back(point);
   for (int i = 0; i < static_cast<int>(problem.constraints.size()); ++i) part.constraints.push_back(i);
@@ -188,7 +188,7 @@ Part whole(const Problem& problem) {
 
 }  // namespace
 
-std::vector<Part> decompose(const Problem& problem, Split split) {
+std::vector<Part> decompose(const ProblemStatement& problem, Split split) {
   if (is_anchored(problem)) return {whole(problem)};
   const CoreReduction reduction = reduce_to_core(problem, {}, HangsOn::points);
   const DistanceGraph graph(problem);
@@ -218,7 +218,7 @@ struct Numbering {
   std::vector<int> number;    ///< of each entity of the whole; −1: not in the part
 };
 
-Numbering numbering(const Problem& whole, const Part& part) {
+Numbering numbering(const ProblemStatement& whole, const Part& part) {
   const std::vector<bool> is_there = present(whole, part);
   Numbering result{{}, std::vector<int>(is_there.size(), -1)};
   for (int entity = 0; entity < static_cast<int>(is_there.size()); ++entity)
@@ -230,7 +230,8 @@ Numbering numbering(const Problem& whole, const Part& part) {
 }
 
 /// The base, or the whole problem's frame if the part has it; else none is chosen here.
-std::optional<Reference> frame_of(const Problem& whole, const Part& part, const std::vector<int>& number) {
+std::optional<Reference> frame_of(const ProblemStatement& whole, const Part& part,
+                                  const std::vector<int>& number) {
   if (part.base.empty() && !whole.reference) return std::nullopt;
   Reference frame;
   if (part.base.empty()) {
@@ -249,7 +250,7 @@ std::optional<Reference> frame_of(const Problem& whole, const Part& part, const 
   return is_inside ? std::optional(frame) : std::nullopt;
 }
 
-Figure figure_of(const Figure& whole, const Problem& problem, const std::vector<int>& points) {
+Figure figure_of(const Figure& whole, const ProblemStatement& problem, const std::vector<int>& points) {
   Figure figure;
   figure.points.resize(3, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -260,10 +261,10 @@ Figure figure_of(const Figure& whole, const Problem& problem, const std::vector<
 
 }  // namespace
 
-PartProblem part_problem(const Problem& whole, const Part& part) {
+PartProblem part_problem(const ProblemStatement& whole, const Part& part) {
   const Numbering numbers = numbering(whole, part);
   PartProblem result;
-  Problem& problem = result.problem;
+  ProblemStatement& problem = result.problem;
   problem.dimension = whole.dimension;
   for (const int entity : numbers.entities) {
     (whole.is_point(entity) ? problem.points : problem.lines).push_back(whole.name(entity));

@@ -39,16 +39,16 @@ enum class Split {
 /// In an order in which they can be solved. The first part holds d + 2 points at least, so that there is
 /// something to solve, unless that is more than there are. One part where positions are given; lines stay in
 /// the first part. Precondition: the problem is well posed (see analyse_structure).
-std::vector<Part> decompose(const Problem& problem, Split split);
+std::vector<Part> decompose(const ProblemStatement& problem, Split split);
 
 /// A part with several points or the first one as a problem of its own: base and points in the order of the
 /// problem, lines in the first part. Its frame is the base; in the first part it is the problem's if that
 /// lies in it. With the sketch of what is in it, and with the bent constraint if that is; a construction plan
 /// of the whole is of no use for it.
 struct PartProblem {
-  Problem problem;
+  ProblemStatement problem;
   std::vector<int> points;  ///< of each point, its number in the whole problem
 };
-PartProblem part_problem(const Problem& whole, const Part& part);
+PartProblem part_problem(const ProblemStatement& whole, const Part& part);
 
 }  // namespace gcs

@@ -61,7 +61,7 @@ struct Ways {
 
 class LengthGraph {
  public:
-  explicit LengthGraph(const Problem& problem) : problem_(problem), edges_(problem.points.size()) {
+  explicit LengthGraph(const ProblemStatement& problem) : problem_(problem), edges_(problem.points.size()) {
     for (int i = 0; i < static_cast<int>(problem.constraints.size()); ++i) {
       const auto [point, other] =
           std::minmax(problem.constraints[i].between[0], problem.constraints[i].between[1]);
@@ -165,14 +165,14 @@ class LengthGraph {
     return violated;
   }
 
-  const Problem& problem_;
+  const ProblemStatement& problem_;
   std::vector<GivenDistance> given_;
   std::vector<std::vector<int>> edges_;  ///< per point: the given distances to other points
 };
 
 }  // namespace
 
-std::vector<ViolatedInequality> violated_inequalities(const Problem& problem) {
+std::vector<ViolatedInequality> violated_inequalities(const ProblemStatement& problem) {
   return LengthGraph(problem).violations();
 }
 

@@ -21,6 +21,6 @@ struct ViolatedInequality {
 /// between fixed entities count as given. A way is shorter only when it is so beyond the rounding of the
 /// lengths and of their sum, so that flat triangles such as 0.1 + 0.7 = 0.8 pass. One entry per given
 /// distance at most.
-std::vector<ViolatedInequality> violated_inequalities(const Problem& problem);
+std::vector<ViolatedInequality> violated_inequalities(const ProblemStatement& problem);
 
 }  // namespace gcs

@@ -139,7 +139,7 @@ ResidueMatrix trivial_motions(const RigidityMatrix& matrix) {
   return result;
 }
 
-void place_at_random(RigidityMatrix& matrix, const Problem& problem, std::mt19937_64& engine) {
+void place_at_random(RigidityMatrix& matrix, const ProblemStatement& problem, std::mt19937_64& engine) {
   const int entities = static_cast<int>(problem.points.size() + problem.lines.size());
   for (int entity = 0; entity < entities; ++entity) {
     ResiduePlacement& placement = matrix.placement.emplace_back();
@@ -156,7 +156,7 @@ void place_at_random(RigidityMatrix& matrix, const Problem& problem, std::mt1993
 
 }  // namespace
 
-RigidityMatrix rigidity_matrix(const Problem& problem, std::mt19937_64& engine) {
+RigidityMatrix rigidity_matrix(const ProblemStatement& problem, std::mt19937_64& engine) {
   RigidityMatrix matrix;
   matrix.dimension = problem.dimension;
   matrix.point_count = static_cast<int>(problem.points.size());

@@ -31,7 +31,7 @@ struct RigidityMatrix {
 
 /// The matrix at a placement drawn from `engine`. Fixed entities are placed at random too: what is asked is
 /// how the problem behaves at almost all placements.
-RigidityMatrix rigidity_matrix(const Problem& problem, std::mt19937_64& engine);
+RigidityMatrix rigidity_matrix(const ProblemStatement& problem, std::mt19937_64& engine);
 
 /// For every entity, linear equations in the d(d+1)/2 coordinates of a rigid motion and one last coordinate
 /// 1: they hold when that motion moves the entity as `velocity` (one entry per column of the matrix) does.

@@ -23,19 +23,19 @@ std::string enumeration(const std::vector<std::string>& words) {
   return result;
 }
 
-std::string names_of(const Problem& problem, const std::vector<int>& entities) {
+std::string names_of(const ProblemStatement& problem, const std::vector<int>& entities) {
   std::vector<std::string> names;
   for (const int entity : entities) names.push_back(problem.name(entity));
   return enumeration(names);
 }
 
 /// "a1 (p1–p2)".
-std::string described(const Problem& problem, int constraint) {
+std::string described(const ProblemStatement& problem, int constraint) {
   const auto& [a, b] = problem.constraints[constraint].between;
   return problem.constraints[constraint].id + " (" + problem.name(a) + "–" + problem.name(b) + ")";
 }
 
-std::string described(const Problem& problem, const std::vector<int>& constraints) {
+std::string described(const ProblemStatement& problem, const std::vector<int>& constraints) {
   std::vector<std::string> words;
   for (const int constraint : constraints) words.push_back(described(problem, constraint));
   return enumeration(words);
@@ -59,7 +59,7 @@ std::vector<int> dependent_set(const RigidityMatrix& matrix) {
 /// Under-, over- or wrongly constrained.
 class ConstraintCount {
  public:
-  ConstraintCount(const Problem& problem, const RigidityMatrix& matrix, const Structure& structure,
+  ConstraintCount(const ProblemStatement& problem, const RigidityMatrix& matrix, const Structure& structure,
                   std::mt19937_64& engine)
       : problem_(problem),
         missing_(structure.unknowns - structure.generic_rank),
@@ -113,7 +113,7 @@ class ConstraintCount {
            " of them determine the rest";
   }
 
-  const Problem& problem_;
+  const ProblemStatement& problem_;
   int missing_;
   int surplus_;
   std::vector<int> loose_;
@@ -127,7 +127,7 @@ std::string readable(double value) {
   return text;
 }
 
-StructureDefect unsatisfiable(const Problem& problem, const ViolatedInequality& violated) {
+StructureDefect unsatisfiable(const ProblemStatement& problem, const ViolatedInequality& violated) {
   const std::string ends = names_of(problem, {violated.entities.front(), violated.entities.back()});
   const std::string length = violated.constraint >= 0 ? described(problem, violated.constraint) + " is "
                                                       : "the fixed " + ends + " are apart by ";
@@ -138,8 +138,8 @@ StructureDefect unsatisfiable(const Problem& problem, const ViolatedInequality& 
 }
 
 /// Of the rows of a hung point's constraints the columns of the point: regular at almost all placements.
-ResidueMatrix own_block(const Problem& problem, const RigidityMatrix& matrix, const PlacedPoint& placed,
-                        const std::vector<int>& incident) {
+ResidueMatrix own_block(const ProblemStatement& problem, const RigidityMatrix& matrix,
+                        const PlacedPoint& placed, const std::vector<int>& incident) {
   ResidueMatrix block;
   const auto first = static_cast<std::size_t>(matrix.first_column[placed.point]);
   for (const int constraint : incident) {
@@ -154,7 +154,7 @@ ResidueMatrix own_block(const Problem& problem, const RigidityMatrix& matrix, co
 }
 
 /// The rank of the matrix, or a smaller number: with the columns of hung points last it is block triangular.
-int generic_rank(const Problem& problem, const RigidityMatrix& matrix) {
+int generic_rank(const ProblemStatement& problem, const RigidityMatrix& matrix) {
   const CoreReduction reduction = reduce_to_core(problem, {}, HangsOn::points);
   ResidueMatrix core;
   for (const int constraint : reduction.core_constraints) core.push_back(matrix.rows[constraint]);
@@ -171,7 +171,7 @@ int unknown_count(const RigidityMatrix& matrix) { return matrix.columns - rank(m
 
 }  // namespace
 
-Structure analyse_structure(const Problem& problem) {
+Structure analyse_structure(const ProblemStatement& problem) {
   std::mt19937_64 engine(1);
   RigidityMatrix matrix = rigidity_matrix(problem, engine);
   Structure structure;

@@ -30,6 +30,6 @@ struct Structure {
 
 /// Rank over a prime field at random integer placements: a rank that is reached is proven, a rank that is
 /// missed is missed with a probability below 1e-15. Deterministic. Never throws.
-Structure analyse_structure(const Problem& problem);
+Structure analyse_structure(const ProblemStatement& problem);
 
 }  // namespace gcs

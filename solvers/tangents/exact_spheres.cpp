@@ -183,7 +183,7 @@ bool is_zero(const RationalVector& a) {
 }
 
 ExactSpheres exact_spheres_of(const Scene& scene) {
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   ExactSpheres spheres;
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const auto [a, b] = problem.constraints[i].between;

@@ -38,7 +38,7 @@ void refine_in_strip(const FourSpheres& in_scene, bool is_real, ComplexLine& res
 }  // namespace
 
 std::optional<FourSpheres> spheres_of(const Scene& scene) {
-  const Problem& problem = scene.problem();
+  const ProblemStatement& problem = scene.problem();
   const int line = scene.point_count();
   if (problem.lines.size() != 1 || problem.is_fixed(line)) return std::nullopt;
   const std::vector<DoubleDouble> squares = target_squares(scene);

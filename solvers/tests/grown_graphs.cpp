@@ -8,7 +8,7 @@
 namespace gcs::samples {
 namespace {
 
-Edges edges_of(const Problem& problem) {
+Edges edges_of(const ProblemStatement& problem) {
   Edges edges;
   for (const DistanceConstraint& constraint : problem.constraints) edges.push_back(constraint.between);
   return edges;
@@ -98,7 +98,7 @@ Graph chain_of_octahedra(int count) {
   return graph;
 }
 
-Problem placed_at_random(const Graph& graph, RandomNumbers& random) {
+ProblemStatement placed_at_random(const Graph& graph, RandomNumbers& random) {
   const Eigen::Matrix3Xd sketch = random.points(graph.dimension, graph.points, 1);
   return between(graph.dimension, graph.edges, sketch, random.points(graph.dimension, graph.points, 1));
 }

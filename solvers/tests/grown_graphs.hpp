@@ -35,6 +35,6 @@ Graph relabelled(Graph graph, RandomNumbers& random);
 Graph chain_of_octahedra(int count);
 
 /// Sketch and target lengths are those of two random placements.
-Problem placed_at_random(const Graph& graph, RandomNumbers& random);
+ProblemStatement placed_at_random(const Graph& graph, RandomNumbers& random);
 
 }  // namespace gcs::samples

@@ -10,7 +10,7 @@ namespace {
 
 std::string numbered(std::string letter, int number) { return letter.append(std::to_string(number)); }
 
-Problem with_sketch(Problem problem, const std::vector<Eigen::Vector3d>& points) {
+ProblemStatement with_sketch(ProblemStatement problem, const std::vector<Eigen::Vector3d>& points) {
   Figure sketch;
   sketch.points.resize(3, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) sketch.points.col(static_cast<Eigen::Index>(i)) = points[i];
@@ -44,8 +44,9 @@ void split_edge(Edges& edges, int dimension, int point, RandomNumbers& random) {
 
 }  // namespace
 
-Problem problem_of(int dimension, int points, const Edges& edges, const std::vector<double>& lengths) {
-  Problem problem;
+ProblemStatement problem_of(int dimension, int points, const Edges& edges,
+                            const std::vector<double>& lengths) {
+  ProblemStatement problem;
   problem.dimension = dimension;
   for (int i = 1; i <= points; ++i) problem.points.push_back(numbered("p", i));
   for (const auto& edge : edges) {
@@ -55,27 +56,28 @@ Problem problem_of(int dimension, int points, const Edges& edges, const std::vec
   return problem;
 }
 
-Problem between(int dimension, const Edges& edges, const Eigen::Matrix3Xd& sketch,
-                const Eigen::Matrix3Xd& target) {
+ProblemStatement between(int dimension, const Edges& edges, const Eigen::Matrix3Xd& sketch,
+                         const Eigen::Matrix3Xd& target) {
   std::vector<double> lengths;
   lengths.reserve(edges.size());
   for (const auto& [a, b] : edges) lengths.push_back((target.col(a) - target.col(b)).norm());
-  Problem problem = problem_of(dimension, static_cast<int>(sketch.cols()), edges, lengths);
+  ProblemStatement problem = problem_of(dimension, static_cast<int>(sketch.cols()), edges, lengths);
   problem.sketch = Figure{sketch, {}};
   return problem;
 }
 
-Problem k33() {
+ProblemStatement k33() {
   const Edges edges{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {0, 3}, {1, 4}, {2, 5}};
-  Problem problem = problem_of(2, 6, edges, {2.58, 1.85, 2.21, 1.76, 1.57, 2.13, 2.85, 3.11, 3.9});
+  ProblemStatement problem = problem_of(2, 6, edges, {2.58, 1.85, 2.21, 1.76, 1.57, 2.13, 2.85, 3.11, 3.9});
   problem.reference = Reference{0, 1};
   return with_sketch(problem, {{0, 0, 0}, {2, 0, 0}, {3, 1.5, 0}, {2.2, 3, 0}, {0.3, 3.2, 0}, {-1, 1.7, 0}});
 }
 
-Problem octahedron() {
+ProblemStatement octahedron() {
   const Edges edges{{0, 1}, {0, 2}, {0, 4}, {0, 5}, {1, 2}, {1, 3},
                     {1, 5}, {2, 3}, {2, 4}, {3, 4}, {3, 5}, {4, 5}};
-  Problem problem = problem_of(3, 6, edges, {1.1, 1.3, 1.7, 1.6, 1.2, 1.8, 1.6, 1.7, 1.3, 1.9, 2.2, 2.7});
+  ProblemStatement problem =
+      problem_of(3, 6, edges, {1.1, 1.3, 1.7, 1.6, 1.2, 1.8, 1.6, 1.7, 1.3, 1.9, 2.2, 2.7});
   problem.reference = Reference{0, 1, 2};
   return with_sketch(
       problem, {{0, 0, 0}, {1, 0, 0}, {0.5, 1.3, 0}, {1.2, 0.5, 1.5}, {0, 1.8, 0.9}, {-0.2, -0.7, 1.3}});
@@ -137,7 +139,7 @@ Edges random_rigid_graph(int dimension, int points, RandomNumbers& random) {
   return edges;
 }
 
-Problem random_problem(int dimension, int points, RandomNumbers& random) {
+ProblemStatement random_problem(int dimension, int points, RandomNumbers& random) {
   const Edges edges = random_rigid_graph(dimension, points, random);
   const Eigen::Matrix3Xd sketch = random.points(dimension, points, 2);
   return between(dimension, edges, sketch, random.points(dimension, points, 2));

@@ -12,16 +12,17 @@ namespace gcs::samples {
 using Edges = std::vector<std::array<int, 2>>;
 
 /// Points named p1, p2, …; no sketch.
-Problem problem_of(int dimension, int points, const Edges& edges, const std::vector<double>& lengths);
+ProblemStatement problem_of(int dimension, int points, const Edges& edges,
+                            const std::vector<double>& lengths);
 
 /// Sketch and target lengths are those of two placements.
-Problem between(int dimension, const Edges& edges, const Eigen::Matrix3Xd& sketch,
-                const Eigen::Matrix3Xd& target);
+ProblemStatement between(int dimension, const Edges& edges, const Eigen::Matrix3Xd& sketch,
+                         const Eigen::Matrix3Xd& target);
 
 /// The running example of Imbach, Mathis, Schreck 2016 with the lengths of instances/k33.json.
-Problem k33();
+ProblemStatement k33();
 /// Their octahedron with the lengths of instances/octahedron.json.
-Problem octahedron();
+ProblemStatement octahedron();
 
 /// Constraints of the instances of that name.
 Edges disulfide_edges();
@@ -39,6 +40,6 @@ Edges hinged_ring_edges(const std::vector<bool>& meets);
 /// edge.
 Edges random_rigid_graph(int dimension, int points, RandomNumbers& random);
 /// Such a graph with a random sketch and the lengths of another random placement.
-Problem random_problem(int dimension, int points, RandomNumbers& random);
+ProblemStatement random_problem(int dimension, int points, RandomNumbers& random);
 
 }  // namespace gcs::samples

@@ -17,7 +17,7 @@
 namespace gcs {
 namespace {
 
-Problem shipped(const std::string& id) {
+ProblemStatement shipped(const std::string& id) {
   std::ifstream file(std::string(GCSBENCH_SOURCE_DIR "/instances/") + id + ".json");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   return parse_instance(text, id, id).problem;
@@ -42,7 +42,7 @@ void check_same(const Figure& a, const Figure& b) {
 }
 
 void check_threads(const std::string& id, std::string_view name, const OptionMap& given) {
-  const Problem problem = shipped(id);
+  const ProblemStatement problem = shipped(id);
   const Scene scene(problem);
   const SolveReport one = solved(scene, name, given, 1), four = solved(scene, name, given, 4);
   REQUIRE(one.status == SolveStatus::complete);
@@ -65,7 +65,7 @@ TEST_CASE("polyhedral homotopies are the same for any number of threads") {
 }
 
 TEST_CASE("certificates are the same for any number of threads") {
-  const Problem problem = shipped("octahedron");
+  const ProblemStatement problem = shipped("octahedron");
   const Scene scene(problem);
   const SolveReport report = solved(scene, "monodromy", {}, 4);
   const auto proven = [&](int threads) {
@@ -82,7 +82,7 @@ TEST_CASE("certificates are the same for any number of threads") {
 }
 
 TEST_CASE("a solve on several threads hears that it is to stop") {
-  const Problem problem = shipped("icosahedron");
+  const ProblemStatement problem = shipped("icosahedron");
   const Scene scene(problem);
   std::stop_source stop;
   std::thread clock([&] {

@@ -35,7 +35,7 @@ TEST_CASE("no strategy finds more on random graphs than there can be") {
   std::size_t solutions = 0;
   constexpr std::uint64_t scenes = repetitions(4) * scene_kind_count;
   for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-    const Problem problem = random_problem(random_scene_kind(seed), seed);
+    const ProblemStatement problem = random_problem(random_scene_kind(seed), seed);
     const Scene scene(problem);
     const TheoreticalCounts counts = theoretical_counts(problem);
     for (const StrategyEntry& entry : all_strategies()) {

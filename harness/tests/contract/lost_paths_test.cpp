@@ -49,7 +49,7 @@ constexpr int all = 1 << 20;  // more blocks than there are
 
 /// A solve whose journal loses legs as it is told.
 struct Lossy {
-  Lossy(const Problem& problem, const OptionMap& given = {}, const std::string& name = "monodromy")
+  Lossy(const ProblemStatement& problem, const OptionMap& given = {}, const std::string& name = "monodromy")
       : scene(problem),
         strategy(find_strategy(name).make(complete_options(find_strategy(name), given))),
         request{scene, 1, 1, {}, nullptr, &journal} {}
@@ -71,7 +71,7 @@ std::int64_t particular(const SolveReport& report, const std::string& name) {
   return -1;
 }
 
-Problem problem_of(const std::string& id) { return load_instance(id).problem; }
+ProblemStatement problem_of(const std::string& id) { return load_instance(id).problem; }
 
 }  // namespace
 
@@ -96,7 +96,7 @@ TEST_CASE("paths lost on the way to the given lengths are failed paths of an inc
 TEST_CASE("paths lost around their ends are failed paths of an incomplete list") {
   // A signed sum of lengths around the walk 2, 3, 6, 5 vanishes, so that paths go to infinity (theory: the
   // octahedron's condition ±a23 ± a35 = ±a26 ± a56) and are walked around.
-  Problem problem = problem_of("octahedron");
+  ProblemStatement problem = problem_of("octahedron");
   const auto length = [&](const std::string& a, const std::string& b) -> double& {
     for (DistanceConstraint& c : problem.constraints) {
       const std::string from = problem.name(c.between[0]), to = problem.name(c.between[1]);

@@ -21,7 +21,7 @@ std::vector<int> random_order(std::size_t count, std::mt19937_64& random) {
   return order;
 }
 
-Restatement unchanged(std::string name, const Problem& problem) {
+Restatement unchanged(std::string name, const ProblemStatement& problem) {
   return {std::move(name), problem, identity(problem.points.size())};
 }
 
@@ -105,11 +105,11 @@ Figure Restatement::original(const Figure& figure) const {
   return result;
 }
 
-Restatement relabelled(const Problem& problem, std::mt19937_64& random) {
+Restatement relabelled(const ProblemStatement& problem, std::mt19937_64& random) {
   Restatement result = unchanged("relabelled", problem);
   result.point_now = random_order(problem.points.size(), random);
   const Renumbering renumbering{result.point_now};
-  Problem& restated = result.problem;
+  ProblemStatement& restated = result.problem;
   for (std::size_t i = 0; i < restated.points.size(); ++i) restated.points[i] = fmt::format("node {}", i);
   for (DistanceConstraint& constraint : restated.constraints)
     for (int& end : constraint.between) renumbering.apply(end);
@@ -121,11 +121,11 @@ Restatement relabelled(const Problem& problem, std::mt19937_64& random) {
   return result;
 }
 
-Restatement constraints_permuted(const Problem& problem, std::mt19937_64& random) {
+Restatement constraints_permuted(const ProblemStatement& problem, std::mt19937_64& random) {
   Restatement result = unchanged("constraints permuted", problem);
   const std::vector<int> now = random_order(problem.constraints.size(), random);
   const Renumbering renumbering{now};
-  Problem& restated = result.problem;
+  ProblemStatement& restated = result.problem;
   restated.constraints = reordered(problem.constraints, now);
   int& bent = restated.interpolation.bent;
   if (bent < 0) bent = static_cast<int>(now.size()) - 1;
@@ -135,7 +135,7 @@ Restatement constraints_permuted(const Problem& problem, std::mt19937_64& random
   return result;
 }
 
-Restatement mirrored(const Problem& problem) {
+Restatement mirrored(const ProblemStatement& problem) {
   Restatement result = unchanged("mirrored", problem);
   result.is_mirrored = true;
   if (result.problem.sketch) mirror(*result.problem.sketch);
@@ -146,19 +146,19 @@ Restatement mirrored(const Problem& problem) {
   return result;
 }
 
-Restatement ends_swapped(const Problem& problem) {
+Restatement ends_swapped(const ProblemStatement& problem) {
   Restatement result = unchanged("ends swapped", problem);
   for (DistanceConstraint& constraint : result.problem.constraints)
     std::swap(constraint.between[0], constraint.between[1]);
   return result;
 }
 
-Restatement scaled(const Problem& problem, int exponent) {
+Restatement scaled(const ProblemStatement& problem, int exponent) {
   Restatement result = unchanged("scaled", problem);
   result.is_exact = true;
   result.unit_exponent = exponent;
   const double factor = std::ldexp(1.0, exponent);
-  Problem& restated = result.problem;
+  ProblemStatement& restated = result.problem;
   for (DistanceConstraint& constraint : restated.constraints) {
     const int power = constraint.is_squared ? 2 * exponent : exponent;
     Decimal& given = constraint.given;
@@ -176,7 +176,7 @@ Restatement scaled(const Problem& problem, int exponent) {
   return result;
 }
 
-Problem with_random_targets(Problem problem, std::mt19937_64& random) {
+ProblemStatement with_random_targets(ProblemStatement problem, std::mt19937_64& random) {
   double longest = 0;
   for (const DistanceConstraint& constraint : problem.constraints)
     longest = std::max(longest, constraint.length());

@@ -27,7 +27,7 @@ TEST_CASE("a decimal and its double are scaled alike") {
 }
 
 TEST_CASE("a restated figure leads back to the original one") {
-  const Problem problem = load_instance("octahedron").problem;
+  const ProblemStatement problem = load_instance("octahedron").problem;
   const Figure& sketch = *problem.sketch;
   std::mt19937_64 random(1);
   for (const Restatement& restatement : {relabelled(problem, random), constraints_permuted(problem, random),
@@ -38,32 +38,32 @@ TEST_CASE("a restated figure leads back to the original one") {
 }
 
 TEST_CASE("every restatement restates something") {
-  const Problem problem = load_instance("octahedron").problem;
+  const ProblemStatement problem = load_instance("octahedron").problem;
   std::mt19937_64 random(1);
   const Restatement labels = relabelled(problem, random);
-  const Problem& names = labels.problem;
+  const ProblemStatement& names = labels.problem;
   CHECK(names.points[0] != problem.points[0]);
   CHECK(names.constraints[0].between != problem.constraints[0].between);
   CHECK(names.constraints[0].given.value == problem.constraints[0].given.value);
   CHECK(names.reference->origin == labels.point_now[problem.reference->origin]);
 
-  const Problem order = constraints_permuted(problem, random).problem;
+  const ProblemStatement order = constraints_permuted(problem, random).problem;
   CHECK(order.constraints[0].id != problem.constraints[0].id);
   CHECK(order.constraints[order.interpolation.bent].id == problem.constraints.back().id);
 
   CHECK(mirrored(problem).problem.sketch->points(0, 3) == -problem.sketch->points(0, 3));
   CHECK(ends_swapped(problem).problem.constraints[4].between[0] == problem.constraints[4].between[1]);
 
-  const Problem larger = scaled(problem, 5).problem;
+  const ProblemStatement larger = scaled(problem, 5).problem;
   CHECK(larger.constraints[0].given.value == 32 * problem.constraints[0].given.value);
   CHECK(larger.interpolation.bend == 64);
   CHECK(Scene(larger).unit_exponent() == Scene(problem).unit_exponent() + 5);
 }
 
 TEST_CASE("squared lengths and fixed positions are restated too") {
-  const Problem squared = load_instance("disulfide").problem;
+  const ProblemStatement squared = load_instance("disulfide").problem;
   CHECK(scaled(squared, -3).problem.constraints[0].given.value == squared.constraints[0].given.value / 64);
-  const Problem anchored = load_instance("tangents-durand").problem;
+  const ProblemStatement anchored = load_instance("tangents-durand").problem;
   std::mt19937_64 random(1);
   const Restatement names = relabelled(anchored, random);
   for (std::size_t i = 0; i < anchored.points.size(); ++i)
@@ -74,9 +74,9 @@ TEST_CASE("squared lengths and fixed positions are restated too") {
 
 TEST_CASE("random targets are the lengths of a placement") {
   std::mt19937_64 random(1);
-  const Problem problem = load_instance("disulfide").problem;
-  const Problem once = with_random_targets(problem, random);
-  const Problem again = with_random_targets(problem, random);
+  const ProblemStatement problem = load_instance("disulfide").problem;
+  const ProblemStatement once = with_random_targets(problem, random);
+  const ProblemStatement again = with_random_targets(problem, random);
   CHECK(once.constraints[0].given.value != again.constraints[0].given.value);
   CHECK(once.constraints[0].is_squared);
 }

@@ -361,7 +361,8 @@ Violations check_stop(const Subject& subject, const Scene& scene) {
   return finder.take();
 }
 
-Violations check_restatement(const Subject& subject, const Problem& problem, const Restatement& restatement) {
+Violations check_restatement(const Subject& subject, const ProblemStatement& problem,
+                             const Restatement& restatement) {
   Finder finder;
   const Scene scene(problem), restated(restatement.problem);
   const Subject other_subject = in_unit(subject, restatement.unit_exponent);
@@ -382,7 +383,8 @@ Violations check_restatement(const Subject& subject, const Problem& problem, con
   return finder.take();
 }
 
-Violations check_restatements(const Subject& subject, const Problem& problem, std::mt19937_64& random) {
+Violations check_restatements(const Subject& subject, const ProblemStatement& problem,
+                              std::mt19937_64& random) {
   Finder finder;
   finder.append(check_restatement(subject, problem, relabelled(problem, random)));
   finder.append(check_restatement(subject, problem, constraints_permuted(problem, random)));

@@ -81,9 +81,11 @@ Violations check_stop(const Subject& subject, const Scene& scene);
 /// The name of the restatement: the restated problem has the same solutions, in the same order along S; where
 /// only the unit of length changes (that of options which are lengths too), the report is the same bit for
 /// bit.
-Violations check_restatement(const Subject& subject, const Problem& problem, const Restatement& restatement);
+Violations check_restatement(const Subject& subject, const ProblemStatement& problem,
+                             const Restatement& restatement);
 
 /// check_restatement for all of them.
-Violations check_restatements(const Subject& subject, const Problem& problem, std::mt19937_64& random);
+Violations check_restatements(const Subject& subject, const ProblemStatement& problem,
+                              std::mt19937_64& random);
 
 }  // namespace gcs::contract

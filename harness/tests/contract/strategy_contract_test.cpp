@@ -141,7 +141,7 @@ TEST_CASE("what was prepared serves other lengths") {
   std::mt19937_64 random(2016);
   on_small_instances([&](const Subject& subject, const Instance& instance, const Scene& scene) {
     if (!instance.problem.sketch) return Violations{};
-    Problem other = with_random_targets(instance.problem, random);
+    ProblemStatement other = with_random_targets(instance.problem, random);
     other.interpolation = instance.problem.interpolation;
     return check_reuse(subject, scene, Scene(other));
   });
@@ -167,7 +167,7 @@ TEST_CASE("neither names, orders, mirrors nor units matter") {
 
 TEST_CASE("a long path does not depend on names and units") {
   std::mt19937_64 random(12);
-  const Problem problem = load_instance("icosahedron").problem;
+  const ProblemStatement problem = load_instance("icosahedron").problem;
   const Restatement names = relabelled(problem, random), units = scaled(problem, -3);
   for (const Subject& subject : subjects()) {
     expect_none(subject, "icosahedron", check_restatement(subject, problem, names));
@@ -180,7 +180,7 @@ TEST_CASE("all strategies agree") {
     std::vector<Subject> all = subjects();
     if (is_in(published_mode, id))
       for (const Subject& subject : published_subjects()) all.push_back(subject);
-    const Problem problem = load_instance(id).problem;
+    const ProblemStatement problem = load_instance(id).problem;
     check_agreement(Scene(problem), theoretical_counts(problem), all, id);
   }
 }
@@ -188,7 +188,7 @@ TEST_CASE("all strategies agree") {
 TEST_CASE("all strategies agree on random lengths") {
   std::mt19937_64 random(8705);
   for (const std::string id : {"k33", "octahedron", "dodecagon", "disulfide"}) {
-    const Problem problem = load_instance(id).problem;
+    const ProblemStatement problem = load_instance(id).problem;
     const TheoreticalCounts counts = theoretical_counts(problem);
     std::size_t solutions = 0;
     for (int i = 0; i < repetitions(16); ++i) {

@@ -17,7 +17,7 @@ bool on_both_sides(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eig
   return side(c) != side(d);
 }
 
-int crossings(const Problem& problem, const Eigen::Matrix2Xd& places) {
+int crossings(const ProblemStatement& problem, const Eigen::Matrix2Xd& places) {
   int count = 0;
   const auto& all = problem.constraints;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -38,7 +38,7 @@ int crossings(const Problem& problem, const Eigen::Matrix2Xd& places) {
 TEST_CASE("a constraint graph shows every entity and every constraint") {
   for (const std::string& id : shipped_instances()) {
     CAPTURE(id);
-    const Problem problem = load_instance(id).problem;
+    const ProblemStatement problem = load_instance(id).problem;
     const std::string svg = graph_svg(problem, "a < b");
     CHECK(occurrences(svg, "<circle class=\"node\"") == problem.points.size());
     CHECK(occurrences(svg, "<rect class=\"node\"") == problem.lines.size());
@@ -50,7 +50,7 @@ TEST_CASE("a constraint graph shows every entity and every constraint") {
 
 TEST_CASE("planar graphs with enough triangles are drawn without crossings") {
   for (const std::string id : {"octahedron", "icosahedron"}) {
-    const Problem problem = load_instance(id).problem;
+    const ProblemStatement problem = load_instance(id).problem;
     CHECK(crossings(problem, graph_layout(problem)) == 0);
   }
 }

@@ -19,7 +19,7 @@ TEST_CASE("a reference in space names three points or a line and a height") {
 TEST_CASE("a plan may leave out the points that the frame gives") {
   const json whole = plane()["construction"];
   for (const json& plan : {json::array({whole[2]}), json::array({whole[1], whole[2]})}) {
-    const gcs::Problem problem = parsed(with(plane(), "/construction", plan)).problem;
+    const gcs::ProblemStatement problem = parsed(with(plane(), "/construction", plan)).problem;
     REQUIRE(problem.construction.size() == 3);
     CHECK(problem.construction[0].place == 0);
     CHECK(problem.construction[0].from.empty());
@@ -31,7 +31,7 @@ TEST_CASE("a plan may leave out the points that the frame gives") {
 }
 
 TEST_CASE("a plan may have driving parameters and then leaves constraints out") {
-  const gcs::Problem problem = parsed(with(plane(), "/construction/2/from/1/1", "k1")).problem;
+  const gcs::ProblemStatement problem = parsed(with(plane(), "/construction/2/from/1/1", "k1")).problem;
   CHECK(problem.construction[2].from[1].constraint == -1);
   CHECK(problem.construction[2].from[1].driving == "k1");
 }

@@ -65,7 +65,7 @@ TEST_CASE("all fields of an instance are read") {
   CHECK(instance.title == "Triangle");
   CHECK(instance.notes == "right-angled");
   CHECK(instance.origin == "small.json");
-  const gcs::Problem& problem = instance.problem;
+  const gcs::ProblemStatement& problem = instance.problem;
   CHECK(problem.dimension == 2);
   CHECK(problem.points == std::vector<std::string>{"p1", "p2", "p3"});
   REQUIRE(problem.constraints.size() == 3);
@@ -91,7 +91,7 @@ TEST_CASE("all fields of an instance are read") {
 }
 
 TEST_CASE("lines are read, and constraint ids have defaults by position") {
-  const gcs::Problem problem = parsed(space()).problem;
+  const gcs::ProblemStatement problem = parsed(space()).problem;
   CHECK(problem.lines == std::vector<std::string>{"L"});
   CHECK(problem.constraints[9].id == "a10");
   CHECK(problem.constraints[9].between == std::array{4, 3});
@@ -102,7 +102,7 @@ TEST_CASE("lines are read, and constraint ids have defaults by position") {
 }
 
 TEST_CASE("fixed positions are read") {
-  const gcs::Problem problem = parsed(tangents()).problem;
+  const gcs::ProblemStatement problem = parsed(tangents()).problem;
   CHECK(problem.fixed_points[3] == Eigen::Vector3d(-1, -1, 1));
   CHECK_FALSE(problem.fixed_lines[0].has_value());
 }

@@ -16,7 +16,7 @@ bool same(const LinePosition& a, const LinePosition& b) {
   return (a.point - b.point).norm() <= 1e-15 * a.point.norm() && (a.direction - b.direction).norm() <= 1e-15;
 }
 
-void check_same(const Problem& a, const Problem& b) {
+void check_same(const ProblemStatement& a, const ProblemStatement& b) {
   CHECK(a.dimension == b.dimension);
   CHECK(a.points == b.points);
   CHECK(a.lines == b.lines);

@@ -16,7 +16,7 @@ using namespace gcs;
 
 namespace {
 
-SolveRun solved(const Problem& problem, const OptionMap& options = {}, int threads = 1) {
+SolveRun solved(const ProblemStatement& problem, const OptionMap& options = {}, int threads = 1) {
   RunLimits limits;
   limits.threads = threads;
   return run_strategy(find_strategy("monodromy"), options, Scene(problem), limits);
@@ -27,7 +27,7 @@ SolveRun solved(const std::string& instance, const OptionMap& options = {}, int 
 }
 
 /// Those that sphere-tangents finds by eigenvalues.
-SolveRun expect_tangents(const Problem& problem) {
+SolveRun expect_tangents(const ProblemStatement& problem) {
   SolveRun run = solved(problem);
   INFO(run.reason);
   CHECK(run.status == RunStatus::complete);

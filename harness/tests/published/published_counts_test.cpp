@@ -14,16 +14,16 @@ using namespace gcs;
 namespace {
 
 /// The shipped instance of that id, wherever the tests are run.
-Problem problem_of(const std::string& id) {
+ProblemStatement problem_of(const std::string& id) {
   return load_instance(std::string(GCSBENCH_SOURCE_DIR) + "/instances/" + id + ".json").problem;
 }
 
-SolveRun run(const Problem& problem, const std::string& strategy, const OptionMap& options = {}) {
+SolveRun run(const ProblemStatement& problem, const std::string& strategy, const OptionMap& options = {}) {
   return run_strategy(find_strategy(strategy), options, Scene(problem), {});
 }
 
 /// The number of solutions on S; fails the test when the run is not complete or its report not sound.
-std::uint64_t count_on_path(const Problem& problem, const std::string& strategy) {
+std::uint64_t count_on_path(const ProblemStatement& problem, const std::string& strategy) {
   const SolveRun result = run(problem, strategy);
   CAPTURE(strategy, result.reason);
   CHECK(result.status == RunStatus::complete);
@@ -32,12 +32,12 @@ std::uint64_t count_on_path(const Problem& problem, const std::string& strategy)
   return *result.assessment.counts.on_path;
 }
 
-void check_count(const Problem& problem, std::uint64_t expected) {
+void check_count(const ProblemStatement& problem, std::uint64_t expected) {
   for (const std::string strategy : {"full-space", "rcp"})
     CHECK(count_on_path(problem, strategy) == expected);
 }
 
-void check_count_for_every_bend(Problem problem, std::uint64_t expected) {
+void check_count_for_every_bend(ProblemStatement problem, std::uint64_t expected) {
   for (std::size_t bent = 0; bent < problem.constraints.size(); ++bent) {
     problem.interpolation.bent = static_cast<int>(bent);
     CAPTURE(problem.constraints[bent].id);
@@ -89,7 +89,7 @@ TEST_CASE("S holds 284 solutions of the icosahedron as printed") {
 
 // Independent program. [I] does not say which constraint it bends; the published 8 comes with 4-5 (a10).
 TEST_CASE("on the disulfide bond the bent constraint decides how many of the 18 solutions S holds") {
-  Problem problem = problem_of("disulfide");
+  ProblemStatement problem = problem_of("disulfide");
   for (std::size_t bent = 0; bent < problem.constraints.size(); ++bent) {
     problem.interpolation.bent = static_cast<int>(bent);
     const std::string& id = problem.constraints[bent].id;
@@ -121,7 +121,7 @@ TEST_CASE("the paper's largest steps are 0.1 in full space and 0.05 with plans")
   for (const auto& [strategy, step_max] :
        {std::pair<std::string, std::string>{"full-space", "0.1"}, {"rcp", "0.05"}}) {
     CHECK_THAT(step_max_summary(strategy), Catch::Contains(step_max + " (paper"));
-    const Problem problem = problem_of("dodecagon");
+    const ProblemStatement problem = problem_of("dodecagon");
     const SolveRun by_default = run(problem, strategy, {{"mode", "paper"}});
     const SolveRun spelled_out = run(problem, strategy, {{"mode", "paper"}, {"step_max", step_max}});
     CHECK(by_default.work.iterations == spelled_out.work.iterations);

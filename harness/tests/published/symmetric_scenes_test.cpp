@@ -27,13 +27,13 @@ std::string constraints_text(const std::vector<Length>& lengths) {
   return "\"constraints\": [" + text + "]}";
 }
 
-Problem problem_of(const std::string& head, const std::vector<Length>& lengths) {
+ProblemStatement problem_of(const std::string& head, const std::vector<Length>& lengths) {
   const std::string text =
       R"({"format": "gcsbench-instance/1", "id": "x", )" + head + ", " + constraints_text(lengths);
   return parse_instance(text, "x", "").problem;
 }
 
-SolveRun solved(const Problem& problem, const std::string& strategy, std::uint64_t seed = 1,
+SolveRun solved(const ProblemStatement& problem, const std::string& strategy, std::uint64_t seed = 1,
                 const OptionMap& options = {}) {
   RunLimits limits;
   limits.seed = seed;
@@ -53,7 +53,7 @@ void check_never_wrong(const SolveRun& run, std::uint64_t real, std::uint64_t co
 // Two points hang on three fixed ones in a coordinate plane: each on either side of it, whatever the other
 // does.
 TEST_CASE("the trace test sees images that are not divided out") {
-  const Problem space = problem_of(
+  const ProblemStatement space = problem_of(
       R"("dimension": 3, "points": ["p1", "p2", "p3", "p4", "p5"],
       "fixed": {"p1": [0, 0, 0], "p2": [3, 0, 0], "p3": [1, 3, 0]})",
       {{"p4", "p1", "4"},
@@ -62,7 +62,7 @@ TEST_CASE("the trace test sees images that are not divided out") {
        {"p5", "p1", "9"},
        {"p5", "p2", "4"},
        {"p5", "p3", "9"}});
-  const Problem plane = problem_of(
+  const ProblemStatement plane = problem_of(
       R"("dimension": 2, "points": ["p1", "p2", "p3", "p4"], "fixed": {"p1": [0, 0], "p2": [3, 0]})",
       {{"p3", "p1", "4"}, {"p3", "p2", "4"}, {"p4", "p1", "9"}, {"p4", "p2", "4"}});
   int complete = 0;
@@ -80,7 +80,7 @@ TEST_CASE("the trace test sees images that are not divided out") {
 
 // p on a circle about the line through three of the fixed points.
 TEST_CASE("a circle of solutions is no empty list") {
-  const Problem circle = problem_of(
+  const ProblemStatement circle = problem_of(
       R"("dimension": 3, "points": ["f", "g", "h", "k", "p"],
       "fixed": {"f": [0, 0, 0], "g": [4, 0, 0], "h": [8, 0, 0], "k": [0, 5, 0]})",
       {{"p", "f", "25"}, {"p", "g", "9"}, {"p", "h", "25"}});
@@ -93,7 +93,7 @@ TEST_CASE("a circle of solutions is no empty list") {
 // Two points at height z over (or under) the plane of three, on the same side or on both: their distances
 // differ by z² only. By construction both classes are there.
 TEST_CASE("nearly flat figures on the same side and on both are two classes") {
-  const Problem plane =
+  const ProblemStatement plane =
       problem_of(R"("dimension": 2, "points": ["p1", "p2", "p3", "p4"])", {{"p1", "p2", "16"},
                                                                            {"p1", "p3", "1.0000000001"},
                                                                            {"p2", "p4", "1.0000000001"},
@@ -116,10 +116,10 @@ TEST_CASE("nearly flat figures on the same side and on both are two classes") {
     return problem_of(points, lengths);
   };
   // p = (0, 2, z), q = (3, 2, z) over a = (0, 0), b = (4, 0), c = (1, 3).
-  const Problem real = with_height("4.0000000004", "20.0000000004", "2.0000000004", "13.0000000004",
-                                   "5.0000000004", "5.0000000004");
-  const Problem complex = with_height("3.9999999996", "19.9999999996", "1.9999999996", "12.9999999996",
-                                      "4.9999999996", "4.9999999996");
+  const ProblemStatement real = with_height("4.0000000004", "20.0000000004", "2.0000000004", "13.0000000004",
+                                            "5.0000000004", "5.0000000004");
+  const ProblemStatement complex = with_height("3.9999999996", "19.9999999996", "1.9999999996",
+                                               "12.9999999996", "4.9999999996", "4.9999999996");
   for (const std::string strategy : {"plan-scan", "monodromy", "polyhedral"})
     for (const std::string reduce : {"on", "off"}) {
       CAPTURE(strategy, reduce);
@@ -142,7 +142,7 @@ TEST_CASE("a point is placed anew when a side changes the base of what it hangs 
     constraint.given = {length, ""};
     return constraint;
   };
-  Problem problem;
+  ProblemStatement problem;
   for (int i = 1; i <= 9; ++i) problem.points.push_back("p" + std::to_string(i));
   problem.constraints = {given("p1", "p2", 4.14),  given("p1", "p3", 6.91), given("p2", "p3", 3.07),
                          given("p4", "p1", 5.87),  given("p4", "p2", 3.48), given("p4", "p3", 4.27),
@@ -164,7 +164,7 @@ TEST_CASE("a point is placed anew when a side changes the base of what it hangs 
 
 // Two octahedra share a triangle with sides 1, 2 and 3: the whole turns about that line.
 TEST_CASE("parts that are joined at collinear points are not put together") {
-  const Problem problem = problem_of(
+  const ProblemStatement problem = problem_of(
       R"("dimension": 3, "points": ["a", "b", "c", "Ad", "Ae", "Af", "Bd", "Be", "Bf"])",
       {{"a", "b", "1"},    {"a", "c", "9"},   {"b", "c", "4"},   {"b", "Ad", "3"},   {"c", "Ad", "3"},
        {"a", "Ae", "5"},   {"c", "Ae", "20"}, {"a", "Af", "6"},  {"b", "Af", "5"},   {"Ad", "Ae", "11"},
@@ -214,11 +214,11 @@ TEST_CASE("a point next to the plane that it hangs on is on either side of it") 
 // Four lines that touch four spheres lie next to each of three: they come apart like the root of what is
 // added to a squared radius, and are real for more and complex for less.
 TEST_CASE("tangents next to fourfold ones are twelve") {
-  const Problem exact = load_instance("tangents-fourfold").problem;
+  const ProblemStatement exact = load_instance("tangents-fourfold").problem;
   for (const auto& [square, real] : {std::pair("2.0000000000001", 12), std::pair("1.999999999999", 0)})
     for (const std::string strategy : {"polyhedral", "monodromy", "sphere-tangents"}) {
       CAPTURE(square, strategy);
-      Problem problem = exact;
+      ProblemStatement problem = exact;
       problem.constraints.front().given = {std::stod(square), square};
       REQUIRE(problem.constraints.front().is_squared);
       const SolveRun run = solved(problem, strategy);

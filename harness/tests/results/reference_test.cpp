@@ -23,7 +23,7 @@ Json reference(const std::string& instance) {
 }
 
 /// The largest distance of a point from its place in a real reference solution, in the file's unit.
-double distance(const Problem& problem, const Figure& figure, const Json& solution) {
+double distance(const ProblemStatement& problem, const Figure& figure, const Json& solution) {
   double largest = 0;
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
     const Json& place = solution["points"][problem.points[i]];

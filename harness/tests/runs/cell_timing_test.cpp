@@ -108,7 +108,7 @@ TEST_CASE("solutions are kept where they are wanted, also when a run without the
   CHECK(without.front().solutions.empty());
   const auto resumed = measure_answers({""}, repetitions(3), without, true);
   CHECK(resumed.front().solutions.size() == 2);
-  const Problem& problem = toy::instance().problem;
+  const ProblemStatement& problem = toy::instance().problem;
   for (const RecordedSolution& solution : resumed.front().solutions)
     CHECK(solution.points.size() == problem.points.size());
   measure_answers({""}, repetitions(3), resumed, true);

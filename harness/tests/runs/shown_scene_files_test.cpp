@@ -18,7 +18,7 @@ double distance(const Figure& figure, const DistanceConstraint& c) {
 }
 
 /// a(t) of constraint `i` as theory states it: linear, the bent one less bend·t² and more bend·t.
-double length_at(const Problem& problem, std::size_t i, double t) {
+double length_at(const ProblemStatement& problem, std::size_t i, double t) {
   const DistanceConstraint& c = problem.constraints[i];
   const int last = static_cast<int>(problem.constraints.size()) - 1;
   const int bent = problem.interpolation.bent < 0 ? last : problem.interpolation.bent;
@@ -40,7 +40,7 @@ TEST_CASE("stored paths have the interpolated lengths, and the given ones at cro
     CAPTURE(id);
     const Instance instance = load_instance(id);
     const StoredScene scene = stored_scene(instance);
-    const Problem& problem = instance.problem;
+    const ProblemStatement& problem = instance.problem;
     REQUIRE(scene.path);
     const double tolerance =
         4 * scene.path->within * Scene(problem).size() * std::ldexp(1.0, Scene(problem).unit_exponent());

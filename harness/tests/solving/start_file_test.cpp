@@ -15,11 +15,11 @@ using Json = nlohmann::json;
 
 namespace {
 
-SolveRun solved(const Problem& problem, const OptionMap& options) {
+SolveRun solved(const ProblemStatement& problem, const OptionMap& options) {
   return run_strategy(find_strategy("monodromy"), options, Scene(problem), {});
 }
 
-Problem problem_of(const std::string& id) { return load_instance(id).problem; }
+ProblemStatement problem_of(const std::string& id) { return load_instance(id).problem; }
 
 std::optional<std::int64_t> particular(const SolveRun& run, const std::string& name) {
   for (const Particular& count : run.particulars)
@@ -37,7 +37,7 @@ void check_same_solutions(const SolveRun& a, const SolveRun& b) {
 }
 
 /// The message with which a start system is refused for the problem.
-std::string refusal(const Problem& problem, const std::filesystem::path& file) {
+std::string refusal(const ProblemStatement& problem, const std::filesystem::path& file) {
   try {
     solved(problem, {{"start", file.string()}});
   } catch (const InputError& error) {
@@ -80,7 +80,7 @@ TEST_CASE("a stored start serves other lengths") {
   const TestFolder folder;
   const std::string file = (folder / "start.json").string();
   std::mt19937_64 random(3);
-  const Problem problem = problem_of("octahedron");
+  const ProblemStatement problem = problem_of("octahedron");
   solved(problem, {{"save_start", file}});
   for (int i = 0; i < 5; ++i) {
     const SolveRun run = solved(contract::with_random_targets(problem, random), {{"start", file}});
@@ -152,7 +152,7 @@ TEST_CASE("a start system of another graph is refused") {
 
 TEST_CASE("files for start systems that cannot be read or written are refused") {
   const TestFolder folder;
-  const Problem problem = problem_of("octahedron");
+  const ProblemStatement problem = problem_of("octahedron");
   CHECK_THAT(refusal(problem, folder / "none.json"), Catch::Contains("there is no such file"));
   write_file(folder / "half.json", "{\"format\": ");
   CHECK_THAT(refusal(problem, folder / "half.json"), Catch::Contains("half.json"));

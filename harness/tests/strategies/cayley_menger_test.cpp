@@ -15,14 +15,14 @@ using namespace gcs;
 
 namespace {
 
-SolveRun solved(const Problem& problem, const std::string& strategy = "cayley-menger",
+SolveRun solved(const ProblemStatement& problem, const std::string& strategy = "cayley-menger",
                 const OptionMap& options = {}) {
   return run_strategy(find_strategy(strategy), options, Scene(problem), {});
 }
 
 /// Edges between all of six points but (0, 3), (1, 4), (2, 5).
-Problem octahedron_of(const Eigen::Matrix3Xd& points) {
-  Problem problem = load_instance("octahedron").problem;
+ProblemStatement octahedron_of(const Eigen::Matrix3Xd& points) {
+  ProblemStatement problem = load_instance("octahedron").problem;
   for (DistanceConstraint& constraint : problem.constraints) {
     const auto [a, b] = constraint.between;
     constraint.given = {(points.col(a) - points.col(b)).norm(), ""};
@@ -37,7 +37,7 @@ Eigen::Matrix3Xd random_points(std::mt19937_64& random) {
 }
 
 /// A point at distances 1, 1.1 and 1.2 (times the longest edge) from three others.
-Problem with_hanging_point(Problem problem, std::array<int, 3> from, double unit) {
+ProblemStatement with_hanging_point(ProblemStatement problem, std::array<int, 3> from, double unit) {
   const int point = static_cast<int>(problem.points.size());
   problem.points.push_back("hanging " + std::to_string(point));
   for (int i = 0; i < 3; ++i)
@@ -55,8 +55,9 @@ Eigen::Matrix3Xd with_short_edge(std::mt19937_64& random, double length) {
 }
 
 /// Squared distances in decimals of any number of digits, without the other constraints.
-Problem squared_distances(int points, const std::vector<std::tuple<int, int, std::string>>& squares) {
-  Problem problem = load_instance("octahedron").problem;
+ProblemStatement squared_distances(int points,
+                                   const std::vector<std::tuple<int, int, std::string>>& squares) {
+  ProblemStatement problem = load_instance("octahedron").problem;
   problem.sketch.reset();
   problem.points.clear();
   for (int i = 0; i < points; ++i) problem.points.push_back("p" + std::to_string(i));
@@ -70,7 +71,7 @@ Problem squared_distances(int points, const std::vector<std::tuple<int, int, std
 
 /// An octahedron whose Jacobian is singular to 1e-16 where |p0p5|² = 1.176916470405022644509943149310, and
 /// this length a little off.
-Problem near_fold(const std::string& square) {
+ProblemStatement near_fold(const std::string& square) {
   return squared_distances(6, {{0, 1, "1.181882508010782636501266141695"},
                                {0, 2, "3.857600416192804447826805981928"},
                                {0, 4, "7.057274285918949183333504297271"},
@@ -87,7 +88,7 @@ Problem near_fold(const std::string& square) {
 
 /// (0, 0, 0), (4, 0, 0), (1, 3, 0), and three more points off this plane, with a point that hangs on the
 /// first three: at |p6p0|² = 5 its place is (2, 1, 0), in their plane.
-Problem hanging_near_its_base(const std::string& square) {
+ProblemStatement hanging_near_its_base(const std::string& square) {
   return squared_distances(7, {{0, 1, "16"},
                                {0, 2, "10"},
                                {0, 4, "5"},
@@ -112,7 +113,7 @@ int real_ones(const SolveRun& run) {
 }
 
 /// True when the real solution `points` is among those found.
-bool holds(const Problem& problem, const SolveRun& run, const Eigen::Matrix3Xd& points) {
+bool holds(const ProblemStatement& problem, const SolveRun& run, const Eigen::Matrix3Xd& points) {
   const Scene scene(problem);
   const double unit = std::ldexp(1.0, -scene.unit_exponent());
   return std::any_of(run.assessment.solutions.begin(), run.assessment.solutions.end(),
@@ -130,7 +131,7 @@ TEST_CASE("random octahedra have eight complex classes, the one they were made o
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
     const Eigen::Matrix3Xd points = random_points(random);
-    const Problem problem = octahedron_of(points);
+    const ProblemStatement problem = octahedron_of(points);
     const SolveRun run = solved(problem);
     INFO("octahedron " << i << ": " << run.reason);
     CHECK(run.status == RunStatus::complete);
@@ -143,7 +144,7 @@ TEST_CASE("random octahedra have eight complex classes, the one they were made o
 }
 
 TEST_CASE("cayley-menger finds the classes that path tracking finds, to 1e-12") {
-  const Problem problem = load_instance("octahedron").problem;
+  const ProblemStatement problem = load_instance("octahedron").problem;
   const Scene scene(problem);
   const SolveRun all = solved(problem);
   const SolveRun path = solved(problem, "full-space");
@@ -165,8 +166,8 @@ TEST_CASE("cyclohexane has eight real classes, some with the same diagonals") {
 
 TEST_CASE("points that hang on an octahedron are placed on both sides") {
   std::mt19937_64 random(4);
-  const Problem problem = octahedron_of(random_points(random));
-  const Problem more = with_hanging_point(with_hanging_point(problem, {0, 1, 2}, 2), {1, 2, 6}, 2);
+  const ProblemStatement problem = octahedron_of(random_points(random));
+  const ProblemStatement more = with_hanging_point(with_hanging_point(problem, {0, 1, 2}, 2), {1, 2, 6}, 2);
   const SolveRun run = solved(more);
   CHECK(run.status == RunStatus::complete);
   CHECK(run.assessment.solutions.size() == 32);
@@ -178,7 +179,7 @@ TEST_CASE("an edge of 1e-5 leaves all eight classes, four of them far away in it
   std::mt19937_64 random(8);
   for (int i = 0; i < 20; ++i) {
     const Eigen::Matrix3Xd points = with_short_edge(random, 0x1p-17);
-    const Problem problem = octahedron_of(points);
+    const ProblemStatement problem = octahedron_of(points);
     const SolveRun run = solved(problem);
     INFO("octahedron " << i << ": " << run.reason);
     const bool is_too_far = run.reason.find("doubles do not hold the distances") != std::string::npos;
@@ -191,7 +192,7 @@ TEST_CASE("an edge of 1e-5 leaves all eight classes, four of them far away in it
 
 TEST_CASE("a point that hangs on an octahedron with a short edge is placed on both sides of all classes") {
   std::mt19937_64 random(8);
-  const Problem problem = octahedron_of(with_short_edge(random, 0x1p-17));
+  const ProblemStatement problem = octahedron_of(with_short_edge(random, 0x1p-17));
   for (const std::string reduce : {"on", "off"}) {
     const SolveRun run =
         solved(with_hanging_point(problem, {2, 3, 4}, 2), "cayley-menger", {{"reduce", reduce}});
@@ -234,7 +235,7 @@ TEST_CASE("an octahedron that flexes but for the last bit of a length is not cal
   for (int i = 0; i < 20; ++i) {
     Eigen::Matrix3Xd points = random_points(random);
     for (int p = 0; p < 3; ++p) points.col(p + 3) << -points(0, p), -points(1, p), points(2, p);
-    Problem problem = octahedron_of(points);
+    ProblemStatement problem = octahedron_of(points);
     double& length = problem.constraints[static_cast<std::size_t>(i % 12)].given.value;
     length = std::nextafter(length, 10);
     const SolveRun run = solved(problem);
@@ -250,7 +251,7 @@ TEST_CASE("a pair of diagonals that escapes to infinity is counted as such") {
   for (int i = 0; i < 20; ++i) {
     Eigen::Matrix3Xd points = (1024 * random_points(random)).array().round() / 1024;
     points.col(5) = points.col(4) + points.col(1) - points.col(2);
-    const Problem problem = octahedron_of(points);
+    const ProblemStatement problem = octahedron_of(points);
     const SolveRun run = solved(problem);
     INFO(run.reason);
     CHECK(run.status == RunStatus::complete);

@@ -13,8 +13,8 @@ namespace {
 using Pairs = std::vector<std::pair<int, int>>;
 
 /// A problem with the given numbers of entities; lines are numbered after the points.
-Problem problem_of(int dimension, int points, int lines, const Pairs& constrained) {
-  Problem problem;
+ProblemStatement problem_of(int dimension, int points, int lines, const Pairs& constrained) {
+  ProblemStatement problem;
   problem.dimension = dimension;
   for (int i = 0; i < points; ++i) problem.points.push_back("p" + std::to_string(i));
   for (int i = 0; i < lines; ++i) problem.lines.push_back("L" + std::to_string(i));
@@ -81,7 +81,7 @@ TEST_CASE("points hang on a line as on a point, and a line is never placed") {
 }
 
 TEST_CASE("fixed positions need no rest") {
-  Problem problem = problem_of(3, 4, 0, {{3, 0}, {3, 1}, {3, 2}});
+  ProblemStatement problem = problem_of(3, 4, 0, {{3, 0}, {3, 1}, {3, 2}});
   problem.fixed_points = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0),
                           std::nullopt};
   const CoreReduction reduction = reduce_to_core(problem, {});

@@ -16,7 +16,7 @@ using namespace gcs;
 
 namespace {
 
-SolveRun solved(const Problem& problem, const std::string& strategy, const OptionMap& options = {}) {
+SolveRun solved(const ProblemStatement& problem, const std::string& strategy, const OptionMap& options = {}) {
   return run_strategy(find_strategy(strategy), options, Scene(problem), {});
 }
 
@@ -29,7 +29,8 @@ std::vector<Figure> real_figures(const SolveRun& run) {
 
 /// Classes in both lists together, both being in the file's unit. Equal to each one's number if they are the
 /// same.
-int classes_together(const Problem& problem, std::vector<Figure> figures, const std::vector<Figure>& others) {
+int classes_together(const ProblemStatement& problem, std::vector<Figure> figures,
+                     const std::vector<Figure>& others) {
   const Scene scene(problem);
   figures.insert(figures.end(), others.begin(), others.end());
   const double to_scene = std::ldexp(1.0, -scene.unit_exponent());
@@ -40,7 +41,7 @@ int classes_together(const Problem& problem, std::vector<Figure> figures, const 
   return reflection_classes(scene, figures, 1e-7).count();
 }
 
-Problem with_lengths_of(Problem problem, const Eigen::Matrix3Xd& points) {
+ProblemStatement with_lengths_of(ProblemStatement problem, const Eigen::Matrix3Xd& points) {
   for (DistanceConstraint& c : problem.constraints) {
     c.given = {(points.col(c.between[0]) - points.col(c.between[1])).norm(), ""};
     c.is_squared = false;
@@ -50,8 +51,8 @@ Problem with_lengths_of(Problem problem, const Eigen::Matrix3Xd& points) {
 }
 
 /// Two copies that share points 0 and 1. Precondition: these are constrained.
-Problem glued(const Problem& problem) {
-  Problem both = problem;
+ProblemStatement glued(const ProblemStatement& problem) {
+  ProblemStatement both = problem;
   const int more = static_cast<int>(problem.points.size()) - 2;
   const auto copy_of = [more](int point) { return point < 2 ? point : point + more; };
   for (int p = 2; p < more + 2; ++p) both.points.push_back(problem.points[p] + "'");
@@ -70,8 +71,8 @@ Problem glued(const Problem& problem) {
   return both;
 }
 
-Problem with_open_side(double length) {
-  Problem problem = load_instance("hoffmann-yuan").problem;
+ProblemStatement with_open_side(double length) {
+  ProblemStatement problem = load_instance("hoffmann-yuan").problem;
   for (DistanceConstraint& c : problem.constraints)
     if (c.id == "a12") c.given = {length, ""};
   return problem;
@@ -81,11 +82,11 @@ Problem with_open_side(double length) {
 /// collinear, an enclosure that does not shrink with its cell takes millions.
 void scan_in_any_order(const std::string& id, std::size_t classes, int orders) {
   constexpr std::size_t most_cells_per_class = 1000;
-  const Problem problem = load_instance(id).problem;
+  const ProblemStatement problem = load_instance(id).problem;
   const OptionMap options{{"max_cells", std::to_string(most_cells_per_class * classes)}};
   for (int seed = 1001; seed <= 1000 + orders; ++seed) {
     std::mt19937_64 random(seed);
-    const Problem relabelled = contract::relabelled(problem, random).problem;
+    const ProblemStatement relabelled = contract::relabelled(problem, random).problem;
     const SolveRun scan =
         solved(contract::constraints_permuted(relabelled, random).problem, "plan-scan", options);
     INFO(id << " with seed " << seed << ": " << scan.reason);
@@ -99,11 +100,11 @@ void scan_in_any_order(const std::string& id, std::size_t classes, int orders) {
 TEST_CASE("random octahedra have the real solutions that Cayley-Menger determinants give") {
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> coordinate(-1, 1);
-  const Problem octahedron = load_instance("octahedron").problem;
+  const ProblemStatement octahedron = load_instance("octahedron").problem;
   for (int i = 0; i < 30; ++i) {
     const Eigen::Matrix3Xd points =
         Eigen::Matrix3Xd::NullaryExpr(3, 6, [&](Eigen::Index, Eigen::Index) { return coordinate(random); });
-    const Problem problem = with_lengths_of(octahedron, points);
+    const ProblemStatement problem = with_lengths_of(octahedron, points);
     const SolveRun scan = solved(problem, "plan-scan");
     const auto found = real_figures(scan);
     const auto expected = real_figures(solved(problem, "cayley-menger"));
@@ -124,7 +125,7 @@ TEST_CASE("no order of many points and constraints makes a scan long") { scan_in
 // Glued at an edge, each class of one goes with each class of the other, on the same side of the edge or on
 // the other.
 TEST_CASE("two scenes glued at an edge take two angles and multiply their solutions") {
-  const Problem one = load_instance("k33").problem;
+  const ProblemStatement one = load_instance("k33").problem;
   const auto classes = real_figures(solved(one, "plan-scan")).size();
   REQUIRE(classes > 0);
   const SolveRun both = solved(glued(one), "plan-scan");
@@ -136,7 +137,7 @@ TEST_CASE("any length of the open side gives the solutions of a scan a hundred t
   std::mt19937_64 random(34);
   std::uniform_real_distribution<double> length(2, 11);
   for (int i = 0; i < 4; ++i) {
-    const Problem problem = with_open_side(length(random));
+    const ProblemStatement problem = with_open_side(length(random));
     const SolveRun scan = solved(problem, "theta-scan");
     const auto found = real_figures(scan);
     const auto finer = real_figures(

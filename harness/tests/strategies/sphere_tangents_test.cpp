@@ -18,21 +18,21 @@ using namespace gcs;
 
 namespace {
 
-SolveRun solved(const Problem& problem, const OptionMap& options = {}) {
+SolveRun solved(const ProblemStatement& problem, const OptionMap& options = {}) {
   return run_strategy(find_strategy("sphere-tangents"), options, Scene(problem), {});
 }
 
 /// The square in decimals of any number of digits.
-void set_square(Problem& problem, int constraint, const std::string& square) {
+void set_square(ProblemStatement& problem, int constraint, const std::string& square) {
   problem.constraints[static_cast<std::size_t>(constraint)].given = {std::stod(square), square};
   problem.constraints[static_cast<std::size_t>(constraint)].is_squared = true;
 }
 
 /// Spheres of which the last has this squared radius; with 5 the z-axis is a double tangent.
-Problem near_double_tangent(const std::string& square) {
+ProblemStatement near_double_tangent(const std::string& square) {
   Eigen::Matrix<double, 3, 4> centers;
   centers << 1, 0, -1, 2, 0, 1, 1, 1, 0, 1, 2, 0.5;
-  Problem problem = spheres(centers, Eigen::Vector4d::Ones());
+  ProblemStatement problem = spheres(centers, Eigen::Vector4d::Ones());
   for (int i = 0; i < 4; ++i) set_square(problem, i, std::array<std::string, 4>{"1", "1", "2", square}[i]);
   return problem;
 }
@@ -55,7 +55,7 @@ bool holds_conjugate(const SolveRun& run, const ComplexLine& line) {
 }
 
 /// Both methods find the same lines, and 24 paths have named ends of which none failed.
-void expect_agreement(const Problem& problem) {
+void expect_agreement(const ProblemStatement& problem) {
   const SolveRun direct = solved(problem), homotopy = solved(problem, {{"method", "homotopy"}});
   INFO(homotopy.reason);
   CHECK(homotopy.status == direct.status);
@@ -84,7 +84,7 @@ bool doubles_determine(const SolveRun& run) {
                              [](const AssessedSolution& solution) { return solution.condition < 0x1p53; });
 }
 
-void expect_twelve(const Problem& problem) {
+void expect_twelve(const ProblemStatement& problem) {
   const SolveRun run = solved(problem);
   INFO(run.reason);
   CHECK(run.status == (doubles_determine(run) ? RunStatus::complete : RunStatus::partial));
@@ -132,7 +132,8 @@ TEST_CASE("random spheres have 12 tangents to 1e-12 or to the last bit, closed u
 
 TEST_CASE("a line that is off by more than rounding is not precise") {
   Dice dice(18);
-  const Problem problem = spheres(dice.centers(), {1, 0.7, 0.8, 0.6});  // the scene's unit is the file's
+  const ProblemStatement problem =
+      spheres(dice.centers(), {1, 0.7, 0.8, 0.6});  // the scene's unit is the file's
   const FourDistances given = distances_of(problem);
   for (AssessedSolution solution : solved(problem).assessment.solutions) {
     const bool is_real = solution.figure.is_real();
@@ -161,7 +162,7 @@ TEST_CASE("a line through a point is found with its multiplicity") {
   Dice dice(14);
   const Eigen::Vector3d u(0.6, 0.8, 0);
   for (int i = 0; i < 20; ++i) {
-    Problem problem = spheres((9 * dice.centers()).array().round(), Eigen::Vector4d::Ones());
+    ProblemStatement problem = spheres((9 * dice.centers()).array().round(), Eigen::Vector4d::Ones());
     const Eigen::Vector3d first = *problem.fixed_points[0];
     for (int p = 0; p < 4; ++p) {
       const Eigen::Vector3d c = *problem.fixed_points[p] - first;
@@ -233,7 +234,7 @@ TEST_CASE("spheres that nearly touch have twelve real tangents, near to each oth
   // root of ε, all of them into real ones where ε > 0.
   for (const std::string square : {"2.0000000001", "2.000000000001", "2.0000000000001"})
     for (const std::string method : {"direct", "homotopy"}) {
-      Problem problem = load_instance("tangents-fourfold").problem;
+      ProblemStatement problem = load_instance("tangents-fourfold").problem;
       set_square(problem, 0, square);
       const SolveRun run = solved(problem, {{"method", method}});
       INFO(square << " " << method << ": " << run.reason);
@@ -289,7 +290,7 @@ TEST_CASE("centres in a narrow strip or needle have 12 tangents, which the paths
   for (const double breadth : {1e-2, 1e-3, 1e-4, 1e-6})
     for (const double thickness : {0.0, 1e-2, 1.0}) {
       const Eigen::Vector3d size(1, breadth, breadth * thickness);
-      const Problem problem = dice.problem(dice.rotation() * size.asDiagonal());
+      const ProblemStatement problem = dice.problem(dice.rotation() * size.asDiagonal());
       INFO("breadth " << breadth << ", thickness " << thickness);
       expect_twelve(problem);
       expect_agreement(problem);
@@ -308,7 +309,7 @@ TEST_CASE("parallel edges send tangents to infinity in a narrow strip too") {
   Eigen::Matrix<double, 3, 4> centers;
   centers << 0, 0.1, 2, 2.2, 0, 1, 0, 2, 0, 0.5, 0, 1;
   for (const double breadth : {1e-2, 1e-3, 1e-5}) {
-    const Problem problem =
+    const ProblemStatement problem =
         spheres(Eigen::Vector3d(1, breadth, breadth).asDiagonal() * centers, {1, 0.9, 0.8, 0.95});
     const SolveRun run = solved(problem);
     CHECK(run.status == RunStatus::complete);
@@ -334,7 +335,7 @@ TEST_CASE("infinitely many tangents are named") {
   const Eigen::Vector4d position(0, 1, 2.5, 4);
   centers.row(1) = position;
   const auto on_parabola = [&](double alpha, double beta, double gamma) {
-    Problem problem = spheres(centers, Eigen::Vector4d::Ones());
+    ProblemStatement problem = spheres(centers, Eigen::Vector4d::Ones());
     for (int i = 0; i < 4; ++i) {
       problem.constraints[i].is_squared = true;
       problem.constraints[i].given.value = alpha + beta * position[i] + gamma * position[i] * position[i];

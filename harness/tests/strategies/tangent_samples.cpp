@@ -19,8 +19,8 @@ bool is_same(const AssessedSolution& a, const AssessedSolution& b) {
 
 }  // namespace
 
-Problem spheres(const Eigen::Matrix<double, 3, 4>& centers, const Eigen::Vector4d& distances) {
-  Problem problem = load_instance("tangents-durand").problem;
+ProblemStatement spheres(const Eigen::Matrix<double, 3, 4>& centers, const Eigen::Vector4d& distances) {
+  ProblemStatement problem = load_instance("tangents-durand").problem;
   problem.fixed_point_texts.clear();
   for (int i = 0; i < 4; ++i) {
     problem.fixed_points[i] = Eigen::Vector3d(centers.col(i));
@@ -30,7 +30,7 @@ Problem spheres(const Eigen::Matrix<double, 3, 4>& centers, const Eigen::Vector4
   return problem;
 }
 
-FourDistances distances_of(const Problem& problem) {
+FourDistances distances_of(const ProblemStatement& problem) {
   FourDistances given;
   for (int i = 0; i < 4; ++i) {
     given.centers.col(i) = *problem.fixed_points[i];
@@ -58,7 +58,7 @@ Eigen::Matrix3d Dice::rotation() {
   return Eigen::AngleAxisd(3 * (*this)(), axis).toRotationMatrix();
 }
 
-Problem Dice::problem(const Eigen::Matrix3d& shape) {
+ProblemStatement Dice::problem(const Eigen::Matrix3d& shape) {
   const Eigen::Matrix<double, 3, 4> at = shape * centers();
   return spheres(at, distances());
 }

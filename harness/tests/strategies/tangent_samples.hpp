@@ -10,9 +10,9 @@
 namespace gcs {
 
 /// Column i of `centers` at the distance `distances[i]` from the line.
-Problem spheres(const Eigen::Matrix<double, 3, 4>& centers, const Eigen::Vector4d& distances);
+ProblemStatement spheres(const Eigen::Matrix<double, 3, 4>& centers, const Eigen::Vector4d& distances);
 /// What the problem gives, if all its distances are lengths.
-FourDistances distances_of(const Problem& problem);
+FourDistances distances_of(const ProblemStatement& problem);
 
 class Dice {
  public:
@@ -26,7 +26,7 @@ class Dice {
   Eigen::Vector3d direction();
   Eigen::Matrix3d rotation();
   /// Random centres, mapped by `shape`, and distances.
-  Problem problem(const Eigen::Matrix3d& shape);
+  ProblemStatement problem(const Eigen::Matrix3d& shape);
 
  private:
   std::mt19937_64 engine_;

@@ -13,9 +13,9 @@ using namespace gcs;
 
 namespace {
 
-Problem example() { return load_instance("hoffmann-yuan").problem; }
+ProblemStatement example() { return load_instance("hoffmann-yuan").problem; }
 
-SolveRun scanned(const Problem& problem, OptionMap options) {
+SolveRun scanned(const ProblemStatement& problem, OptionMap options) {
   options["method"] = "published";
   return run_strategy(find_strategy("theta-scan"), options, Scene(problem), {});
 }
@@ -27,8 +27,8 @@ std::int64_t particular(const SolveRun& run, const std::string& name) {
 }
 
 /// The example's graph with the lengths of a placement whose line is the x-axis.
-Problem with_lengths_of(const Figure& placement) {
-  Problem problem = example();
+ProblemStatement with_lengths_of(const Figure& placement) {
+  ProblemStatement problem = example();
   for (DistanceConstraint& c : problem.constraints) {
     const auto [a, b] = c.between;
     const Eigen::Vector3d p = placement.points.col(a);
@@ -77,12 +77,12 @@ TEST_CASE("whatever is coarse is refined, or counted as without a solution") {
 }
 
 TEST_CASE("whichever point of the base is named first, the solutions are the same") {
-  const Problem problem = example();
+  const ProblemStatement problem = example();
   const SolveRun first = scanned(problem, {{"dtheta", "0.25"}, {"delta", "0.5"}});
   REQUIRE(first.assessment.solutions.size() == 6);
   for (int shift = 1; shift < 4; ++shift) {
     const auto renamed = [shift](int entity) { return entity < 4 ? (entity + shift) % 4 : entity; };
-    Problem turned = problem;
+    ProblemStatement turned = problem;
     for (DistanceConstraint& c : turned.constraints)
       c.between = {renamed(c.between[0]), renamed(c.between[1])};
     SolveRun run = scanned(turned, {{"dtheta", "0.25"}, {"delta", "0.5"}});
@@ -99,7 +99,7 @@ TEST_CASE("whichever point of the base is named first, the solutions are the sam
 }
 
 TEST_CASE("the solutions are the same in a frame of points") {
-  Problem problem = example();
+  ProblemStatement problem = example();
   const SolveRun in_line_frame = scanned(problem, {});
   problem.reference = Reference{0, 1, 4};
   const SolveRun in_point_frame = scanned(problem, {});
@@ -124,7 +124,7 @@ TEST_CASE("a fine scan finds the placement that lengths were taken from") {
     placement.points =
         Eigen::Matrix3Xd::NullaryExpr(3, 5, [&](Eigen::Index, Eigen::Index) { return coordinate(random); });
     placement.lines = {LinePosition{}};
-    const Problem problem = with_lengths_of(placement);
+    const ProblemStatement problem = with_lengths_of(placement);
     const SolveRun run = scanned(problem, {{"dtheta", "0.1"}, {"delta", "0.2"}});
     INFO("placement " << i);
     CHECK(run.status == RunStatus::complete);
@@ -140,7 +140,7 @@ TEST_CASE("a fine scan finds the placement that lengths were taken from") {
 TEST_CASE("theta-scan says what it is not for") {
   CHECK(scanned(load_instance("octahedron").problem, {}).status == RunStatus::unsupported);
   CHECK(scanned(load_instance("tangents-durand").problem, {}).status == RunStatus::unsupported);
-  Problem touching = example();
+  ProblemStatement touching = example();
   touching.constraints[1].given = {0, "0"};
   CHECK(scanned(touching, {}).status == RunStatus::unsupported);
 }

@@ -44,7 +44,7 @@ TEST_CASE("smaller steps and the other strategy find the same solutions on rando
 TEST_CASE("smaller steps and the other strategy find the same solutions on the shipped instances") {
   int checked = 0;
   for (const std::string& id : shipped_instances()) {
-    const Problem problem = load_instance(id).problem;
+    const ProblemStatement problem = load_instance(id).problem;
     if (!problem.sketch) continue;
     std::vector<StepBound> bounds = default_step_bounds();
     if (is_long(id)) bounds.resize(2);
@@ -75,8 +75,8 @@ TEST_CASE("a seed gives one problem, and few points hang on exactly d others") {
   int points = 0;
   int hanging = 0;
   for (std::uint64_t seed = 1; seed <= 70; ++seed) {
-    const Problem problem = random_problem(random_scene_kind(seed), seed);
-    const Problem again = random_problem(random_scene_kind(seed), seed);
+    const ProblemStatement problem = random_problem(random_scene_kind(seed), seed);
+    const ProblemStatement again = random_problem(random_scene_kind(seed), seed);
     CHECK(problem.sketch->points == again.sketch->points);
     std::vector<int> degree(problem.points.size(), 0);
     for (std::size_t i = 0; i < problem.constraints.size(); ++i) {

@@ -128,9 +128,9 @@ TEST_CASE("infinitely many solutions are found where there are, and nowhere else
 }
 
 TEST_CASE("scenes scaled by a power of two have exactly scaled lengths") {
-  const Problem tame = load_member("scale-of-two@0").problem;
+  const ProblemStatement tame = load_member("scale-of-two@0").problem;
   for (const int exponent : {100, -100, 1000, -1000}) {
-    const Problem scaled = load_member("scale-of-two@" + std::to_string(exponent)).problem;
+    const ProblemStatement scaled = load_member("scale-of-two@" + std::to_string(exponent)).problem;
     for (std::size_t e = 0; e < tame.constraints.size(); ++e)
       CHECK(scaled.constraints[e].given.value == std::ldexp(tame.constraints[e].given.value, exponent));
     CHECK(scaled.interpolation.bend == std::ldexp(tame.interpolation.bend, exponent));

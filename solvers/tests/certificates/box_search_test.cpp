@@ -10,8 +10,8 @@ using namespace gcs;
 namespace {
 
 /// Base 2; the third point is at (1, ±height), whose square is given in decimals.
-Problem flat_triangle(const std::string& squared_side) {
-  Problem problem;
+ProblemStatement flat_triangle(const std::string& squared_side) {
+  ProblemStatement problem;
   problem.dimension = 2;
   problem.points = {"a", "b", "c"};
   const Decimal side{std::stod(squared_side), squared_side};

@@ -18,8 +18,8 @@ using Realness = Certificate::Realness;
 namespace {
 
 /// Sides 1 and 1 over a base that is given in decimals, in the plane.
-Problem triangle(const std::string& base) {
-  Problem problem;
+ProblemStatement triangle(const std::string& base) {
+  ProblemStatement problem;
   problem.dimension = 2;
   problem.points = {"a", "b", "c"};
   problem.constraints = {{"a1", {0, 1}, {std::stod(base), base}, false},
@@ -52,8 +52,8 @@ Whole whole_placement(RandomNumbers& random) {
   return points;
 }
 
-Problem problem_of(const Whole& points) {
-  Problem problem;
+ProblemStatement problem_of(const Whole& points) {
+  ProblemStatement problem;
   problem.points = {"p1", "p2", "p3", "p4", "p5", "p6"};
   for (const auto& [a, b] : octahedron) {
     const long long square = (points.col(a) - points.col(b)).squaredNorm();

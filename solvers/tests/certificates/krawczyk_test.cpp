@@ -10,8 +10,8 @@ using namespace gcs;
 namespace {
 
 /// Sides 1, 1 and the base: the third point at (base/2, ±√(1 − base²/4)).
-Problem triangle(double base) {
-  Problem problem;
+ProblemStatement triangle(double base) {
+  ProblemStatement problem;
   problem.dimension = 2;
   problem.points = {"a", "b", "c"};
   problem.constraints = {

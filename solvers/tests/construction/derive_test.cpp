@@ -51,7 +51,7 @@ Cost least_cost(int dimension, int points, const Edges& edges) {
   return best;
 }
 
-Edges edges_of(const Problem& problem) {
+Edges edges_of(const ProblemStatement& problem) {
   Edges edges;
   for (const DistanceConstraint& c : problem.constraints) edges.push_back(c.between);
   return edges;
@@ -146,7 +146,7 @@ TEST_CASE("no order of the points is cheaper than the derived one") {
     const int dimension = 2 + sample % 2;
     const int points = dimension + 1 + random.index(7 - dimension);
     CAPTURE(sample, dimension, points);
-    const Problem problem = samples::random_problem(dimension, points, random);
+    const ProblemStatement problem = samples::random_problem(dimension, points, random);
     const Edges edges = edges_of(problem);
     const Scene scene(problem);
     const Plan plan = derive_plan(scene, *scene.sketch(), {});
@@ -160,7 +160,7 @@ TEST_CASE("no order of the points is cheaper than the derived one") {
 }
 
 TEST_CASE("no frame is on an edge that is short beside the scene") {
-  Problem problem = samples::octahedron();
+  ProblemStatement problem = samples::octahedron();
   for (DistanceConstraint& shortened : problem.constraints) {
     const Decimal given = std::exchange(shortened.given, {1e-6, ""});
     const Scene scene(problem);
@@ -198,7 +198,7 @@ TEST_CASE("beyond 20 points the order is greedy but sound") {
 }
 
 TEST_CASE("points with given positions are not placed") {
-  Problem problem = samples::k33();
+  ProblemStatement problem = samples::k33();
   problem.reference.reset();
   problem.constraints.erase(problem.constraints.begin());
   problem.fixed_points.resize(6);
@@ -217,7 +217,7 @@ TEST_CASE("points with given positions are not placed") {
 }
 
 TEST_CASE("a plan given by the file is taken as it is, with driven spheres last") {
-  Problem problem = samples::k33();
+  ProblemStatement problem = samples::k33();
   problem.construction = k33_construction();
   const Scene scene(problem);
   const Plan plan = first_plan(scene, {});
@@ -233,7 +233,7 @@ TEST_CASE("a plan given by the file is taken as it is, with driven spheres last"
 }
 
 TEST_CASE("a plan in words names its instructions, constraints and driving parameters") {
-  Problem problem = samples::k33();
+  ProblemStatement problem = samples::k33();
   problem.construction = k33_construction();
   const Scene scene(problem);
   CHECK(describe_plan(scene, first_plan(scene, {})) ==

@@ -77,7 +77,7 @@ Edges with(Edges edges, const std::array<int, 2>& edge) {
   return edges;
 }
 
-Problem in_space(const Edges& edges) {
+ProblemStatement in_space(const Edges& edges) {
   return samples::problem_of(3, points_of(edges), edges, std::vector<double>(edges.size(), 1.0));
 }
 

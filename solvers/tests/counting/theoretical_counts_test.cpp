@@ -14,7 +14,7 @@ using samples::Edges;
 
 namespace {
 
-Problem graph(int dimension, int points, const Edges& edges) {
+ProblemStatement graph(int dimension, int points, const Edges& edges) {
   return samples::problem_of(dimension, points, edges, std::vector<double>(edges.size(), 1.0));
 }
 
@@ -45,7 +45,7 @@ std::uint64_t orientations_one_by_one(const Edges& edges, const std::vector<int>
 }
 
 /// Adds a point at given distances from the points named.
-Problem with_hanging_point(Problem problem, const std::vector<int>& from) {
+ProblemStatement with_hanging_point(ProblemStatement problem, const std::vector<int>& from) {
   const int point = static_cast<int>(problem.points.size());
   problem.points.push_back("hanging");
   for (const int other : from)
@@ -55,8 +55,8 @@ Problem with_hanging_point(Problem problem, const std::vector<int>& from) {
 
 /// Five points and a line, as in Hoffmann and Yuan 2000: all distances from the line, p5 joined to all, and
 /// the others in a ring.
-Problem pyramid_on_line() {
-  Problem problem = graph(3, 5, {{0, 4}, {1, 4}, {2, 4}, {3, 4}, {0, 1}, {1, 2}, {2, 3}, {3, 0}});
+ProblemStatement pyramid_on_line() {
+  ProblemStatement problem = graph(3, 5, {{0, 4}, {1, 4}, {2, 4}, {3, 4}, {0, 1}, {1, 2}, {2, 3}, {3, 0}});
   problem.lines = {"L"};
   for (int point = 0; point < 5; ++point)
     problem.constraints.push_back({"l" + std::to_string(point), {point, 5}, {1, "1"}, false});
@@ -131,7 +131,7 @@ TEST_CASE("one number in three conventions") {
   check_conventions(*theoretical_counts(graph(3, 3, {{0, 1}, {0, 2}, {1, 2}})).exact, "1", "1", "4");
   check_conventions(*theoretical_counts(graph(3, 2, {{0, 1}})).exact, "1", "1", "2");
   // So are a point and a line.
-  Problem pair = graph(3, 1, {});
+  ProblemStatement pair = graph(3, 1, {});
   pair.lines = {"L"};
   pair.constraints = {{"l", {0, 1}, {1, "1"}, false}};
   check_conventions(theoretical_counts(pair).bound->count, "1", "1", "2");
@@ -152,7 +152,7 @@ TEST_CASE("a point that hangs on d others doubles every number") {
     CHECK(after.up_to_reflection() == before.up_to_reflection() * Natural(2));
     CHECK(after.all_signs() == before.all_signs() * Natural(2));
   };
-  const Problem plane = samples::k33(), space = samples::octahedron();
+  const ProblemStatement plane = samples::k33(), space = samples::octahedron();
   check_doubled(*theoretical_counts(plane).exact,
                 *theoretical_counts(with_hanging_point(plane, {1, 3})).exact);
   check_doubled(theoretical_counts(space).bound->count,
@@ -174,7 +174,7 @@ TEST_CASE("a thousand points one by one have 2^1000 solutions") {
 
 // K4,6 is rigid in space and has no redundant edge (Bolker and Roth 1980).
 TEST_CASE("in space a bound needs a triangle, if only of a hanging point") {
-  const Problem without = graph(3, 10, complete_bipartite(4, 6));
+  const ProblemStatement without = graph(3, 10, complete_bipartite(4, 6));
   const TheoreticalCounts counts = theoretical_counts(without);
   CHECK_FALSE(counts.exact);
   CHECK_FALSE(counts.bound);
@@ -185,20 +185,20 @@ TEST_CASE("in space a bound needs a triangle, if only of a hanging point") {
 }
 
 TEST_CASE("what cannot be counted is refused with the reason") {
-  Problem fixed = samples::octahedron();
+  ProblemStatement fixed = samples::octahedron();
   fixed.fixed_points.resize(fixed.points.size());
   fixed.fixed_points[0] = Eigen::Vector3d::Zero();
   CHECK_THAT(theoretical_counts(fixed).why_no_bound, Catch::Contains("fixed"));
   CHECK_THAT(theoretical_counts(fixed).why_no_exact, Catch::Contains("fixed"));
   CHECK(theoretical_counts(fixed).upper_limit() == nullptr);
-  Problem lines = pyramid_on_line();
+  ProblemStatement lines = pyramid_on_line();
   CHECK_THAT(theoretical_counts(lines).why_no_exact, Catch::Contains("line"));
   lines.lines.emplace_back("M");
   CHECK_THAT(theoretical_counts(lines).why_no_bound, Catch::Contains("more than one line"));
 }
 
 TEST_CASE("a point on the line makes no frame with it") {
-  Problem problem = pyramid_on_line();
+  ProblemStatement problem = pyramid_on_line();
   for (DistanceConstraint& constraint : problem.constraints)
     if (constraint.between[1] == 5) constraint.given = {0, "0"};
   CHECK_THAT(theoretical_counts(problem).why_no_bound, Catch::Contains("above 0"));

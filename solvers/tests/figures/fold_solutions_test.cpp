@@ -14,7 +14,7 @@ namespace {
 Scene narrow_triangle(const std::string& length) {
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 3);
   points.row(0) << 0, 1, 0.5;
-  Problem problem = samples::between(2, {{0, 1}, {0, 2}, {1, 2}}, points, points);
+  ProblemStatement problem = samples::between(2, {{0, 1}, {0, 2}, {1, 2}}, points, points);
   problem.constraints[2].given = {0.5, length};
   return Scene(problem);
 }

@@ -11,15 +11,15 @@ namespace {
 
 using gcs::Figure;
 using gcs::LinePosition;
-using gcs::Problem;
+using gcs::ProblemStatement;
 using gcs::ReflectionClasses;
 using gcs::Scene;
 
 constexpr double tolerance = 1e-9;
 
 /// A chain of distances 1 over the points: enough for a scene of size 1.
-Problem problem_of(int dimension, int points, int lines) {
-  Problem problem;
+ProblemStatement problem_of(int dimension, int points, int lines) {
+  ProblemStatement problem;
   problem.dimension = dimension;
   for (int i = 0; i < points; ++i) problem.points.push_back("p" + std::to_string(i));
   for (int i = 0; i < lines; ++i) problem.lines.push_back("L" + std::to_string(i));
@@ -33,7 +33,7 @@ Problem problem_of(int dimension, int points, int lines) {
 Scene scene_of(int dimension, int points, int lines) { return Scene(problem_of(dimension, points, lines)); }
 
 Scene anchored_scene(int points, int lines) {
-  Problem problem = problem_of(3, points, lines);
+  ProblemStatement problem = problem_of(3, points, lines);
   problem.constraints.resize(1);
   for (int i = 0; i + 1 < points; ++i) problem.fixed_points[i] = Eigen::Vector3d::Unit(i % 3) * 0.5;
   return Scene(problem);
@@ -162,7 +162,7 @@ TEST_CASE("a partial mirror image is another class") {
 }
 
 TEST_CASE("figures are equal within the tolerance relative to the scene's size") {
-  Problem problem = problem_of(3, 3, 0);
+  ProblemStatement problem = problem_of(3, 3, 0);
   for (auto& constraint : problem.constraints) constraint.given.value = 1.75;
   const Scene scene(problem);
   RandomFigures random;
@@ -229,7 +229,7 @@ TEST_CASE("the angle between lines through one point counts") {
   narrow.lines[1].direction = Eigen::Vector3d(1, 1e-4, 0).normalized();
   Figure parallel = figure;
   parallel.lines[1] = line_along(0);
-  Problem problem = problem_of(3, 1, 2);
+  ProblemStatement problem = problem_of(3, 1, 2);
   problem.constraints = {{"a1", {0, 1}, {1, "1"}, false}};
   const std::vector<Figure> figures{figure, narrow, parallel};
   CHECK(gcs::reflection_classes(Scene(problem), figures, tolerance).count() == 3);

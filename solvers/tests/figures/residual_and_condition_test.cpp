@@ -12,7 +12,7 @@ using samples::RandomNumbers;
 namespace {
 
 /// Sides 3, 4, 5: every distance is exact.
-Problem right_triangle() {
+ProblemStatement right_triangle() {
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 3);
   points.col(1) << 4, 0, 0;
   points.col(2) << 0, 3, 0;
@@ -102,7 +102,7 @@ TEST_CASE("the residual of a figure that is not finite is infinite") {
 }
 
 TEST_CASE("distances to lines enter the residual") {
-  Problem problem = samples::problem_of(3, 1, {{0, 1}}, {2});
+  ProblemStatement problem = samples::problem_of(3, 1, {{0, 1}}, {2});
   problem.lines = {"L"};
   const Scene scene(problem);
   Figure figure;

@@ -13,7 +13,7 @@ namespace {
 
 const auto never = [] { return false; };
 
-SquareSystem system_of(const Problem& problem) {
+SquareSystem system_of(const ProblemStatement& problem) {
   const Scene scene(problem);
   return square_system(DistanceSystem(scene));
 }

@@ -17,7 +17,7 @@ const auto never = [] { return false; };
 
 /// Everything that a search and a homotopy need, for one problem.
 struct Setting {
-  explicit Setting(const Problem& problem, std::uint64_t seed = 1, int threads = 1)
+  explicit Setting(const ProblemStatement& problem, std::uint64_t seed = 1, int threads = 1)
       : random(seed),
         scene(problem),
         coordinates(scene),
@@ -88,7 +88,8 @@ TEST_CASE("loops find as many solutions as the bound of a ring of hinged bodies 
   for (const std::vector<bool>& meets : patterns) {
     const samples::Edges edges = samples::hinged_ring_edges(meets);
     const int points = 6 + static_cast<int>(std::count(meets.begin(), meets.end(), false));
-    const Problem problem = samples::problem_of(3, points, edges, std::vector<double>(edges.size(), 1.0));
+    const ProblemStatement problem =
+        samples::problem_of(3, points, edges, std::vector<double>(edges.size(), 1.0));
     const auto counts = theoretical_counts(problem);
     REQUIRE(counts.bound);
     REQUIRE(counts.bound->ring.size() == 6);
@@ -116,7 +117,7 @@ TEST_CASE("the solutions found solve the equations and are distinct") {
 TEST_CASE("a trace test finds the counts that are known") {
   // Sources as above.
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    for (const Problem& problem : {samples::k33(), samples::octahedron()}) {
+    for (const ProblemStatement& problem : {samples::k33(), samples::octahedron()}) {
       const TraceTest test = Setting(problem, seed).trace(24);
       CHECK(test.passed());
       CHECK(test.solutions == 8);
@@ -175,7 +176,7 @@ TEST_CASE("a flat triangle is a singular end of winding number 2") {
 TEST_CASE("lengths whose signed sum vanishes send paths to infinity") {
   // theory.md names the octahedron's condition: the edges from 2 to 3, 3 to 5, 5 to 6 and 6 to 2 form a
   // closed walk whose lengths are ±a23 ± a35 = ±a26 ± a56.
-  Problem problem = samples::octahedron();
+  ProblemStatement problem = samples::octahedron();
   const auto length = [&](int a, int b) -> double& {
     for (DistanceConstraint& c : problem.constraints)
       if ((c.between[0] == a && c.between[1] == b) || (c.between[0] == b && c.between[1] == a))

@@ -41,7 +41,7 @@ struct Samples {
 
 TEST_CASE("factors in lanes solve what a pivoting factorisation solves") {
   std::mt19937_64 random(21);
-  for (const Problem& problem : {samples::k33(), samples::octahedron()}) {
+  for (const ProblemStatement& problem : {samples::k33(), samples::octahedron()}) {
     const Samples sample(square_system(DistanceSystem(Scene(problem))), random);
     LaneFactors<Complex<Lanes>> factors(sample.elimination);
     // Twice, as the second Jacobian must not meet what is left of the first one.

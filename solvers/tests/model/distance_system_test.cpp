@@ -15,7 +15,7 @@ using samples::RandomNumbers;
 namespace {
 
 /// A flat triangle: p3 between p1 and p2, lengths 2, 1, 1.
-Problem flat_triangle() {
+ProblemStatement flat_triangle() {
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 3);
   points.row(0) << 0, 2, 1;
   return samples::between(2, {{0, 1}, {0, 2}, {1, 2}}, points, points);
@@ -37,7 +37,7 @@ long double half_square_difference(const DistanceSystem& system, const Eigen::Ve
   return sum / 2;
 }
 
-void check_jacobian(const Problem& problem) {
+void check_jacobian(const ProblemStatement& problem) {
   const Scene scene(problem);
   const DistanceSystem system(scene);
   REQUIRE(system.unknowns() == system.equations());
@@ -59,7 +59,7 @@ void check_jacobian(const Problem& problem) {
 }
 
 /// A problem whose targets are the sketch's own lengths.
-Problem at_rest(Problem problem) {
+ProblemStatement at_rest(ProblemStatement problem) {
   for (DistanceConstraint& c : problem.constraints) {
     const Eigen::Matrix3Xd& points = problem.sketch->points;
     c.given.value = (points.col(c.between[0]) - points.col(c.between[1])).norm();
@@ -95,7 +95,7 @@ TEST_CASE("the frame leaves exactly the coordinates that it does not fix") {
 }
 
 TEST_CASE("coordinates and figures are two forms of the same") {
-  for (const Problem& problem : {samples::k33(), samples::octahedron()}) {
+  for (const ProblemStatement& problem : {samples::k33(), samples::octahedron()}) {
     const Scene scene(problem);
     const DistanceSystem system(scene);
     const Eigen::VectorXd x = system.coordinates(*scene.sketch());
@@ -105,7 +105,7 @@ TEST_CASE("coordinates and figures are two forms of the same") {
 }
 
 TEST_CASE("points with given positions are no unknowns and enter the figures scaled") {
-  Problem problem = samples::problem_of(2, 3, {{0, 2}, {1, 2}}, {5, 5});
+  ProblemStatement problem = samples::problem_of(2, 3, {{0, 2}, {1, 2}}, {5, 5});
   problem.fixed_points = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(6, 0, 0), std::nullopt};
   const Scene scene(problem);
   const DistanceSystem system(scene);
@@ -130,7 +130,7 @@ TEST_CASE("the Jacobian is the derivative of the half squared distances") {
 TEST_CASE("squared lengths are taken from the file without rounding") {
   RandomNumbers random(2);
   for (const bool squared : {false, true}) {
-    Problem problem = samples::octahedron();
+    ProblemStatement problem = samples::octahedron();
     for (DistanceConstraint& c : problem.constraints) {
       c.is_squared = squared;
       c.given.value = random.uniform(0.1, 40);
@@ -185,7 +185,7 @@ TEST_CASE("Newton's method reports failure and leaves the point as it came") {
     CHECK(x == before);
   }
   SECTION("where the lengths cannot be met") {
-    Problem problem = flat_triangle();
+    ProblemStatement problem = flat_triangle();
     problem.constraints[1].given.value = 0.5;
     problem.constraints[2].given.value = 0.5;
     const Scene scene(problem);
@@ -205,7 +205,7 @@ TEST_CASE("Newton's method reports failure and leaves the point as it came") {
 }
 
 TEST_CASE("with a line in the frame, the derivatives are those of squared distances") {
-  Problem problem = samples::problem_of(3, 2, {{0, 2}, {2, 1}, {0, 1}}, {1, 2, 3});
+  ProblemStatement problem = samples::problem_of(3, 2, {{0, 2}, {2, 1}, {0, 1}}, {1, 2, 3});
   problem.lines = {"L"};
   problem.reference = Reference{-1, -1, -1, 0, 1};
   const Scene scene(problem);
@@ -225,7 +225,7 @@ TEST_CASE("with a line in the frame, the derivatives are those of squared distan
 }
 
 TEST_CASE("target squares are those of the decimals") {
-  Problem problem = flat_triangle();
+  ProblemStatement problem = flat_triangle();
   problem.constraints[0].given = {1.1, "1.1"};
   problem.constraints[1].given = {1.21, "1.21"};
   problem.constraints[1].is_squared = true;

@@ -47,9 +47,9 @@ Placement random_placement(RandomNumbers& random, bool is_real) {
 }
 
 /// The problem that the placement solves; of a complex line the distances are some others.
-Problem problem_of(const Placement& placement) {
+ProblemStatement problem_of(const Placement& placement) {
   const int given = static_cast<int>(placement.given.cols());
-  Problem problem;
+  ProblemStatement problem;
   problem.lines = {"L"};
   problem.fixed_lines.resize(1);
   const auto add = [&](int a, int b, double length) {
@@ -119,7 +119,7 @@ struct Tie {
 };
 
 /// By the first three constraints of the problem that name the point second.
-Tie tie_of(const Problem& problem, int point) {
+Tie tie_of(const ProblemStatement& problem, int point) {
   Tie tie;
   std::size_t count = 0;
   for (const DistanceConstraint& constraint : problem.constraints) {
@@ -197,10 +197,10 @@ TEST_CASE("the base is far from flat however flat or narrow the given points are
     const double flatness = std::pow(10, -(i % 5));
     if (i >= 10) placement.given.row(2) *= flatness;
     if (i >= 20) placement.given.row(1) *= flatness;
-    const Problem problem = problem_of(placement);
+    const ProblemStatement problem = problem_of(placement);
     const Scene given(problem);
     const ReleasedScene released(given);
-    const Problem& free = released.scene().problem();
+    const ProblemStatement& free = released.scene().problem();
     // Of the base 0 1 2 3 the edges 01, 02, 12, 03, 13, 23; the first is the longest distance given.
     const auto square = [&](std::size_t k) {
       return free.constraints[problem.constraints.size() + k].given.value;
@@ -219,7 +219,7 @@ TEST_CASE("points on one line or in one place, and a given line, are refused") {
   RandomNumbers random(6);
   Placement placement = random_placement(random, true);
   CHECK_FALSE(why_not_released(Scene(problem_of(placement))));
-  Problem with_line = problem_of(placement);
+  ProblemStatement with_line = problem_of(placement);
   with_line.fixed_lines[0] = LinePosition{};
   CHECK(why_not_released(Scene(with_line)));
   placement.given.col(3) = placement.given.col(0);

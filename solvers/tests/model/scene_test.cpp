@@ -69,13 +69,14 @@ Figure random_figure(const Scene& scene, RandomNumbers& random) {
 }
 
 /// A line and five points, each at a distance from the line, in any reference.
-Problem line_problem() {
-  Problem problem = samples::problem_of(3, 5, {{0, 5}, {1, 5}, {2, 5}, {3, 5}, {4, 5}}, {1, 1, 1, 1, 1});
+ProblemStatement line_problem() {
+  ProblemStatement problem =
+      samples::problem_of(3, 5, {{0, 5}, {1, 5}, {2, 5}, {3, 5}, {4, 5}}, {1, 1, 1, 1, 1});
   problem.lines = {"L"};
   return problem;
 }
 
-Problem scaled(Problem problem, int exponent) {
+ProblemStatement scaled(ProblemStatement problem, int exponent) {
   for (DistanceConstraint& c : problem.constraints)
     c.given.value = std::ldexp(c.given.value, c.is_squared ? 2 * exponent : exponent);
   problem.sketch->points =
@@ -109,7 +110,7 @@ TEST_CASE("moving into the frame keeps all distances and the orientation") {
 
 TEST_CASE("a figure in the frame stays where it is") {
   RandomNumbers random(2);
-  for (const Problem& problem : {samples::k33(), samples::octahedron(), line_problem()}) {
+  for (const ProblemStatement& problem : {samples::k33(), samples::octahedron(), line_problem()}) {
     const Scene scene(problem);
     double worst = 0;
     for (int sample = 0; sample < 200; ++sample) {
@@ -155,9 +156,9 @@ TEST_CASE("a line as reference becomes the x-axis, its height point goes to the 
 
 TEST_CASE("the representative of a class does not depend on position or mirror image") {
   RandomNumbers random(5);
-  Problem two_lines = line_problem();
+  ProblemStatement two_lines = line_problem();
   two_lines.lines = {"L", "M"};
-  for (const Problem& problem : {samples::k33(), samples::octahedron(), line_problem(), two_lines}) {
+  for (const ProblemStatement& problem : {samples::k33(), samples::octahedron(), line_problem(), two_lines}) {
     const Scene scene(problem);
     double worst = 0;
     for (int sample = 0; sample < 300; ++sample) {
@@ -187,7 +188,7 @@ TEST_CASE("the first point off the mirror is on its positive side") {
 }
 
 TEST_CASE("scaling the file by a power of two changes no bit of the scene") {
-  for (const Problem& problem : {samples::k33(), samples::octahedron()}) {
+  for (const ProblemStatement& problem : {samples::k33(), samples::octahedron()}) {
     const Scene scene(problem);
     for (const int exponent : {-900, -37, -1, 1, 40, 900}) {
       const Scene other(scaled(problem, exponent));
@@ -204,7 +205,7 @@ TEST_CASE("scaling the file by a power of two changes no bit of the scene") {
 }
 
 TEST_CASE("squared lengths scale like lengths") {
-  Problem problem = samples::octahedron();
+  ProblemStatement problem = samples::octahedron();
   for (DistanceConstraint& c : problem.constraints) {
     c.is_squared = true;
     c.given.value *= c.given.value;
@@ -217,7 +218,8 @@ TEST_CASE("squared lengths scale like lengths") {
 
 TEST_CASE("lengths of 1e-300 and 1e300 become lengths near 1 and back") {
   for (const double size : {1e-300, 1e300}) {
-    Problem problem = samples::problem_of(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {4 * size, 3 * size, 5 * size});
+    ProblemStatement problem =
+        samples::problem_of(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {4 * size, 3 * size, 5 * size});
     Figure sketch;
     sketch.points = Eigen::Matrix3Xd::Zero(3, 3);
     sketch.points.col(1) << 0, 4 * size, 0;
@@ -238,7 +240,7 @@ TEST_CASE("lengths of 1e-300 and 1e300 become lengths near 1 and back") {
 }
 
 TEST_CASE("the lengths travel from the sketch's to the given ones, one of them bent") {
-  Problem problem = samples::octahedron();
+  ProblemStatement problem = samples::octahedron();
   for (const int bent : {-1, 4}) {
     problem.interpolation = {bent, 3};
     const Scene scene(problem);
@@ -259,7 +261,7 @@ TEST_CASE("the lengths travel from the sketch's to the given ones, one of them b
 }
 
 TEST_CASE("the default reference is the first triple of pairwise constrained points") {
-  Problem problem = samples::octahedron();
+  ProblemStatement problem = samples::octahedron();
   problem.reference.reset();
   const Reference triangle = Scene(problem).reference();
   CHECK(triangle.origin == 0);
@@ -290,7 +292,7 @@ TEST_CASE("a graph without triangles is put into a frame by its first points") {
 }
 
 TEST_CASE("given positions are kept as they are") {
-  Problem problem = samples::problem_of(2, 3, {{0, 2}, {1, 2}}, {5, 5});
+  ProblemStatement problem = samples::problem_of(2, 3, {{0, 2}, {1, 2}}, {5, 5});
   problem.fixed_points = {Eigen::Vector3d(1, 2, 0), Eigen::Vector3d(-3, 2, 0), std::nullopt};
   const Scene scene(problem);
   CHECK(scene.is_anchored());

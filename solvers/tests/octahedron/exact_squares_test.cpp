@@ -32,8 +32,8 @@ Octahedron core_of(const Scene& scene) {
 }
 
 /// The sample octahedron with other points; lengths are doubles.
-Problem octahedron_of(const Eigen::Matrix3Xd& points) {
-  Problem problem = samples::octahedron();
+ProblemStatement octahedron_of(const Eigen::Matrix3Xd& points) {
+  ProblemStatement problem = samples::octahedron();
   for (DistanceConstraint& constraint : problem.constraints) {
     const auto [a, b] = constraint.between;
     constraint.given = {(points.col(a) - points.col(b)).norm(), ""};
@@ -87,7 +87,7 @@ TEST_CASE("Bricard's octahedra of the first two types are proven to flex, others
   for (const bool turns : {true, false})
     for (int i = 0; i < 10; ++i) {
       const Octahedron octahedron = core_of(Scene(samples::octahedron()));
-      Problem problem = octahedron_of(flexible(octahedron, turns, numbers));
+      ProblemStatement problem = octahedron_of(flexible(octahedron, turns, numbers));
       const Scene scene(problem);
       CHECK(is_proven_to_flex(scene, core_of(scene)));
       problem.constraints[static_cast<std::size_t>(i)].given.value *= 1.25;
@@ -97,9 +97,9 @@ TEST_CASE("Bricard's octahedra of the first two types are proven to flex, others
 }
 
 TEST_CASE("walks are stretched by the decimals of the file") {
-  Problem problem = samples::octahedron();
+  ProblemStatement problem = samples::octahedron();
   for (DistanceConstraint& constraint : problem.constraints) constraint.given = {1, "1"};
-  const auto walks = [](const Problem& given) {
+  const auto walks = [](const ProblemStatement& given) {
     const Scene scene(given);
     return stretched_walks(scene, core_of(scene));
   };

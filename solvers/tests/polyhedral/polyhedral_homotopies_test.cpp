@@ -70,12 +70,12 @@ void check_zeros(const Supports& supports, std::int64_t mixed_volume) {
   CHECK(smallest_distance(found.zeros) > 1e-6);
 }
 
-std::vector<int> axes_of(const Problem& problem) {
+std::vector<int> axes_of(const ProblemStatement& problem) {
   const Scene scene(problem);
   return mirror_axes(scene, DistanceSystem(scene));
 }
 
-SparseEquations coordinates_of(const Problem& problem, std::mt19937_64& random) {
+SparseEquations coordinates_of(const ProblemStatement& problem, std::mt19937_64& random) {
   const DistanceSystem system((Scene(problem)));
   return coordinate_equations(square_system(system), random_complex_vector(system.unknowns(), random));
 }

@@ -21,8 +21,9 @@ Natural mixed_volume(const Supports& supports) {
   return cells.total_volume();
 }
 
-Problem graph(int dimension, int points, const Edges& edges, const Reference& reference) {
-  Problem problem = samples::problem_of(dimension, points, edges, std::vector<double>(edges.size(), 1.0));
+ProblemStatement graph(int dimension, int points, const Edges& edges, const Reference& reference) {
+  ProblemStatement problem =
+      samples::problem_of(dimension, points, edges, std::vector<double>(edges.size(), 1.0));
   problem.reference = reference;
   return problem;
 }
@@ -40,11 +41,11 @@ Supports sphere_supports(const DistanceSystem& system) {
   return sphere_equations(system, random_placement(system)).supports;
 }
 
-Natural coordinate_volume(const Problem& problem) {
+Natural coordinate_volume(const ProblemStatement& problem) {
   return mixed_volume(coordinate_supports(DistanceSystem(Scene(problem))));
 }
 
-Natural sphere_volume(const Problem& problem) {
+Natural sphere_volume(const ProblemStatement& problem) {
   return mixed_volume(sphere_supports(DistanceSystem(Scene(problem))));
 }
 
@@ -86,7 +87,7 @@ double relative_residual(const SparseEquations& equations, const ComplexVectorX&
 }
 
 /// With the problem's own reference held fixed.
-Natural bezout_bound(const Problem& problem) {
+Natural bezout_bound(const ProblemStatement& problem) {
   BoundProblem bound{problem.dimension, {}, std::vector<bool>(problem.points.size(), false), {}};
   for (const DistanceConstraint& constraint : problem.constraints) bound.edges.push_back(constraint.between);
   std::vector<int>& reference = bound.references.emplace_back();
@@ -125,7 +126,7 @@ TEST_CASE("a reference whose distance is not given stays unknown among the spher
 }
 
 TEST_CASE("spheres of points that the file fixes") {
-  Problem problem = samples::problem_of(2, 3, {{0, 2}, {1, 2}}, {2, 2});
+  ProblemStatement problem = samples::problem_of(2, 3, {{0, 2}, {1, 2}}, {2, 2});
   problem.fixed_points = {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), std::nullopt};
   CHECK(sphere_supports(DistanceSystem(Scene(problem))) == Supports{{{0, 0, 1}, {2, 0, 0}, {0, 2, 0}},
                                                                     {{0, 0, 1}, {1, 0, 0}, {0, 0, 0}},
@@ -143,7 +144,7 @@ TEST_CASE("coordinates have the total degree") {
 // Bartzos, Emiris and Schicho 2020 give 16 for the octahedron.
 TEST_CASE("spheres meet the multihomogeneous bound of the octahedron and the disulfide bond") {
   CHECK(sphere_volume(samples::octahedron()) == Natural(16));
-  const Problem disulfide = graph(3, 8, samples::disulfide_edges(), {0, 7, 1});
+  const ProblemStatement disulfide = graph(3, 8, samples::disulfide_edges(), {0, 7, 1});
   CHECK(sphere_volume(disulfide) == Natural(128));
   CHECK(bezout_bound(disulfide) == Natural(128));
 }
@@ -152,12 +153,12 @@ TEST_CASE("spheres meet the multihomogeneous bound of the octahedron and the dis
 // them; every point's coordinates and s as one group make Bézout's bound one of polytopes that contain these.
 TEST_CASE("the mixed volume of spheres is between the number of solutions and the multihomogeneous bound") {
   samples::RandomNumbers random(3);
-  std::vector<Problem> problems{samples::k33(), graph(2, 6, prism_edges, {0, 1})};
+  std::vector<ProblemStatement> problems{samples::k33(), graph(2, 6, prism_edges, {0, 1})};
   for (int i = 0; i < 12; ++i) {
     const Edges edges = samples::random_rigid_graph(2, 7, random);
     problems.push_back(graph(2, 7, edges, {edges[0][0], edges[0][1]}));
   }
-  for (const Problem& problem : problems) {
+  for (const ProblemStatement& problem : problems) {
     const Natural volume = sphere_volume(problem);
     CHECK(volume <= bezout_bound(problem));
     CHECK(volume >= theoretical_counts(problem).exact->fixed_frame);
@@ -165,9 +166,9 @@ TEST_CASE("the mixed volume of spheres is between the number of solutions and th
 }
 
 TEST_CASE("both formulations vanish at the placement whose lengths they have") {
-  Problem fixed = samples::problem_of(2, 4, {{0, 2}, {1, 3}, {2, 3}, {1, 2}}, {2, 2, 2, 2});
+  ProblemStatement fixed = samples::problem_of(2, 4, {{0, 2}, {1, 3}, {2, 3}, {1, 2}}, {2, 2, 2, 2});
   fixed.fixed_points = {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(2, 1, 0), std::nullopt, std::nullopt};
-  for (const Problem& problem : {samples::k33(), samples::octahedron(), fixed}) {
+  for (const ProblemStatement& problem : {samples::k33(), samples::octahedron(), fixed}) {
     const DistanceSystem system((Scene(problem)));
     const ComplexVectorX x = random_placement(system);
     CHECK(relative_residual(coordinate_equations(square_system(system), x), x) < 1e-14);

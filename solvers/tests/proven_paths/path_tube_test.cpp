@@ -150,7 +150,7 @@ TEST_CASE("the whole ellipse is proven, with its two crossings") {
 }
 
 TEST_CASE("a path that touches t = 1 is not proven and says why") {
-  Problem problem = thin_ellipse();
+  ProblemStatement problem = thin_ellipse();
   // The target is the end of the ellipse: both arcs meet there, and t turns back.
   problem.constraints[1].given.value = base / 2 + semi_major;
   problem.constraints[2].given.value = semi_major - base / 2;
@@ -163,7 +163,7 @@ TEST_CASE("a path that touches t = 1 is not proven and says why") {
 }
 
 TEST_CASE("a path through a singular point is not proven and says why") {
-  Problem problem = thin_ellipse();
+  ProblemStatement problem = thin_ellipse();
   // The second side is 0.5 + 0.005·(1 − 2t)²: at t = 1/2 the point lies on the base, where two arcs cross.
   problem.constraints[1].given.value = side_at_start;
   problem.constraints[2].given.value = sum_of_sides - side_at_start;

@@ -21,8 +21,8 @@ inline Eigen::Vector3d corner(double side) {
   return {x, std::sqrt(side * side - x * x), 0};
 }
 
-inline Problem thin_ellipse() {
-  Problem problem;
+inline ProblemStatement thin_ellipse() {
+  ProblemStatement problem;
   problem.dimension = 2;
   problem.points = {"a", "b", "c"};
   problem.constraints = {{"a1", {0, 1}, {base, ""}, false},

@@ -21,7 +21,7 @@ namespace {
 constexpr int order = 12;
 
 struct AtSketch {
-  explicit AtSketch(const Problem& problem)
+  explicit AtSketch(const ProblemStatement& problem)
       : scene(problem),
         system(scene),
         data(enclose_path_data(scene, system)),
@@ -38,8 +38,8 @@ struct AtSketch {
   TubeSeries series;
 };
 
-std::vector<Problem> problems() {
-  std::vector<Problem> result{samples::k33(), samples::octahedron()};
+std::vector<ProblemStatement> problems() {
+  std::vector<ProblemStatement> result{samples::k33(), samples::octahedron()};
   RandomNumbers random(3);
   result.push_back(samples::random_problem(2, 8, random));
   result.push_back(samples::random_problem(3, 7, random));
@@ -96,7 +96,7 @@ Quad distance(const QuadPoint& a, const QuadPoint& b) {
 }  // namespace
 
 TEST_CASE("a section's rows are exactly in the hyperplane and invert the Jacobian") {
-  for (const Problem& problem : problems()) {
+  for (const ProblemStatement& problem : problems()) {
     const AtSketch test(problem);
     const Eigen::MatrixXd jacobian = test.series.jacobian();
     CurveSection section;
@@ -128,7 +128,7 @@ TEST_CASE("a singular Jacobian has no section") {
 
 TEST_CASE("bounds along a polynomial hold for samples, and are sharp") {
   RandomNumbers random(7);
-  for (const Problem& problem : problems()) {
+  for (const ProblemStatement& problem : problems()) {
     const AtSketch test(problem);
     const ArcSeries& arc = test.series.curve();
     for (const double tolerance : {1e-12, 1e-7, 1e-3}) {
@@ -153,7 +153,7 @@ TEST_CASE("bounds along a polynomial hold for samples, and are sharp") {
 
 TEST_CASE("the bound on the residual's slope holds between samples") {
   RandomNumbers random(8);
-  for (const Problem& problem : problems()) {
+  for (const ProblemStatement& problem : problems()) {
     const AtSketch test(problem);
     TubeBounds bounds;
     const double h = test.series.curve().step_for(1e-4);
@@ -171,7 +171,7 @@ TEST_CASE("the bound on the residual's slope holds between samples") {
 
 TEST_CASE("the enclosed start has the sketch's exact distances, far from the origin too") {
   for (const double far : {0.0, 1e6}) {
-    for (Problem problem : problems()) {
+    for (ProblemStatement problem : problems()) {
       for (int axis = 0; axis < problem.dimension; ++axis)
         problem.sketch->points.row(axis).array() += far * (axis + 1);
       const Scene scene(problem);
@@ -197,7 +197,7 @@ TEST_CASE("the enclosed start has the sketch's exact distances, far from the ori
 }
 
 TEST_CASE("a sketch that does not determine the frame has no finite start") {
-  Problem problem = samples::octahedron();
+  ProblemStatement problem = samples::octahedron();
   problem.sketch->points.col(2) = 2 * problem.sketch->points.col(1);
   const Scene scene(problem);
   CHECK_FALSE(enclose_path_data(scene, DistanceSystem(scene)).is_finite());

@@ -19,8 +19,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// Distances of all five points (the apex last) to the x-axis, of the four others to the apex and around.
-Problem pyramid_of(const Eigen::Matrix3Xd& points) {
-  Problem problem = samples::problem_of(3, 5, {}, {});
+ProblemStatement pyramid_of(const Eigen::Matrix3Xd& points) {
+  ProblemStatement problem = samples::problem_of(3, 5, {}, {});
   problem.lines = {"L"};
   const auto add = [&](int a, int b, double length) {
     problem.constraints.push_back({"c", {a, b}, {length, ""}, false});
@@ -97,7 +97,7 @@ bool satisfies_all_but_gap(const Pyramid& p, const PyramidBranch& branch) {
 
 TEST_CASE("a pyramid over a line is recognised under any names and orders") {
   RandomNumbers random(1);
-  Problem problem = pyramid_of(random.points(3, 5, 2));
+  ProblemStatement problem = pyramid_of(random.points(3, 5, 2));
   const auto pyramid = find_pyramid(Scene(problem));
   REQUIRE(pyramid);
   CHECK(pyramid->apex == 4);
@@ -119,12 +119,12 @@ TEST_CASE("a pyramid over a line is recognised under any names and orders") {
 
 TEST_CASE("what is no pyramid over a line is not taken for one") {
   RandomNumbers random(1);
-  const Problem problem = pyramid_of(random.points(3, 5, 2));
-  Problem fixed = problem;
+  const ProblemStatement problem = pyramid_of(random.points(3, 5, 2));
+  ProblemStatement fixed = problem;
   fixed.fixed_points = std::vector<std::optional<Eigen::Vector3d>>(5);
   fixed.fixed_points[0] = Eigen::Vector3d::UnitX();
   CHECK_FALSE(find_pyramid(Scene(fixed)));
-  Problem other_graph = problem;
+  ProblemStatement other_graph = problem;
   other_graph.constraints[12].between = {0, 2};  // two triangles and a path instead of a cycle
   CHECK_FALSE(find_pyramid(Scene(other_graph)));
   CHECK_FALSE(find_pyramid(Scene(samples::octahedron())));

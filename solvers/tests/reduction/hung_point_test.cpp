@@ -12,8 +12,8 @@ using samples::RandomNumbers;
 namespace {
 
 /// Points 0, 1 and, hung on them, 2, in the plane, with lengths as a file writes them.
-Problem triangle(const std::string& base, const std::string& first, const std::string& second) {
-  Problem problem = samples::problem_of(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {1, 1, 1});
+ProblemStatement triangle(const std::string& base, const std::string& first, const std::string& second) {
+  ProblemStatement problem = samples::problem_of(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {1, 1, 1});
   const std::array texts{base, first, second};
   for (std::size_t i = 0; i < 3; ++i) problem.constraints[i].given = {std::stod(texts[i]), texts[i]};
   return problem;
@@ -21,7 +21,9 @@ Problem triangle(const std::string& base, const std::string& first, const std::s
 
 const Part third_on_first_two{{0, 1}, {0}, {2}, {1, 2}};
 
-HungPlace place_of(const Problem& problem) { return exact_place(Scene(problem), third_on_first_two); }
+HungPlace place_of(const ProblemStatement& problem) {
+  return exact_place(Scene(problem), third_on_first_two);
+}
 
 }  // namespace
 
@@ -69,8 +71,8 @@ TEST_CASE("whether a point is flat is decided by the decimals") {
 TEST_CASE("measured and given bases give the same place") {
   RandomNumbers random(3);
   for (int trial = 0; trial < 50; ++trial) {
-    const Problem problem = samples::between(3, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}},
-                                             random.points(3, 4, 1), random.points(3, 4, 1));
+    const ProblemStatement problem = samples::between(3, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}},
+                                                      random.points(3, 4, 1), random.points(3, 4, 1));
     const Scene scene(problem);
     const Part hung{{0, 1, 2}, {0, 1, 2}, {3}, {3, 4, 5}};
     REQUIRE(hung.has_given_base());

@@ -143,8 +143,8 @@ TEST_CASE("a thousand hung points cost no step of the tracker") {
   RandomNumbers random(13);
   Graph graph = samples::octahedron_graph();
   samples::hang_at_random(graph, 1000, 6, random);
-  const Problem problem = samples::placed_at_random(graph, random);
-  Problem core = problem;
+  const ProblemStatement problem = samples::placed_at_random(graph, random);
+  ProblemStatement core = problem;
   core.points.resize(6);
   core.sketch->points.conservativeResize(3, 6);
   core.constraints.resize(12);
@@ -193,7 +193,7 @@ TEST_CASE("on the core's path hung points stay on the sketch's side") {
   samples::hang_at_random(graph, 5, 0, random);
   std::size_t placed = 0;
   for (int trial = 0; trial < 3; ++trial) {
-    const Problem problem = samples::placed_at_random(graph, random);
+    const ProblemStatement problem = samples::placed_at_random(graph, random);
     const Scene scene(problem);
     for (const char* name : {"full-space", "rcp"}) {
       const SolveReport report = solve(name, scene, "on");
@@ -236,7 +236,7 @@ TEST_CASE("the number of some solutions is no total") {
 
 TEST_CASE("a flat point counts once, as a double solution") {
   // p3 off the segment p1–p2, p4 on it, and p5 and p6 hang on both.
-  Problem problem =
+  ProblemStatement problem =
       samples::problem_of(2, 6, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 4}, {3, 4}, {2, 5}, {3, 5}},
                           {3, 2.5, 2.5, 1, 2, 2, 2, 2.2, 1.9});
   const Scene scene(problem);

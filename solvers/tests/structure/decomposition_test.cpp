@@ -14,7 +14,7 @@ using samples::RandomNumbers;
 
 namespace {
 
-Problem problem_of(const Graph& graph) {
+ProblemStatement problem_of(const Graph& graph) {
   return samples::problem_of(graph.dimension, graph.points, graph.edges,
                              std::vector<double>(graph.edges.size(), 1.0));
 }
@@ -24,7 +24,7 @@ std::ptrdiff_t solved_parts(const std::vector<Part>& parts) {
 }
 
 /// Every point is placed once, on d points that are there; a part with several points is rigid on its own.
-void check_parts(const Problem& problem, const std::vector<Part>& parts) {
+void check_parts(const ProblemStatement& problem, const std::vector<Part>& parts) {
   std::set<int> placed, constraints;
   for (const Part& part : parts) {
     CHECK(part.base.size() == (placed.empty() ? 0U : static_cast<std::size_t>(problem.dimension)));
@@ -59,7 +59,7 @@ TEST_CASE("scenes fall into their parts, whatever the order of the points") {
     Graph graph = samples::chain_of_octahedra(1 + trial % 4);
     const int hung = random.index(6);
     samples::hang_at_random(graph, hung, 0, random);
-    const Problem problem = problem_of(samples::relabelled(graph, random));
+    const ProblemStatement problem = problem_of(samples::relabelled(graph, random));
     const auto parts = decompose(problem, Split::all);
     check_parts(problem, parts);
     CHECK(solved_parts(parts) == 1 + trial % 4);
@@ -70,7 +70,8 @@ TEST_CASE("scenes fall into their parts, whatever the order of the points") {
 
 TEST_CASE("a triangle that three octahedra share joins them all") {
   const Graph octahedron = samples::chain_of_octahedra(1);
-  const Problem problem = problem_of(glued(glued(octahedron, octahedron, {0, 1, 2}), octahedron, {0, 1, 2}));
+  const ProblemStatement problem =
+      problem_of(glued(glued(octahedron, octahedron, {0, 1, 2}), octahedron, {0, 1, 2}));
   const auto parts = decompose(problem, Split::all);
   check_parts(problem, parts);
   CHECK(solved_parts(parts) == 3);
@@ -79,7 +80,7 @@ TEST_CASE("a triangle that three octahedra share joins them all") {
 TEST_CASE("in the plane an edge separates") {
   const Graph k33 = samples::k33_graph();
   const auto [a, b] = k33.edges.front();
-  const Problem problem = problem_of(glued(k33, k33, {a, b}));
+  const ProblemStatement problem = problem_of(glued(k33, k33, {a, b}));
   const auto parts = decompose(problem, Split::all);
   check_parts(problem, parts);
   CHECK(solved_parts(parts) == 2);
@@ -91,7 +92,7 @@ TEST_CASE("a simplex between two cores is placed by the distances of its point")
   const std::array graphs{samples::with_simplex_between(samples::k33_graph(), {a, b}),
                           samples::with_simplex_between(samples::chain_of_octahedra(1), {0, 1, 2})};
   for (int trial = 0; trial < 20; ++trial) {
-    const Problem problem = problem_of(samples::relabelled(graphs[trial % 2], random));
+    const ProblemStatement problem = problem_of(samples::relabelled(graphs[trial % 2], random));
     const auto parts = decompose(problem, Split::all);
     check_parts(problem, parts);
     CHECK(parts.size() == 3);
@@ -109,7 +110,7 @@ TEST_CASE("what can be placed one by one leaves five points to solve") {
 }
 
 TEST_CASE("given positions are not taken apart") {
-  Problem problem = problem_of(samples::chain_of_octahedra(2));
+  ProblemStatement problem = problem_of(samples::chain_of_octahedra(2));
   problem.fixed_points.resize(problem.points.size());
   problem.fixed_points[0] = Eigen::Vector3d::Zero();
   CHECK(decompose(problem, Split::all).size() == 1);

@@ -6,15 +6,15 @@
 
 namespace {
 
-using gcs::Problem;
+using gcs::ProblemStatement;
 using gcs::Structure;
 using gcs::StructureDefect;
 using Edges = std::vector<std::pair<int, int>>;
 using Kind = StructureDefect::Kind;
 
 /// Points p0, p1, … and lines L0, L1, … (numbered after the points) with all lengths 1.
-Problem problem_of(int dimension, int points, int lines, const Edges& edges) {
-  Problem problem;
+ProblemStatement problem_of(int dimension, int points, int lines, const Edges& edges) {
+  ProblemStatement problem;
   problem.dimension = dimension;
   for (int i = 0; i < points; ++i) problem.points.push_back("p" + std::to_string(i));
   for (int i = 0; i < lines; ++i) problem.lines.push_back("L" + std::to_string(i));
@@ -27,11 +27,11 @@ Problem problem_of(int dimension, int points, int lines, const Edges& edges) {
   return problem;
 }
 
-Problem graph(int dimension, int points, const Edges& edges) {
+ProblemStatement graph(int dimension, int points, const Edges& edges) {
   return problem_of(dimension, points, 0, edges);
 }
 
-Problem with_lengths(Problem problem, const std::vector<double>& lengths) {
+ProblemStatement with_lengths(ProblemStatement problem, const std::vector<double>& lengths) {
   for (std::size_t i = 0; i < lengths.size(); ++i) problem.constraints[i].given = {lengths[i], ""};
   return problem;
 }
@@ -66,7 +66,7 @@ std::vector<int> all_up_to(int count) {
   return result;
 }
 
-void check_rigid(const Problem& problem, int unknowns) {
+void check_rigid(const ProblemStatement& problem, int unknowns) {
   const Structure structure = gcs::analyse_structure(problem);
   CHECK(structure.well_posed());
   CHECK(structure.unknowns == unknowns);
@@ -75,7 +75,7 @@ void check_rigid(const Problem& problem, int unknowns) {
 }
 
 /// The only defect of the problem.
-StructureDefect only_defect(const Problem& problem) {
+StructureDefect only_defect(const ProblemStatement& problem) {
   const Structure structure = gcs::analyse_structure(problem);
   REQUIRE(structure.defects.size() == 1);
   CHECK_FALSE(structure.defects[0].what.empty());
@@ -83,7 +83,7 @@ StructureDefect only_defect(const Problem& problem) {
   return structure.defects[0];
 }
 
-bool is_satisfiable(const Problem& problem) {
+bool is_satisfiable(const ProblemStatement& problem) {
   const Structure structure = gcs::analyse_structure(problem);
   return std::none_of(structure.defects.begin(), structure.defects.end(),
                       [](const StructureDefect& defect) { return defect.kind == Kind::unsatisfiable; });
@@ -163,24 +163,24 @@ TEST_CASE("lines count four unknowns each") {
 
 TEST_CASE("fixed entities have no unknowns") {
   SECTION("a point placed from three fixed ones") {
-    Problem problem = graph(3, 4, {{3, 0}, {3, 1}, {3, 2}});
+    ProblemStatement problem = graph(3, 4, {{3, 0}, {3, 1}, {3, 2}});
     problem.fixed_points[0] = Eigen::Vector3d(0, 0, 0);
     problem.fixed_points[1] = Eigen::Vector3d(1, 0, 0);
     problem.fixed_points[2] = Eigen::Vector3d(0, 1, 0);
     check_rigid(problem, 3);
   }
   SECTION("a line placed from four fixed points (4p1L)") {
-    Problem problem = problem_of(3, 4, 1, {{0, 4}, {1, 4}, {2, 4}, {3, 4}});
+    ProblemStatement problem = problem_of(3, 4, 1, {{0, 4}, {1, 4}, {2, 4}, {3, 4}});
     for (int i = 0; i < 4; ++i) problem.fixed_points[i] = Eigen::Vector3d(i % 2, i / 2, i == 3);
     check_rigid(problem, 4);
   }
   SECTION("one fixed point leaves the rotations") {
-    Problem problem = graph(2, 3, triangle);
+    ProblemStatement problem = graph(2, 3, triangle);
     problem.fixed_points[0] = Eigen::Vector3d(5, 5, 0);
     check_rigid(problem, 3);
   }
   SECTION("what can leave the fixed points is loose") {
-    Problem problem = graph(2, 5, {{2, 0}, {2, 1}, {3, 2}, {4, 3}, {4, 2}});
+    ProblemStatement problem = graph(2, 5, {{2, 0}, {2, 1}, {3, 2}, {4, 3}, {4, 2}});
     problem.fixed_points[0] = Eigen::Vector3d(0, 0, 0);
     problem.fixed_points[1] = Eigen::Vector3d(1, 0, 0);
     const StructureDefect defect = only_defect(problem);
@@ -257,7 +257,7 @@ TEST_CASE("the right number of constraints in the wrong places is wrongly constr
     Edges edges;
     append_banana(edges, 2, 3, 4);
     append_banana(edges, 5, 6, 7);
-    const Problem problem = graph(3, 8, edges);
+    const ProblemStatement problem = graph(3, 8, edges);
     const Structure structure = gcs::analyse_structure(problem);
     CHECK(structure.unknowns == 18);
     CHECK(structure.constraints == 18);
@@ -270,7 +270,7 @@ TEST_CASE("the right number of constraints in the wrong places is wrongly constr
 }
 
 TEST_CASE("the analysis is the same at every call") {
-  const Problem problem = graph(3, 6, complete_bipartite(3, 3));
+  const ProblemStatement problem = graph(3, 6, complete_bipartite(3, 3));
   const StructureDefect first = only_defect(problem);
   const StructureDefect second = only_defect(problem);
   CHECK(first.entities == second.entities);
@@ -287,7 +287,7 @@ TEST_CASE("a length that the others cannot span is unsatisfiable") {
     CHECK_THAT(defect.what, Catch::Contains("a3 (p0–p2) is 3") && Catch::Contains("2 long"));
   }
   SECTION("squared lengths") {
-    Problem problem = with_lengths(graph(2, 3, triangle), {1, 1, 9});
+    ProblemStatement problem = with_lengths(graph(2, 3, triangle), {1, 1, 9});
     for (auto& constraint : problem.constraints) constraint.is_squared = true;
     CHECK(only_defect(problem).kind == Kind::unsatisfiable);
     problem.constraints[2].given.value = 3.9;
@@ -299,7 +299,7 @@ TEST_CASE("a length that the others cannot span is unsatisfiable") {
     CHECK(defect.entities == std::vector<int>{0, 1, 2, 3});
   }
   SECTION("the distance of two fixed points") {
-    Problem problem = graph(2, 3, {{0, 2}, {1, 2}});
+    ProblemStatement problem = graph(2, 3, {{0, 2}, {1, 2}});
     problem.fixed_points[0] = Eigen::Vector3d(0, 0, 0);
     problem.fixed_points[1] = Eigen::Vector3d(6, 8, 0);
     const StructureDefect defect = only_defect(problem);
@@ -318,7 +318,7 @@ TEST_CASE("flat triangles are satisfiable although their lengths are rounded") {
 }
 
 TEST_CASE("lengths of any size are compared") {
-  const Problem problem = graph(2, 3, triangle);
+  const ProblemStatement problem = graph(2, 3, triangle);
   for (const double unit : {1e-300, 1e300, 1.7e308, 1e-320}) {
     CHECK(is_satisfiable(with_lengths(problem, {unit, unit, unit})));
     CHECK_FALSE(is_satisfiable(with_lengths(problem, {unit / 8, unit / 8, unit})));
@@ -329,7 +329,7 @@ TEST_CASE("lengths of any size are compared") {
 TEST_CASE("a point cannot be farther from a line than a way to another point and from there") {
   Edges edges = complete(4);
   edges.insert(edges.end(), {{0, 4}, {1, 4}, {2, 4}, {3, 4}});
-  const Problem problem = problem_of(3, 4, 1, edges);
+  const ProblemStatement problem = problem_of(3, 4, 1, edges);
   SECTION("too far") {
     const StructureDefect defect =
         gcs::analyse_structure(with_lengths(problem, {1, 1, 1, 1, 1, 1, 1, 9})).defects.at(0);
@@ -347,7 +347,7 @@ TEST_CASE("a point cannot be farther from a line than a way to another point and
 }
 
 TEST_CASE("a fixed line bounds the distances of the points near it") {
-  Problem problem = problem_of(3, 4, 1, {{3, 0}, {3, 1}, {3, 4}});
+  ProblemStatement problem = problem_of(3, 4, 1, {{3, 0}, {3, 1}, {3, 4}});
   problem.fixed_points[0] = Eigen::Vector3d(0, 5, 0);
   problem.fixed_points[1] = Eigen::Vector3d(1, 5, 0);
   problem.fixed_points[2] = Eigen::Vector3d(0, 5, 1);

@@ -13,7 +13,7 @@ namespace {
 
 /// The problem in the frame in which its plan builds: both curves then have the same coordinates, but for
 /// zeros, and the same arc length.
-Scene scene_in_plan_frame(Problem problem) {
+Scene scene_in_plan_frame(ProblemStatement problem) {
   const Scene scene(problem);
   problem.reference = derive_plan(scene, *scene.sketch(), {}).frame();
   return Scene(problem);
@@ -104,7 +104,7 @@ double series_difference(const Scene& scene, const DistanceSystem& system, const
 }
 
 /// Walks along S with the distance curve and compares the plan curve's series at every point.
-void check_series_agree(const Problem& problem, int steps, double tolerance) {
+void check_series_agree(const ProblemStatement& problem, int steps, double tolerance) {
   const Scene scene = scene_in_plan_frame(problem);
   const DistanceSystem system(scene);
   PlanCurveOptions options;
@@ -137,7 +137,7 @@ void check_series_agree(const Problem& problem, int steps, double tolerance) {
 }
 
 /// Tracks all of S with both curves: same length, same crossings in the same order.
-void check_paths_agree(const Problem& problem, std::size_t crossings) {
+void check_paths_agree(const ProblemStatement& problem, std::size_t crossings) {
   const Scene scene = scene_in_plan_frame(problem);
   const PlanCurveOptions options;
   DistanceCurve distances(scene, options.order, options.tolerance);
@@ -160,7 +160,7 @@ void check_paths_agree(const Problem& problem, std::size_t crossings) {
 }  // namespace
 
 TEST_CASE("the distance curve's series at the sketch runs along S with speed one") {
-  for (const Problem& problem : {samples::k33(), samples::octahedron()})
+  for (const ProblemStatement& problem : {samples::k33(), samples::octahedron()})
     for (const int order : {4, 7, 10}) {
       const Scene scene(problem);
       DistanceCurve curve(scene, order, 1e-9);
@@ -169,7 +169,7 @@ TEST_CASE("the distance curve's series at the sketch runs along S with speed one
 }
 
 TEST_CASE("the plan curve's series at the sketch runs along S with speed one") {
-  for (const Problem& problem : {samples::k33(), samples::octahedron()})
+  for (const ProblemStatement& problem : {samples::k33(), samples::octahedron()})
     for (const int order : {4, 7, 10}) {
       const Scene scene(problem);
       PlanCurveOptions options;

@@ -265,7 +265,7 @@ TEST_CASE("a step taken back leaves the plan as it was") {
 }
 
 TEST_CASE("the plans of a path are noted where they change, on the path") {
-  for (const Problem& problem : {samples::octahedron(), samples::k33()}) {
+  for (const ProblemStatement& problem : {samples::octahedron(), samples::k33()}) {
     const Scene scene(problem);
     for (const std::string mode : {"fast", "paper"}) {
       CAPTURE(mode);

@@ -17,8 +17,9 @@ namespace {
 using Places = std::vector<std::array<double, 2>>;
 
 /// In the plane, with a sketch.
-Problem sketched(const samples::Edges& edges, const std::vector<double>& lengths, const Places& places) {
-  Problem problem = samples::problem_of(2, static_cast<int>(places.size()), edges, lengths);
+ProblemStatement sketched(const samples::Edges& edges, const std::vector<double>& lengths,
+                          const Places& places) {
+  ProblemStatement problem = samples::problem_of(2, static_cast<int>(places.size()), edges, lengths);
   Figure sketch{Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(places.size())), {}};
   for (std::size_t i = 0; i < places.size(); ++i)
     sketch.points.col(static_cast<Eigen::Index>(i)) << places[i][0], places[i][1], 0;
@@ -29,27 +30,29 @@ Problem sketched(const samples::Edges& edges, const std::vector<double>& lengths
 const Places triangle_places{{0, 0}, {1, 0}, {0.28, 0.96}};
 
 /// Half-way to the target p1–p2 is `missing` shorter than the other two sides together.
-Problem nearly_flat_halfway(double missing) {
-  Problem problem = sketched({{0, 1}, {0, 2}, {1, 2}}, {1, 1, 1.2}, triangle_places);
+ProblemStatement nearly_flat_halfway(double missing) {
+  ProblemStatement problem = sketched({{0, 1}, {0, 2}, {1, 2}}, {1, 1, 1.2}, triangle_places);
   problem.interpolation = {0, 4 * (1.2 - missing)};
   return problem;
 }
 
 /// The same with another point on p1–p2, on the other side.
-Problem both_nearly_flat_halfway(double missing) {
+ProblemStatement both_nearly_flat_halfway(double missing) {
   Places places = triangle_places;
   places.push_back({0.94, -std::sqrt(1.69 - 0.94 * 0.94)});
-  Problem problem = sketched({{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}, {1, 1, 1.2, 1.3, 0.9}, places);
+  ProblemStatement problem =
+      sketched({{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}, {1, 1, 1.2, 1.3, 0.9}, places);
   problem.interpolation = {0, 4 * (1.2 - missing)};
   return problem;
 }
 
 /// At t = 1/2 the triangle is flat, and S goes on in both directions on either side.
-Problem crossing_arcs() {
+ProblemStatement crossing_arcs() {
   return sketched({{0, 2}, {1, 2}, {0, 1}}, {0.7, 0.8, 1}, {{0, 0}, {1, 0}, {0.425, 0.5562148865321747}});
 }
 
-SolveReport solved(const Problem& problem, const std::string& strategy, const OptionMap& options = {}) {
+SolveReport solved(const ProblemStatement& problem, const std::string& strategy,
+                   const OptionMap& options = {}) {
   const Scene scene(problem);
   const auto strategies = all_strategies();
   const StrategyEntry& entry = *std::find_if(strategies.begin(), strategies.end(),
@@ -136,7 +139,7 @@ TEST_CASE("two triangles that get nearly flat at once are followed as one is") {
 
 TEST_CASE("a path does not go on where a length would be negative") {
   // S turns round 1e-4 behind the target, where p1–p3 is still 7e-6 long.
-  const Problem problem =
+  const ProblemStatement problem =
       sketched({{0, 1}, {1, 2}, {0, 2}, {0, 4}, {1, 4}, {0, 3}, {1, 3}}, {3, 3, 1e-4, 2.3, 2.3, 2, 2.5},
                {{0, 0}, {3, 0}, {0.1, 1}, {1, 2}, {1.5, -1.8}});
   for (const std::string orientation : {"forward", "backward"})
@@ -150,7 +153,7 @@ TEST_CASE("a path does not go on where a length would be negative") {
 
 TEST_CASE("where a length vanishes on S the path strategies give up and say so") {
   // p3 runs through p1 at t = 1.25.
-  Problem problem =
+  ProblemStatement problem =
       sketched({{0, 1}, {1, 2}, {0, 2}}, {3, 3, 0.2}, {{0, 0}, {3, 0}, {1.0 / 6, std::sqrt(35.0) / 6}});
   problem.interpolation = {0, 0};
   for (const std::string& strategy : path_strategies) {

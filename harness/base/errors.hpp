@@ -2,7 +2,7 @@
 /// How the program ends, and what ends it early. What is wrong with an input is an InputError
 /// (solvers/reading/json_document.hpp), with an option an OptionError.
 
-#include <stdexcept>
+#include "solvers/running/errors.hpp"
 
 namespace gcs {
 
@@ -18,15 +18,15 @@ enum class ExitCode {
 
 /// A mistake on the command line that the parser cannot see: main prints what() and the subcommand's usage,
 /// and exits with bad_input.
-class UsageError : public std::runtime_error {
+class UsageError : public UserError {
  public:
-  using std::runtime_error::runtime_error;
+  using UserError::UserError;
 };
 
 /// A place that cannot be written. what(): "FILE: cannot be written: cause".
-class OutputError : public std::runtime_error {
+class OutputError : public UserError {
  public:
-  using std::runtime_error::runtime_error;
+  using UserError::UserError;
 };
 
 }  // namespace gcs

@@ -5,12 +5,12 @@
 #include <memory>
 #include <string>
 
-#include "harness/base/json_build.hpp"
 #include "harness/cli/argument_checks.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/solving/counts_view.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 

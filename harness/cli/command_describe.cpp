@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/base/json_build.hpp"
 #include "harness/cli/argument_checks.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/instances/instance_lookup.hpp"
@@ -18,6 +17,7 @@
 #include "harness/solving/solve_run.hpp"
 #include "solvers/construction/derive.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/reading/json_build.hpp"
 #include "solvers/structure/core_reduction.hpp"
 #include "solvers/structure/decomposition.hpp"
 #include "solvers/structure/structure.hpp"

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "harness/base/json_build.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/instances/families.hpp"
 #include "harness/instances/instance_lookup.hpp"
 #include "solvers/interface/strategy_interface.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 

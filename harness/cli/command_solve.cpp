@@ -46,7 +46,7 @@ void complain(const std::string& message) {
 }
 
 void complain_about(const SolveRun& run) {
-  for (const FailedCheck& check : run.assessment.failed_checks)
+  for (const FailedCheck& check : run.failed_checks)
     complain(fmt::format("check failed: {}: {}", check.name, check.what));
   if (run.status != RunStatus::complete)
     complain(fmt::format("{}: {}: {}", run.strategy, word(run.status), run.reason));
@@ -65,7 +65,7 @@ ExitCode exit_code(const SolveRun& run) {
     case RunStatus::partial:
       break;
   }
-  return run.assessment.failed_checks.empty() ? ExitCode::done : ExitCode::check_failed;
+  return run.failed_checks.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
 /// Standard output gets the JSON when it was asked for there, else the summary of what was run.

@@ -113,11 +113,7 @@ ExitCode run(const CLI::App& app, const gcs::Invocation& invocation) {
     return invocation.action();
   } catch (const gcs::UsageError& error) {
     return fail(error.what() + std::string("\n") + usage(app));
-  } catch (const gcs::InputError& error) {
-    return fail(error.what());
-  } catch (const gcs::OutputError& error) {
-    return fail(error.what());
-  } catch (const gcs::OptionError& error) {
+  } catch (const gcs::UserError& error) {
     return fail(error.what());
   } catch (const std::exception& error) {
     fail(fmt::format("internal error: {}", error.what()));

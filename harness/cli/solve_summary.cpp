@@ -32,10 +32,7 @@ std::string headline(const Instance& instance, const SolveRun& run) {
 
 /// The convention of a count of classes. Where positions are fixed there is no reflection to divide out.
 std::string_view convention(const ProblemStatement& problem) {
-  const auto given = [](const auto& position) { return position.has_value(); };
-  const bool anchored = std::any_of(problem.fixed_points.begin(), problem.fixed_points.end(), given) ||
-                        std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(), given);
-  return anchored ? "positions are fixed, no reflection is divided out" : "up to reflection";
+  return problem.is_anchored() ? "positions are fixed, no reflection is divided out" : "up to reflection";
 }
 
 std::string solution_counts(const ProblemStatement& problem, const Counts& counts,
@@ -198,10 +195,10 @@ std::string particulars(const std::vector<Particular>& counts) {
 
 /// ", certified in 18.9 s, 0.72 ms of a thread for each", of the generic solutions too.
 std::string certifying_time(const SolveRun& run) {
-  const std::optional<Proofs>& proofs = run.assessment.proofs;
+  const std::optional<Proofs>& proofs = run.proofs;
   if (!run.timing.certify_s || !proofs || proofs->why_none) return "";
   const double total_s = *run.timing.certify_s;
-  const auto all = static_cast<double>(run.assessment.solutions.size() + proofs->generic.value_or(0));
+  const auto all = static_cast<double>(run.solutions.size() + proofs->generic.value_or(0));
   const std::string each =
       all > 0 ? fmt::format(", {:.3g} ms of a thread for each", 1e3 * total_s * run.threads / all) : "";
   return fmt::format(", certified in {:.3g} s{}", total_s, each);
@@ -233,7 +230,7 @@ std::string proofs_text(const Assessment& assessment) {
 }  // namespace
 
 std::string solve_summary(const Instance& instance, const SolveRun& run) {
-  const Assessment& assessment = run.assessment;
+  const Assessment& assessment = run;
   return headline(instance, run) + foreign_claim(run) +
          solution_counts(instance.problem, assessment.counts, run.claim) + path_counts(assessment.counts) +
          proofs_text(assessment) + growths(assessment.ends) + path_proofs(assessment.ends) +

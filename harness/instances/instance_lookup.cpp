@@ -22,14 +22,6 @@ bool is_instance_file(const fs::path& path) {
   return path.extension() == ".json" && path.stem() != "schema" && fs::is_regular_file(path, ignored);
 }
 
-/// A pipe's name says nothing, so that only the name of a true file is compared with the id.
-Instance load_file(const std::string& file) {
-  const std::string text = read_file(file, "give a file, the id of a shipped instance, or -");
-  std::error_code ignored;
-  const bool has_name = fs::is_regular_file(file, ignored);
-  return parse_instance(text, file, has_name ? fs::path(file).stem().string() : std::string());
-}
-
 Instance load_standard_input() {
   const std::string file = "standard input";
   Instance instance = parse_instance(read_all(std::cin, file), file, "");
@@ -71,7 +63,8 @@ Instance load_instance(const std::string& argument) {
   if (argument == "-") return load_standard_input();
   const bool is_file = argument.find('/') != std::string::npos || argument.ends_with(".json");
   if (!is_file && argument.find('@') != std::string::npos) return load_made(argument);
-  return load_file(is_file ? argument : find_shipped(argument));
+  return read_instance(is_file ? argument : find_shipped(argument),
+                       "give a file, the id of a shipped instance, or -");
 }
 
 bool is_shipped(const Instance& instance) {

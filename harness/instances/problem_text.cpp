@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {

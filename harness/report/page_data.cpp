@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "harness/base/json_build.hpp"
 #include "harness/drawings/path_drawing.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {

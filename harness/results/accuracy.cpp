@@ -96,10 +96,10 @@ double AccuracyJudge::error(const SolveRun& run, std::size_t solution, const Mat
   const KnownSolution& known = reference_.solutions[static_cast<std::size_t>(match.known)];
   const bool is_refined = !run.refined.empty() && run.refined[solution];
   const double distance =
-      is_refined ? largest_distance(*run.refined[solution], with_digits(scene_, known.figure, digits),
-                                    match.signs, size_)
-                 : largest_distance(decimals_of(run.assessment.solutions[solution].figure), known.exact,
-                                    match.signs, size_);
+      is_refined
+          ? largest_distance(*run.refined[solution], with_digits(scene_, known.figure, digits), match.signs,
+                             size_)
+          : largest_distance(decimals_of(run.solutions[solution].figure), known.exact, match.signs, size_);
   return distance / size_;
 }
 
@@ -107,8 +107,8 @@ Accuracy AccuracyJudge::judge(const SolveRun& run, int digits) const {
   Accuracy accuracy;
   std::vector<bool> met(reach_.size(), false);
   std::vector<double> errors;
-  for (std::size_t i = 0; i < run.assessment.solutions.size(); ++i) {
-    const AssessedSolution& solution = run.assessment.solutions[i];
+  for (std::size_t i = 0; i < run.solutions.size(); ++i) {
+    const AssessedSolution& solution = run.solutions[i];
     const Match first = match(solution, met);
     if (first.known < 0) {
       const bool is_duplicate = match(solution, std::vector<bool>(met.size(), false)).known >= 0;

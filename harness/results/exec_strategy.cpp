@@ -7,10 +7,10 @@
 
 #include "harness/base/child_process.hpp"
 #include "harness/base/errors.hpp"
-#include "harness/base/json_build.hpp"
 #include "harness/instances/problem_text.hpp"
 #include "harness/results/result_reader.hpp"
 #include "solvers/model/complex_lines.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {

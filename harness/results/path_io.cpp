@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "harness/base/json_build.hpp"
 #include "harness/results/result_io.hpp"
 #include "harness/results/verify.hpp"
 #include "solvers/answers/certify.hpp"
 #include "solvers/certificates/decimal_figure.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {

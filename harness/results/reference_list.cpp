@@ -92,13 +92,13 @@ class ListMaker {
 
   /// Every solution that is proven next to one that the run lists.
   void take(const SolveRun& run) {
-    for (const AssessedSolution& solution : run.assessment.solutions) {
+    for (const AssessedSolution& solution : run.solutions) {
       const Figure figure = scene_.in_scene_unit(solution.figure);
       take_next_to(figure);
       if ((solution.multiplicity > 1 || solution.condition > ill_conditioned) && !is_surrounded(figure))
         take_around(figure);
     }
-    const bool is_complete = run.status == RunStatus::complete && run.assessment.failed_checks.empty();
+    const bool is_complete = run.status == RunStatus::complete && run.failed_checks.empty();
     list_.has_all_real = list_.has_all_real || (is_complete && run.claim == Claim::all_real);
   }
 

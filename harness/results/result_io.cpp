@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "harness/base/json_build.hpp"
 #include "harness/base/record_fields.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 
@@ -100,7 +100,7 @@ class MemberWriter {
 JsonValue path_value(const SolveRun& run) {
   if (run.claim != Claim::on_path && run.claim != Claim::on_path_of_core) return json_null();
   std::vector<JsonValue> crossings;
-  for (const AssessedCrossing& crossing : run.assessment.crossings)
+  for (const AssessedCrossing& crossing : run.crossings)
     crossings.push_back(json_object({{"solution", json_or_null(crossing.solution, json_number)},
                                      {"direction", json_number(crossing.direction)}}));
   return json_array(std::move(crossings));
@@ -159,7 +159,7 @@ JsonValue totals_value(const SolutionTotals& totals) {
 
 JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
   JsonMembers counts, statistics, origin;
-  visit_counts(run.assessment.counts, MemberWriter(counts));
+  visit_counts(run.counts, MemberWriter(counts));
   visit_work(run.work, MemberWriter(statistics));
   visit_particulars(run.particulars, MemberWriter(statistics));
   visit_environment(environment, MemberWriter(origin));
@@ -172,12 +172,12 @@ JsonMembers result_members(const Instance& instance, const SolveRun& run, const 
           {"reason", json_text(run.reason)},
           {"claim", claim_value(run.claim)},
           {"counts", json_object(std::move(counts))},
-          {"totals", json_or_null(run.assessment.totals, totals_value)},
-          {"proofs", proofs_value(run.assessment.proofs)},
-          {"failed_checks", failed_checks_value(run.assessment.failed_checks)},
-          {"solutions", solutions_value(instance.problem, run.assessment.solutions)},
+          {"totals", json_or_null(run.totals, totals_value)},
+          {"proofs", proofs_value(run.proofs)},
+          {"failed_checks", failed_checks_value(run.failed_checks)},
+          {"solutions", solutions_value(instance.problem, run.solutions)},
           {"path", path_value(run)},
-          {"ends", ends_value(run.assessment.ends)},
+          {"ends", ends_value(run.ends)},
           {"statistics", json_object(std::move(statistics))},
           {"timing", timing_value(run.timing)},
           {"environment", json_object(std::move(origin))}};

@@ -157,18 +157,18 @@ CellRecord record_of(const MeasureTask& task, const SolveRun& run, const Accurac
   record.options = run.options;
   record.status = run.status;
   record.reason = run.reason;
-  record.counts = run.assessment.counts;
+  record.counts = run.counts;
   record.work = run.work;
   record.particulars = run.particulars;
-  record.residual = largest_residual(run.assessment);
+  record.residual = largest_residual(run);
   if (task.keeps_solutions)
-    for (const AssessedSolution& solution : run.assessment.solutions)
+    for (const AssessedSolution& solution : run.solutions)
       record.solutions.push_back(recorded(task.scene->problem(), solution));
-  for (const FailedCheck& check : run.assessment.failed_checks) {
+  for (const FailedCheck& check : run.failed_checks) {
     if (check.name == "singular") continue;  // out of the reach of certificates, and said so by their number
     record.difference += (record.difference.empty() ? "" : " ") + check.what;
   }
-  take_proofs(run.assessment, record);
+  take_proofs(run, record);
   record.claim = run.claim;
   const bool is_answer = run.status == RunStatus::complete || run.status == RunStatus::partial;
   if (judge != nullptr && is_answer) record.accuracy = judge->judge(run, task.spec.digits);
@@ -221,7 +221,7 @@ CellRecord warm_up(const MeasureTask& task, const AccuracyJudge* judge, const Me
 std::string changed_answer(const CellRecord& first, const SolveRun& run) {
   if (run.status != first.status)
     return fmt::format("A repetition ended as '{}': {}", word(run.status), run.reason);
-  if (run.assessment.counts != first.counts || run.work.iterations != first.work.iterations ||
+  if (run.counts != first.counts || run.work.iterations != first.work.iterations ||
       run.particulars != first.particulars) {
     return "A repetition with the same seed gave another answer.";
   }

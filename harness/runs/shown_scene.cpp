@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_build.hpp"
 #include "solvers/reading/json_cursor.hpp"
 
 namespace gcs {

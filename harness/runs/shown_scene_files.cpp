@@ -60,9 +60,9 @@ void take_listed(const Scene& scene, Monitor& progress, SceneRecord& record) {
   for (const StrategyEntry& entry : all_strategies()) {
     if (interrupted()) return;
     const SolveRun run = run_strategy(entry, {}, scene, limits, {&progress, nullptr});
-    if (run.assessment.solutions.size() <= record.solutions.size()) continue;
+    if (run.solutions.size() <= record.solutions.size()) continue;
     record.solutions.clear();
-    for (const AssessedSolution& solution : run.assessment.solutions)
+    for (const AssessedSolution& solution : run.solutions)
       record.solutions.push_back({solution.figure, solution.multiplicity});
     record.source = "found by " + std::string(entry.name) + ", not proven";
     record.has_all_real = run.status == RunStatus::complete && run.claim != Claim::some_real &&

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {
@@ -45,13 +45,6 @@ JsonValue bound_value(const ProblemStatement& problem, const CountBound& bound) 
 JsonValue reason_value(const std::string& reason) { return reason.empty() ? json_null() : json_text(reason); }
 
 }  // namespace
-
-std::string readable(const Natural& count) {
-  constexpr std::size_t most_digits = 18, shown_digits = 4;
-  const std::string digits = count.decimal();
-  if (digits.size() <= most_digits) return digits;
-  return fmt::format("about {}.{}e{}", digits.front(), digits.substr(1, shown_digits - 1), digits.size() - 1);
-}
 
 std::string row(std::string_view label, const std::string& text) {
   return fmt::format("{:<20}{}\n", label, text);

@@ -10,9 +10,6 @@
 
 namespace gcs {
 
-/// In full up to 18 digits, beyond that about as large: "about 8.572e303".
-std::string readable(const Natural& count);
-
 /// A label and what it says, on one line.
 std::string row(std::string_view label, const std::string& text);
 

@@ -16,8 +16,8 @@
 #include <system_error>
 
 #include "harness/base/atomic_file.hpp"
-#include "harness/base/json_build.hpp"
 #include "solvers/numeric/digest.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 

@@ -1,6 +1,6 @@
 #include "harness/solving/solve_identity.hpp"
 
-#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 

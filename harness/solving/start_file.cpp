@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "harness/base/complex_rows.hpp"
-#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_build.hpp"
 #include "solvers/reading/json_cursor.hpp"
 #include "solvers/reading/text_input.hpp"
 

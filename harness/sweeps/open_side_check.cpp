@@ -32,7 +32,7 @@ std::vector<Figure> distinct(const Scene& scene, const std::vector<Figure>& figu
 /// What the default finds, in the scene's unit.
 std::vector<Figure> real_figures(const Scene& scene, const SolveRun& run) {
   std::vector<Figure> figures;
-  for (const AssessedSolution& solution : run.assessment.solutions) {
+  for (const AssessedSolution& solution : run.solutions) {
     if (!solution.figure.is_real()) continue;
     figures.push_back(solution.figure);
     figures.back().points *= std::ldexp(1.0, -scene.unit_exponent());
@@ -105,7 +105,7 @@ OpenSideVerdict check_open_side(const FineScan& scan, double length, double band
   const std::vector<Figure> finer = scan.solutions(length, band);
   OpenSideVerdict verdict;
   verdict.length = length;
-  verdict.is_complete = run.status == RunStatus::complete && run.assessment.failed_checks.empty();
+  verdict.is_complete = run.status == RunStatus::complete && run.failed_checks.empty();
   verdict.solutions = figures.size();
   verdict.finer = finer.size();
   verdict.closest = closest_pair(scene, figures);

@@ -27,4 +27,4 @@ endif()
 # Half of a build is parsing of these. The tsan preset does without, so that a missing include is noticed.
 set(gcs_precompiled_headers <algorithm> <array> <cmath> <functional> <map> <optional> <string> <vector> <Eigen/Dense>)
 target_include_directories(gcs_flags INTERFACE
-  $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated> $<INSTALL_INTERFACE:include/gcsbench>)
+  $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated> $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/gcsbench>)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "solvers/figures/residual_and_condition.hpp"
@@ -89,8 +90,10 @@ std::vector<double> order_key(const Scene& scene, const Figure& figure) {
 }
 
 /// Multiplicity of a class: the largest that was reported for a member.
-AssessedSolution solution_of_class(const Scene& scene, const Judged& first, int multiplicity) {
+AssessedSolution solution_of_class(const Scene& scene, const Judged& first, int multiplicity,
+                                   const std::shared_ptr<const EntityNames>& names) {
   AssessedSolution solution;
+  solution.names = names;
   solution.figure = scene.in_file_unit(first.representative);
   solution.multiplicity = multiplicity;
   solution.residual = relative_residual(scene, first.representative);
@@ -112,10 +115,12 @@ std::vector<int> list_solutions(const Scene& scene, const std::vector<Judged>& j
   for (const int i : first) order.emplace_back(order_key(scene, judged[i].representative), i);
   std::sort(order.begin(), order.end());
 
+  const auto names = std::make_shared<const EntityNames>(
+      EntityNames{scene.dimension(), scene.problem().points, scene.problem().lines});
   std::vector<int> solution_of_class_index(judged.size(), -1);
   for (const auto& [key, i] : order) {
     solution_of_class_index[class_of[i]] = static_cast<int>(solutions.size());
-    solutions.push_back(solution_of_class(scene, judged[i], multiplicity[class_of[i]]));
+    solutions.push_back(solution_of_class(scene, judged[i], multiplicity[class_of[i]], names));
   }
   std::vector<int> solution_of;
   for (const int c : class_of) solution_of.push_back(solution_of_class_index[c]);
@@ -132,6 +137,17 @@ double residual_limit(const Scene& scene, const Judged& judged) {
   for (const double length : scene.target_lengths()) shortest = std::min(shortest, length);
   const double stretch = reach / std::max(shortest, 1e-3 * scene.size());
   return 100 * 2 * std::sqrt(3.0) * unit_roundoff * stretch * (judged.figure.is_real() ? 1 : stretch);
+}
+
+Eigen::Index index_of(const std::vector<std::string>& names, std::string_view name, std::string_view kind) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw std::out_of_range(fmt::format("there is no {} '{}'", kind, name));
+  return found - names.begin();
+}
+
+void check_real(const AssessedSolution& solution) {
+  if (!solution.is_real())
+    throw std::domain_error("the solution is not real: ask is_real() first, or for complex_point()");
 }
 
 class Assessor {
@@ -296,6 +312,26 @@ void Assessor::count() {
 }
 
 }  // namespace
+
+Eigen::VectorXcd AssessedSolution::complex_point(std::string_view name) const {
+  const Eigen::Index i = index_of(names ? names->points : std::vector<std::string>(), name, "point");
+  const int dimension = names->dimension;
+  Eigen::VectorXcd position = figure.points.col(i).head(dimension).cast<std::complex<double>>();
+  if (figure.imaginary.cols() > 0) position.imag() = figure.imaginary.col(i).head(dimension);
+  return position;
+}
+
+Eigen::VectorXd AssessedSolution::point(std::string_view name) const {
+  const Eigen::VectorXcd position = complex_point(name);
+  check_real(*this);
+  return position.real();
+}
+
+LinePosition AssessedSolution::line(std::string_view name) const {
+  const Eigen::Index i = index_of(names ? names->lines : std::vector<std::string>(), name, "line");
+  check_real(*this);
+  return figure.lines[i];
+}
 
 Assessment assess(const Scene& scene, const SolveReport& report) { return Assessor(scene, report).run(); }
 

@@ -3,8 +3,10 @@
 /// classes, residuals, counts and checks. A strategy never scores itself.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solvers/answers/path_ends.hpp"
@@ -12,6 +14,13 @@
 #include "solvers/numeric/natural.hpp"
 
 namespace gcs {
+
+/// What the entities of a scene are called, shared by its solutions.
+struct EntityNames {
+  int dimension = 3;
+  std::vector<std::string> points;
+  std::vector<std::string> lines;
+};
 
 /// One reflection class.
 struct AssessedSolution {
@@ -21,6 +30,16 @@ struct AssessedSolution {
   double condition = 0;               ///< jacobian_condition; infinity at a singular solution
   std::optional<double> error_bound;  ///< rigorous, in the file's unit; empty: not certified
   bool certified = false;
+  std::shared_ptr<const EntityNames> names{};  ///< of the scene that was assessed
+
+  bool is_real() const { return figure.is_real(); }
+  /// Where the point is, in the file's unit: two coordinates in the plane, three in space. Throws std::out_of_range
+  /// for a name that is no point's, and std::domain_error where the solution is not real.
+  Eigen::VectorXd point(std::string_view name) const;
+  /// The same of any solution.
+  Eigen::VectorXcd complex_point(std::string_view name) const;
+  /// Likewise a line, by a point on it and a direction of length 1. Throws as point() does.
+  LinePosition line(std::string_view name) const;
 };
 
 /// A crossing of t = 1: an index into the solutions, or empty when that solution was left out of the list.

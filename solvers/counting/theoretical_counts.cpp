@@ -21,13 +21,6 @@ constexpr std::int64_t most_steps = 4'000'000;
 using Edge = std::array<int, 2>;
 using References = std::vector<std::vector<int>>;  ///< sets of points that make a frame
 
-bool has_fixed_entity(const ProblemStatement& problem) {
-  const int entities = static_cast<int>(problem.points.size() + problem.lines.size());
-  for (int entity = 0; entity < entities; ++entity)
-    if (problem.is_fixed(entity)) return true;
-  return false;
-}
-
 bool is_zero_length(const DistanceConstraint& constraint) { return constraint.given.value == 0; }
 
 /// Scenes of points: the frame leaves the reflection through the reference, unless all points are in it.
@@ -258,7 +251,7 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
   if (seeks_common_tangents(problem)) {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";
     bound_tangents(problem, counts);
-  } else if (has_fixed_entity(problem)) {
+  } else if (problem.is_anchored()) {
     counts.why_no_exact = "Positions are fixed, and the count is known only where nothing is.";
     counts.why_no_bound = "Positions are fixed, and the bound is known only where nothing is.";
   } else if (problem.lines.empty()) {

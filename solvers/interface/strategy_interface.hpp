@@ -20,6 +20,7 @@
 #include "solvers/construction/plan_use.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/natural.hpp"
+#include "solvers/running/errors.hpp"
 #include "solvers/running/journal.hpp"
 #include "solvers/running/work.hpp"
 
@@ -131,9 +132,9 @@ using OptionMap = std::map<std::string, std::string, std::less<>>;
 
 /// Thrown by StrategyEntry::make for a value that is not allowed; what() names option, value and what would
 /// be right.
-class OptionError : public std::invalid_argument {
+class OptionError : public UserError {
  public:
-  using std::invalid_argument::invalid_argument;
+  using UserError::UserError;
 };
 
 class Strategy {

@@ -101,6 +101,12 @@ struct ProblemStatement {
     const std::size_t line = point - points.size();
     return line < fixed_lines.size() && fixed_lines[line].has_value();
   }
+  /// True when positions are given, so that no motion or reflection is divided out.
+  bool is_anchored() const {
+    for (int entity = 0; entity < static_cast<int>(points.size() + lines.size()); ++entity)
+      if (is_fixed(entity)) return true;
+    return false;
+  }
 };
 
 }  // namespace gcs

@@ -23,12 +23,6 @@ double fixed_extent(const ProblemStatement& problem) {
   return extent;
 }
 
-bool anything_fixed(const ProblemStatement& problem) {
-  const auto given = [](const auto& position) { return position.has_value(); };
-  return std::any_of(problem.fixed_points.begin(), problem.fixed_points.end(), given) ||
-         std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(), given);
-}
-
 int exponent_of(double length) {
   int exponent = 0;
   std::frexp(length, &exponent);
@@ -208,7 +202,7 @@ Reference line_reference(const ProblemStatement& problem) {
   return reference;
 }
 
-Scene::Scene(ProblemStatement problem) : problem_(std::move(problem)), anchored_(anything_fixed(problem_)) {
+Scene::Scene(ProblemStatement problem) : problem_(std::move(problem)), anchored_(problem_.is_anchored()) {
   double longest = 0;
   for (const DistanceConstraint& c : problem_.constraints) longest = std::max(longest, c.length());
   if (longest == 0) longest = fixed_extent(problem_);

@@ -32,7 +32,7 @@ class Scene {
   double size() const { return size_; }
 
   const Reference& reference() const { return reference_; }
-  /// True when positions are fixed, so that no motion or reflection is divided out.
+  /// As ProblemStatement::is_anchored.
   bool is_anchored() const { return anchored_; }
   /// The given position of a fixed point, or nothing.
   std::optional<Eigen::Vector3d> fixed_point(int point) const;

@@ -72,6 +72,14 @@ std::strong_ordering operator<=>(const Natural& a, const Natural& b) {
                                                 b.limbs_.rend());
 }
 
+std::string readable(const Natural& count) {
+  constexpr std::size_t most_digits = 18, shown_digits = 4;
+  const std::string digits = count.decimal();
+  if (digits.size() <= most_digits) return digits;
+  return "about " + digits.substr(0, 1) + "." + digits.substr(1, shown_digits - 1) + "e" +
+         std::to_string(digits.size() - 1);
+}
+
 void Natural::trim() {
   while (!limbs_.empty() && limbs_.back() == 0) limbs_.pop_back();
 }

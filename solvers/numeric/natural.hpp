@@ -47,4 +47,7 @@ class Natural {
   std::vector<Limb> limbs_;  ///< base 2^32, the lowest first; the highest is not 0
 };
 
+/// In full up to 18 digits, beyond that about as large: "about 8.572e303".
+std::string readable(const Natural& count);
+
 }  // namespace gcs

@@ -37,11 +37,10 @@ Reference read_point_reference(const JsonCursor& cursor, const ProblemStatement&
 /// Reads a construction plan step by step and knows which points are placed.
 class PlanReader {
  public:
-  explicit PlanReader(const ProblemStatement& problem) : problem_(problem) {
+  explicit PlanReader(const ProblemStatement& problem) : problem_(problem), anchored_(problem.is_anchored()) {
     for (int point = 0; point < static_cast<int>(problem.points.size()); ++point) {
       placed_.push_back(problem.is_fixed(point));
     }
-    anchored_ = std::find(placed_.begin(), placed_.end(), true) != placed_.end();
   }
 
   std::vector<PlanStep> read(const JsonCursor& construction) {
@@ -174,7 +173,7 @@ class PlanReader {
   }
 
   const ProblemStatement& problem_;
-  bool anchored_ = false;
+  bool anchored_;
   std::vector<bool> placed_;
   std::set<std::string> driving_;
   std::vector<PlanStep> steps_;

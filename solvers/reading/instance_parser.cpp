@@ -1,6 +1,7 @@
 #include "solvers/reading/instance_parser.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <set>
@@ -9,6 +10,7 @@
 #include "solvers/reading/instance_names.hpp"
 #include "solvers/reading/instance_positions.hpp"
 #include "solvers/reading/json_cursor.hpp"
+#include "solvers/reading/text_input.hpp"
 #include "solvers/structure/structure.hpp"
 
 namespace gcs {
@@ -166,11 +168,8 @@ void read_constraints(const JsonCursor& list, ProblemStatement& problem) {
 }
 
 void read_reference_unless_fixed(const JsonCursor& cursor, ProblemStatement& problem) {
-  const bool anchored = std::any_of(problem.fixed_points.begin(), problem.fixed_points.end(),
-                                    [](const auto& position) { return position.has_value(); }) ||
-                        std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(),
-                                    [](const auto& position) { return position.has_value(); });
-  if (anchored) cursor.fail("fixed positions and a reference exclude each other", "give one of the two");
+  if (problem.is_anchored())
+    cursor.fail("fixed positions and a reference exclude each other", "give one of the two");
   problem.reference = read_reference(cursor, problem);
 }
 
@@ -236,6 +235,13 @@ Instance parse_instance(std::string_view text, const std::string& file, const st
   }
   if (const auto sketch = root.optional("sketch")) check_sketch_frame(*sketch, Scene(instance.problem));
   return instance;
+}
+
+Instance read_instance(const std::string& file, const std::string& remedy) {
+  const std::string text = read_file(file, remedy);
+  std::error_code ignored;
+  const bool has_name = std::filesystem::is_regular_file(file, ignored);
+  return parse_instance(text, file, has_name ? std::filesystem::path(file).stem().string() : std::string());
 }
 
 }  // namespace gcs

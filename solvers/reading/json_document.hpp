@@ -2,17 +2,18 @@
 /// JSON as it was written: every number keeps its decimal text, every object the order of its members.
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "solvers/running/errors.hpp"
+
 namespace gcs {
 
 /// What is wrong with an input, where, and what would be right. what() is the one message for the user:
 /// "FILE: /json/pointer: what; remedy".
-class InputError : public std::runtime_error {
+class InputError : public UserError {
  public:
   InputError(std::string file, std::string pointer, std::string what, std::string remedy);
   const std::string& pointer() const { return pointer_; }

@@ -105,7 +105,7 @@ class Monodromy final : public ComplexStrategy {
   std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request,
                                                         const ClassLimit& limit) const override {
     if ((start_ || save_start_) && !request.starts)
-      throw std::invalid_argument("start systems cannot be kept here");
+      throw OptionError("options start and save_start: nothing keeps start systems here");
     auto found = std::make_unique<Found>(request, setup_for(request));
     if (start_) {
       read(request, limit, *found);

@@ -21,7 +21,6 @@ class Reducer {
     for (const DistanceConstraint& constraint : problem.constraints)
       for (const int side : {0, 1})
         neighbours_[constraint.between[side]].push_back(constraint.between[1 - side]);
-    for (int entity = 0; entity < left_; ++entity) anchored_ = anchored_ || problem.is_fixed(entity);
   }
 
   CoreReduction run() {
@@ -96,7 +95,7 @@ class Reducer {
   std::vector<bool> kept_;
   std::set<std::pair<bool, int>> ready_;  ///< points that can go, those to keep first
   int left_;
-  bool anchored_ = false;
+  bool anchored_;
   CoreReduction result_;
 };
 

@@ -136,12 +136,6 @@ std::vector<Part> joined(const DistanceGraph& graph, int dimension, std::vector<
   return parts;
 }
 
-bool is_anchored(const ProblemStatement& problem) {
-  for (int entity = 0; entity < static_cast<int>(problem.points.size() + problem.lines.size()); ++entity)
-    if (problem.is_fixed(entity)) return true;
-  return false;
-}
-
 Points points_among(const ProblemStatement& problem, const std::vector<int>& entities) {
   Points points;
   for (const int entity : entities)
@@ -189,7 +183,7 @@ Part whole(const ProblemStatement& problem) {
 }  // namespace
 
 std::vector<Part> decompose(const ProblemStatement& problem, Split split) {
-  if (is_anchored(problem)) return {whole(problem)};
+  if (problem.is_anchored()) return {whole(problem)};
   const CoreReduction reduction = reduce_to_core(problem, {}, HangsOn::points);
   const DistanceGraph graph(problem);
   auto hung = reduction.placed.begin();

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_build.hpp"
 
 using namespace gcs;
 

@@ -5,25 +5,19 @@ Usage: installed_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import json
+import math
+import re
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
 import command_line
-from command_line import PROGRAM, run
+from command_line import PROGRAM, SOURCE
 
 
 LISTS = "project(example CXX)\nfind_package(gcsbench REQUIRED)\n" \
         "add_executable(example example.cpp)\ntarget_link_libraries(example gcsbench::solvers)\n"
-EXAMPLE = """
-#include <iostream>
-#include "solvers/interface/strategy_interface.hpp"
-int main() {
-  for (const gcs::StrategyEntry& entry : gcs::all_strategies()) std::cout << entry.name << '\\n';
-}
-"""
-
 
 class Installed(unittest.TestCase):
     @classmethod
@@ -68,17 +62,20 @@ class Installed(unittest.TestCase):
                      "share/zsh/site-functions/_gcsbench", "share/fish/vendor_completions.d/gcsbench.fish"]:
             self.assertTrue((self.prefix / file).read_text(encoding="utf-8").strip(), file)
 
-    def test_another_project_uses_the_library(self):
+    def test_the_program_of_the_front_page_is_built_and_right(self):
         project = Path(self.folder.name) / "example"
         project.mkdir()
         (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\n" + LISTS, encoding="utf-8")
-        (project / "example.cpp").write_text(EXAMPLE, encoding="utf-8")
+        readme = (SOURCE / "README.md").read_text(encoding="utf-8")
+        (project / "example.cpp").write_text(re.search(r"```cpp\n(.*?)```", readme, re.DOTALL)[1], encoding="utf-8")
         self.called(["cmake", "-S", project, "-B", project / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}",
                      f"-DCMAKE_CXX_COMPILER={self.compiler}"])
         self.called(["cmake", "--build", project / "build"])
-        shown = self.called([project / "build" / "example"]).split()
-        listed = json.loads(run("list", "strategies", "--json").stdout)["strategies"]
-        self.assertEqual(shown, [one["name"] for one in listed])
+        shown = [float(number) for number in self.called([project / "build" / "example"]).split()]
+        along = (3.1**2 + 5**2 - 4**2) / (2 * 3.1)  # by the law of cosines
+        self.assertEqual(len(shown), 2)
+        self.assertAlmostEqual(shown[0], along, places=4)
+        self.assertAlmostEqual(shown[1], math.sqrt(25 - along**2), places=4)
 
 
 if __name__ == "__main__":

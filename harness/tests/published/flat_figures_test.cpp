@@ -59,9 +59,9 @@ void check_one_real_class(const Scene& scene) {
       const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, limits);
       INFO(strategy << ", seed " << seed << ": " << run.reason);
       CHECK(run.status == RunStatus::complete);
-      CHECK(run.assessment.counts.complex_up_to_reflection == Natural(1));
-      CHECK(run.assessment.counts.real_up_to_reflection == Natural(1));
-      for (const FailedCheck& check : run.assessment.failed_checks) CHECK(check.name == "singular");
+      CHECK(run.counts.complex_up_to_reflection == Natural(1));
+      CHECK(run.counts.real_up_to_reflection == Natural(1));
+      for (const FailedCheck& check : run.failed_checks) CHECK(check.name == "singular");
     }
 }
 
@@ -98,7 +98,7 @@ TEST_CASE("points on a line in space are solved: a multiple solution, and no oth
   INFO(run.reason);
   CHECK(run.status == RunStatus::complete);
   bool is_found = false;  // (0, 0, 5), (4, 0, 0), (1, 3, 4), (7, −5, 12), and the x-axis
-  for (const AssessedSolution& solution : run.assessment.solutions) {
+  for (const AssessedSolution& solution : run.solutions) {
     is_found = is_found || (solution.figure.is_real() && solution.multiplicity == 2);
     if (solution.multiplicity > 1) CHECK(solution.condition >= 1e12);
   }

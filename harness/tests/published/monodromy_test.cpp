@@ -31,8 +31,8 @@ SolveRun expect_tangents(const ProblemStatement& problem) {
   SolveRun run = solved(problem);
   INFO(run.reason);
   CHECK(run.status == RunStatus::complete);
-  CHECK(run.assessment.failed_checks.empty());
-  CHECK(run.assessment.counts.generic == 12);
+  CHECK(run.failed_checks.empty());
+  CHECK(run.counts.generic == 12);
   CHECK(have_same_lines(run, run_strategy(find_strategy("sphere-tangents"), {}, Scene(problem), {})));
   return run;
 }
@@ -46,9 +46,9 @@ TEST_CASE("monodromy finds the dodecagon's solutions from nothing, and again fro
   for (const std::string option : {"save_start", "start"}) {
     const SolveRun run = solved("dodecagon", {{option, file}});
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.counts.generic == 3090);
-    CHECK(run.assessment.counts.complex_up_to_reflection == 3090);
-    CHECK(run.assessment.counts.real_up_to_reflection == 2);
+    CHECK(run.counts.generic == 3090);
+    CHECK(run.counts.complex_up_to_reflection == 3090);
+    CHECK(run.counts.real_up_to_reflection == 2);
   }
 }
 
@@ -57,15 +57,15 @@ TEST_CASE("where the bound is not met a trace test completes the list") {
   // pyramid Hoffmann and Yuan 2000 have 24 real ones in their frame, 6 up to reflection.
   const SolveRun run = solved("g16a");
   CHECK(run.status == RunStatus::complete);
-  CHECK(run.assessment.counts.complex_up_to_reflection == 8);
+  CHECK(run.counts.complex_up_to_reflection == 8);
   CHECK(solved("g16a", {{"trace", "off"}}).status == RunStatus::partial);
-  CHECK(solved("hoffmann-yuan").assessment.counts.real_up_to_reflection == 6);
+  CHECK(solved("hoffmann-yuan").counts.real_up_to_reflection == 6);
 }
 
 TEST_CASE("threads and instruction sets change no number of a solve") {
   const SolveRun one = solved("g160"), two = solved("g160", {{"instructions", "portable"}}, 2);
   CHECK(one.work.iterations == two.work.iterations);
-  const auto &ours = one.assessment.solutions, &theirs = two.assessment.solutions;
+  const auto &ours = one.solutions, &theirs = two.solutions;
   REQUIRE(ours.size() == theirs.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
     CHECK(ours[i].figure.points == theirs[i].figure.points);
@@ -115,13 +115,13 @@ TEST_CASE("lines beside given points are found with the points set free") {
   for (const auto& [id, real] :
        {std::pair("tangents-durand", 4), {"tangents-12-real", 12}, {"tangents-equal-radii", 12}}) {
     const SolveRun run = expect_tangents(load_instance(id).problem);
-    CHECK(run.assessment.solutions.size() == 12);
+    CHECK(run.solutions.size() == 12);
     CHECK(real_ones(run) == real);
   }
   const SolveRun fourfold = expect_tangents(load_instance("tangents-fourfold").problem);
-  CHECK(fourfold.assessment.solutions.size() == 3);
+  CHECK(fourfold.solutions.size() == 3);
   CHECK(real_ones(fourfold) == 3);
-  for (const AssessedSolution& solution : fourfold.assessment.solutions) CHECK(solution.multiplicity == 4);
+  for (const AssessedSolution& solution : fourfold.solutions) CHECK(solution.multiplicity == 4);
 }
 
 TEST_CASE("given points anywhere have 12 tangents, coplanar and nearly coplanar ones too") {

@@ -27,9 +27,9 @@ std::uint64_t count_on_path(const ProblemStatement& problem, const std::string& 
   const SolveRun result = run(problem, strategy);
   CAPTURE(strategy, result.reason);
   CHECK(result.status == RunStatus::complete);
-  for (const FailedCheck& failed : result.assessment.failed_checks) FAIL_CHECK(failed.what);
-  REQUIRE(result.assessment.counts.on_path);
-  return *result.assessment.counts.on_path;
+  for (const FailedCheck& failed : result.failed_checks) FAIL_CHECK(failed.what);
+  REQUIRE(result.counts.on_path);
+  return *result.counts.on_path;
 }
 
 void check_count(const ProblemStatement& problem, std::uint64_t expected) {
@@ -135,7 +135,7 @@ TEST_CASE("the paper's largest steps are 0.1 in full space and 0.05 with plans")
 TEST_CASE("the paper's tracker jumps on the icosahedron") {
   const SolveRun result =
       run(problem_of("icosahedron"), "full-space", {{"mode", "paper"}, {"max_steps", "46000"}});
-  const Assessment& assessment = result.assessment;
+  const Assessment& assessment = result;
   const bool right = result.status == RunStatus::complete && assessment.counts.on_path == 174u &&
                      assessment.crossings.size() == 174 && assessment.failed_checks.empty();
   CHECK_FALSE(right);

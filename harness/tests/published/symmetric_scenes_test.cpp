@@ -44,8 +44,8 @@ SolveRun solved(const ProblemStatement& problem, const std::string& strategy, st
 void check_never_wrong(const SolveRun& run, std::uint64_t real, std::uint64_t complex) {
   INFO(run.strategy << ", " << run.reason);
   if (run.status != RunStatus::complete) return;
-  CHECK(run.assessment.counts.real_up_to_reflection == real);
-  CHECK(run.assessment.counts.complex_up_to_reflection == complex);
+  CHECK(run.counts.real_up_to_reflection == real);
+  CHECK(run.counts.complex_up_to_reflection == complex);
 }
 
 }  // namespace
@@ -69,10 +69,10 @@ TEST_CASE("the trace test sees images that are not divided out") {
   for (std::uint64_t seed = 1; seed <= 14; ++seed) {
     CAPTURE(seed);
     const SolveRun run = solved(space, "monodromy", seed);
-    CHECK(run.assessment.counts.real_up_to_reflection.value_or(4) <= 4u);
+    CHECK(run.counts.real_up_to_reflection.value_or(4) <= 4u);
     if (run.status != RunStatus::complete) continue;
     ++complete;
-    CHECK(run.assessment.counts.complex_up_to_reflection == 4u);
+    CHECK(run.counts.complex_up_to_reflection == 4u);
   }
   CHECK(complete >= 4);
   for (std::uint64_t seed = 1; seed <= 14; ++seed) check_never_wrong(solved(plane, "monodromy", seed), 4, 4);
@@ -103,7 +103,7 @@ TEST_CASE("nearly flat figures on the same side and on both are two classes") {
     CAPTURE(strategy);
     const SolveRun run = solved(plane, strategy, 1, {{"reduce", "off"}});
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.counts.real_up_to_reflection == 2u);
+    CHECK(run.counts.real_up_to_reflection == 2u);
   }
   const std::string points = R"("dimension": 3, "points": ["a", "b", "c", "p", "q"])";
   const std::vector<Length> base{{"a", "b", "16"}, {"a", "c", "10"}, {"b", "c", "18"}};
@@ -125,11 +125,11 @@ TEST_CASE("nearly flat figures on the same side and on both are two classes") {
       CAPTURE(strategy, reduce);
       const SolveRun run = solved(real, strategy, 1, {{"reduce", reduce}});
       CHECK(run.status == RunStatus::complete);
-      CHECK(run.assessment.counts.real_up_to_reflection == 2u);
+      CHECK(run.counts.real_up_to_reflection == 2u);
       const SolveRun other = solved(complex, strategy, 1, {{"reduce", reduce}});
       CHECK(other.status == RunStatus::complete);
-      CHECK(other.assessment.counts.real_up_to_reflection == 0u);
-      if (strategy != "plan-scan") CHECK(other.assessment.counts.complex_up_to_reflection == 2u);
+      CHECK(other.counts.real_up_to_reflection == 0u);
+      if (strategy != "plan-scan") CHECK(other.counts.complex_up_to_reflection == 2u);
     }
 }
 
@@ -157,8 +157,8 @@ TEST_CASE("a point is placed anew when a side changes the base of what it hangs 
     CAPTURE(reduce);
     const SolveRun run = solved(problem, "plan-scan", 1, {{"reduce", reduce}});
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.counts.real_up_to_reflection == 16u);
-    CHECK(run.assessment.failed_checks.empty());
+    CHECK(run.counts.real_up_to_reflection == 16u);
+    CHECK(run.failed_checks.empty());
   }
 }
 
@@ -174,7 +174,7 @@ TEST_CASE("parts that are joined at collinear points are not put together") {
   const SolveRun run = solved(problem, "polyhedral");
   CHECK(run.status == RunStatus::partial);
   CHECK(run.reason.find("collinear") != std::string::npos);
-  CHECK(run.assessment.failed_checks.empty());
+  CHECK(run.failed_checks.empty());
 }
 
 // Eight classes of the octahedron, four of them real. The point beside it, 3e-7 or 1e-7 over the plane of

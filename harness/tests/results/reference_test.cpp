@@ -45,7 +45,7 @@ void check(const std::string& id, const std::string& strategy) {
   const SolveRun run = run_strategy(find_strategy(strategy), {}, Scene(instance.problem), limits);
   const Json solutions = reference(id)["solutions"];
   std::set<std::size_t> met;
-  for (const AssessedSolution& solution : run.assessment.solutions) {
+  for (const AssessedSolution& solution : run.solutions) {
     if (!solution.figure.is_real()) continue;
     REQUIRE(solution.certified);
     // The reference's digits are rounded to doubles here.

@@ -20,7 +20,7 @@ SolveRun toy_run() {
   run.seed = 3;
   run.status = RunStatus::complete;
   run.claim = Claim::on_path;
-  run.assessment = assess(scene, toy::good_report(scene));
+  static_cast<Assessment&>(run) = assess(scene, toy::good_report(scene));
   run.work.iterations = 694;
   run.work.smallest_step = 0.01;
   run.timing = {0.25, 0.5, 0.125, 7};
@@ -83,8 +83,8 @@ TEST_CASE("counts that are not determined are null") {
 
 TEST_CASE("a count that a double cannot hold is a decimal string") {
   SolveRun run = toy_run();
-  run.assessment.counts.paths = 9007199254740992u;
-  run.assessment.counts.generic = 9007199254740993u;
+  run.counts.paths = 9007199254740992u;
+  run.counts.generic = 9007199254740993u;
   const Json counts = parsed(run)["counts"];
   CHECK(counts["paths"] == 9007199254740992u);
   CHECK(counts["generic"] == "9007199254740993");
@@ -106,7 +106,7 @@ TEST_CASE("solutions have plain numbers, as many as the dimension") {
 TEST_CASE("the path names solutions, or null where they were left out") {
   SolveRun run = toy_run();
   CHECK(parsed(run)["path"][1] == Json{{"solution", 0}, {"direction", -1}});
-  keep_first(run.assessment, 1);
+  keep_first(run, 1);
   CHECK(parsed(run)["path"][0] == Json{{"solution", nullptr}, {"direction", 1}});
   run.claim = Claim::all_real;
   CHECK(parsed(run)["path"].is_null());
@@ -121,7 +121,7 @@ TEST_CASE("ends that are alike are counted together") {
   using End = PathRecord::End;
   const PathRecord twofold{End::singular, "", 0, {}, 2, 0}, escaped{End::at_infinity, "", 0, {}, 2, 2},
       lost{End::failed, "its steps became too small", 0, {}, 0, 0};
-  run.assessment.ends = ends_of({escaped, twofold, lost, escaped, escaped});
+  run.ends = ends_of({escaped, twofold, lost, escaped, escaped});
   CHECK(parsed(run)["ends"] == Json::parse(R"([
     {"end": "singular", "cause": "", "winding_number": 2, "exponent": null, "proven": false, "paths": 1},
     {"end": "at infinity", "cause": "", "winding_number": 2, "exponent": [1, 1], "proven": false,
@@ -137,7 +137,7 @@ TEST_CASE("what is proven of a path is told apart from what is only found") {
   found.end = PathRecord::End::closed;
   PathRecord proven = found;
   proven.proven = true;
-  run.assessment.ends = ends_of({found, proven});
+  run.ends = ends_of({found, proven});
   CHECK(parsed(run)["ends"].size() == 2);
   CHECK(parsed(run)["ends"][1]["proven"] == true);
   CHECK_THAT(solve_summary(toy::instance(), run), Catch::Contains("1 path closes; the order and number"));
@@ -147,7 +147,7 @@ TEST_CASE("the summary says how fast paths escape") {
   SolveRun run = toy_run();
   using End = PathRecord::End;
   const auto escaped = [](int w, int k) { return PathRecord{End::at_infinity, "", 0, {}, w, k}; };
-  run.assessment.ends = ends_of({escaped(1, 1), escaped(1, 2), escaped(2, 2), escaped(2, 1)});
+  run.ends = ends_of({escaped(1, 1), escaped(1, 2), escaped(2, 2), escaped(2, 1)});
   CHECK_THAT(solve_summary(toy::instance(), run),
              Catch::Contains("1 path like 1/(1-t)^(1/2), 2 like 1/(1-t), 1 like 1/(1-t)^2"));
 }
@@ -177,9 +177,9 @@ TEST_CASE("the instance keeps its decimal text") {
 
 TEST_CASE("numbers read back as the same doubles and infinity is null") {
   SolveRun run = toy_run();
-  run.assessment.solutions[0].residual = 0.1 + 0.2;
-  run.assessment.solutions[0].figure.points(0, 2) = -0.0;
-  run.assessment.solutions[1].condition = std::numeric_limits<double>::infinity();
+  run.solutions[0].residual = 0.1 + 0.2;
+  run.solutions[0].figure.points(0, 2) = -0.0;
+  run.solutions[1].condition = std::numeric_limits<double>::infinity();
   const std::string text = text_of(run);
   const Json solutions = Json::parse(text)["solutions"];
   CHECK(solutions[0]["residual"] == 0.1 + 0.2);
@@ -202,7 +202,7 @@ TEST_CASE("a run that never started has no claim and no solutions") {
 
 TEST_CASE("failed checks are in the result") {
   SolveRun run = toy_run();
-  run.assessment.failed_checks = {{"residual", "too large"}};
+  run.failed_checks = {{"residual", "too large"}};
   CHECK(parsed(run)["failed_checks"] == Json::array({{{"name", "residual"}, {"what", "too large"}}}));
 }
 

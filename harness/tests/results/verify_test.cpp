@@ -36,7 +36,7 @@ Json result_of(const Case& one, int threads = 1) {
   limits.threads = threads;
   const SolveRun run = run_strategy(find_strategy(one.strategy), {}, Scene(instance.problem), limits);
   REQUIRE(run.status == RunStatus::complete);
-  CHECK(run.assessment.failed_checks.empty());
+  CHECK(run.failed_checks.empty());
   return Json::parse(result_text(instance, run, {}));
 }
 
@@ -95,22 +95,22 @@ TEST_CASE("touching spheres have clusters of four tangents, which are all there 
   limits.certify = true;
   for (const std::string strategy : {"sphere-tangents", "monodromy"}) {
     SolveRun run = run_strategy(find_strategy(strategy), {}, scene, limits);
-    REQUIRE(run.assessment.proofs);
+    REQUIRE(run.proofs);
     INFO(strategy);
-    CHECK(run.assessment.proofs->classes == 0);
-    CHECK(run.assessment.proofs->clusters == 3);
-    CHECK(run.assessment.proofs->in_clusters == 12);
-    CHECK(run.assessment.proofs->are_complete());
-    REQUIRE(run.assessment.failed_checks.size() == 3);
-    for (const FailedCheck& check : run.assessment.failed_checks) CHECK(check.name == "singular");
+    CHECK(run.proofs->classes == 0);
+    CHECK(run.proofs->clusters == 3);
+    CHECK(run.proofs->in_clusters == 12);
+    CHECK(run.proofs->are_complete());
+    REQUIRE(run.failed_checks.size() == 3);
+    for (const FailedCheck& check : run.failed_checks) CHECK(check.name == "singular");
 
     // Another multiplicity is refuted, and a line that is listed twice counts once.
-    run.assessment.failed_checks.clear();
-    run.assessment.solutions[0].multiplicity = 3;
-    run.assessment.solutions.push_back(run.assessment.solutions[1]);
-    certify(scene, theoretical_counts(scene.problem()), {}, 1, nullptr, run.assessment);
-    CHECK(run.assessment.failed_checks[0].name == "certificate");
-    CHECK(run.assessment.proofs->in_clusters == 12);
+    run.failed_checks.clear();
+    run.solutions[0].multiplicity = 3;
+    run.solutions.push_back(run.solutions[1]);
+    certify(scene, theoretical_counts(scene.problem()), {}, 1, nullptr, run);
+    CHECK(run.failed_checks[0].name == "certificate");
+    CHECK(run.proofs->in_clusters == 12);
   }
 }
 
@@ -119,10 +119,10 @@ TEST_CASE("proofs that are stopped leave a list without objections") {
   SolveRun run = run_strategy(find_strategy("cayley-menger"), {}, scene, {});
   std::stop_source stop;
   stop.request_stop();
-  certify(scene, theoretical_counts(scene.problem()), {}, 1, nullptr, run.assessment, stop.get_token());
-  CHECK(run.assessment.failed_checks.empty());
-  CHECK(run.assessment.proofs->classes == 0);
-  CHECK(run.assessment.solutions.size() == 8);
+  certify(scene, theoretical_counts(scene.problem()), {}, 1, nullptr, run, stop.get_token());
+  CHECK(run.failed_checks.empty());
+  CHECK(run.proofs->classes == 0);
+  CHECK(run.solutions.size() == 8);
 }
 
 TEST_CASE("counts that one side does not know are caught") {

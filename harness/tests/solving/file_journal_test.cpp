@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "harness/base/atomic_file.hpp"
-#include "harness/base/json_build.hpp"
 #include "harness/tests/test_folder.hpp"
+#include "solvers/reading/json_build.hpp"
 
 using namespace gcs;
 namespace fs = std::filesystem;

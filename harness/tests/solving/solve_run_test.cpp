@@ -83,7 +83,7 @@ TEST_CASE("a complete run holds what was asked for and what was found") {
   CHECK(result.seed == 7);
   CHECK(result.threads == 2);
   CHECK(result.claim == Claim::on_path);
-  CHECK(result.assessment.counts.on_path == 2u);
+  CHECK(result.counts.on_path == 2u);
   CHECK(result.timing.wall_s > 0);
   CHECK(result.timing.prepare_s > 0);
 }
@@ -99,7 +99,7 @@ TEST_CASE("a strategy that cannot do the scene is not run") {
   CHECK(result.status == RunStatus::unsupported);
   CHECK(result.reason == "it does not want to");
   CHECK_FALSE(result.claim);
-  CHECK_FALSE(result.assessment.counts.singular);
+  CHECK_FALSE(result.counts.singular);
 }
 
 TEST_CASE("a path strategy needs a sketch") {
@@ -124,7 +124,7 @@ TEST_CASE("giving up keeps the strategy's reason and what it found") {
   const SolveRun result = run("gives up");
   CHECK(result.status == RunStatus::gave_up);
   CHECK(result.reason == "it is too hard");
-  CHECK(result.assessment.solutions.size() == 2);
+  CHECK(result.solutions.size() == 2);
 }
 
 TEST_CASE("the time limit stops a strategy and keeps what it found") {
@@ -133,7 +133,7 @@ TEST_CASE("the time limit stops a strategy and keeps what it found") {
   CHECK(std::chrono::steady_clock::now() - start >= std::chrono::milliseconds(50));
   CHECK(result.status == RunStatus::timed_out);
   CHECK_THAT(result.reason, Catch::Contains("0.05 s"));
-  CHECK(result.assessment.solutions.size() == 2);
+  CHECK(result.solutions.size() == 2);
 }
 
 TEST_CASE("the time limit stops proofs unless it is for the solve alone") {
@@ -142,11 +142,11 @@ TEST_CASE("the time limit stops proofs unless it is for the solve alone") {
   const SolveRun stopped = run("good", limits, &slow);
   CHECK(stopped.status == RunStatus::timed_out);
   CHECK(stopped.reason == "the time limit of 1 s has passed while solutions were proven");
-  CHECK(stopped.assessment.counts.certified == 1);
+  CHECK(stopped.counts.certified == 1);
   limits.limits_proofs = false;
   const SolveRun proven = run("good", limits, &slow);
   CHECK(proven.status == RunStatus::complete);
-  CHECK(proven.assessment.counts.certified == 2);
+  CHECK(proven.counts.certified == 2);
 }
 
 TEST_CASE("a strategy that stops by itself has given up") {
@@ -156,20 +156,20 @@ TEST_CASE("a strategy that stops by itself has given up") {
 TEST_CASE("a limit that was not reached changes nothing") {
   const SolveRun result = run("good", {.time_limit_s = 1e30, .max_solutions = 2});
   CHECK(result.status == RunStatus::complete);
-  CHECK(result.assessment.solutions.size() == 2);
+  CHECK(result.solutions.size() == 2);
 }
 
 TEST_CASE("a list cut short is partial and says so") {
   const SolveRun result = run("good", {.max_solutions = 1});
   CHECK(result.status == RunStatus::partial);
   CHECK(result.reason == "1 of the 2 solutions found are kept, as asked");
-  CHECK(result.assessment.solutions.size() == 1);
+  CHECK(result.solutions.size() == 1);
 }
 
 TEST_CASE("counts that exceed the theoretical ones or differ from the exact one are failed checks") {
   const auto failed = [](const std::string& behaviour) {
     std::vector<std::string> names;
-    for (const FailedCheck& check : run(behaviour).assessment.failed_checks) names.push_back(check.name);
+    for (const FailedCheck& check : run(behaviour).failed_checks) names.push_back(check.name);
     return names;
   };
   // Two points hang on a segment: two classes, whatever the lengths.

@@ -28,7 +28,7 @@ std::optional<std::int64_t> particular(const SolveRun& run, const std::string& n
 }
 
 void check_same_solutions(const SolveRun& a, const SolveRun& b) {
-  const auto &ours = a.assessment.solutions, &theirs = b.assessment.solutions;
+  const auto &ours = a.solutions, &theirs = b.solutions;
   REQUIRE(ours.size() == theirs.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
     CHECK(ours[i].figure.points == theirs[i].figure.points);
@@ -68,7 +68,7 @@ TEST_CASE("what a search has found serves again, to the same bits") {
     const SolveRun found = solved(problem_of(id), {{"save_start", file}});
     const SolveRun again = solved(problem_of(id), {{"start", file}});
     CHECK(again.status == RunStatus::complete);
-    CHECK(again.assessment.counts.generic == 8U);
+    CHECK(again.counts.generic == 8U);
     CHECK(particular(again, "stored_solutions") == 8);
     CHECK(particular(again, "trace_solutions") == particular(found, "trace_solutions"));
     CHECK(again.work.iterations < found.work.iterations);
@@ -85,7 +85,7 @@ TEST_CASE("a stored start serves other lengths") {
   for (int i = 0; i < 5; ++i) {
     const SolveRun run = solved(contract::with_random_targets(problem, random), {{"start", file}});
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.counts.complex_up_to_reflection == 8U);
+    CHECK(run.counts.complex_up_to_reflection == 8U);
   }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("a stored start is no more complete than the search that found it") {
   REQUIRE(solved(problem_of("g16a"), {{"save_start", file}, {"trace", "off"}}).status == RunStatus::partial);
   const SolveRun again = solved(problem_of("g16a"), {{"start", file}});
   CHECK(again.status == RunStatus::partial);
-  CHECK_FALSE(again.assessment.counts.generic);
+  CHECK_FALSE(again.counts.generic);
   CHECK_THAT(again.reason,
              Catch::Contains("the stored start has 8 classes") && Catch::Contains("was not tested"));
 }

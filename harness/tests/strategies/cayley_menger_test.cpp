@@ -107,7 +107,7 @@ ProblemStatement hanging_near_its_base(const std::string& square) {
 }
 
 int real_ones(const SolveRun& run) {
-  const auto& solutions = run.assessment.solutions;
+  const auto& solutions = run.solutions;
   return static_cast<int>(std::count_if(solutions.begin(), solutions.end(),
                                         [](const AssessedSolution& s) { return s.figure.is_real(); }));
 }
@@ -116,13 +116,11 @@ int real_ones(const SolveRun& run) {
 bool holds(const ProblemStatement& problem, const SolveRun& run, const Eigen::Matrix3Xd& points) {
   const Scene scene(problem);
   const double unit = std::ldexp(1.0, -scene.unit_exponent());
-  return std::any_of(run.assessment.solutions.begin(), run.assessment.solutions.end(),
-                     [&](const AssessedSolution& s) {
-                       if (!s.figure.is_real()) return false;
-                       const std::array<Figure, 2> pair{Figure{unit * s.figure.points, {}, {}},
-                                                        Figure{unit * points, {}, {}}};
-                       return reflection_classes(scene, pair, 1e-8).count() == 1;
-                     });
+  return std::any_of(run.solutions.begin(), run.solutions.end(), [&](const AssessedSolution& s) {
+    if (!s.figure.is_real()) return false;
+    const std::array<Figure, 2> pair{Figure{unit * s.figure.points, {}, {}}, Figure{unit * points, {}, {}}};
+    return reflection_classes(scene, pair, 1e-8).count() == 1;
+  });
 }
 
 }  // namespace
@@ -135,10 +133,10 @@ TEST_CASE("random octahedra have eight complex classes, the one they were made o
     const SolveRun run = solved(problem);
     INFO("octahedron " << i << ": " << run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.solutions.size() == 8);
-    CHECK(run.assessment.failed_checks.empty());
-    CHECK(run.assessment.counts.at_infinity == 0);
-    CHECK(run.assessment.counts.generic == 8);
+    CHECK(run.solutions.size() == 8);
+    CHECK(run.failed_checks.empty());
+    CHECK(run.counts.at_infinity == 0);
+    CHECK(run.counts.generic == 8);
     CHECK(holds(problem, run, points));
   }
 }
@@ -148,11 +146,10 @@ TEST_CASE("cayley-menger finds the classes that path tracking finds, to 1e-12") 
   const Scene scene(problem);
   const SolveRun all = solved(problem);
   const SolveRun path = solved(problem, "full-space");
-  REQUIRE(path.assessment.solutions.size() == 4);
+  REQUIRE(path.solutions.size() == 4);
   REQUIRE(real_ones(all) == 4);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Matrix3Xd difference =
-        all.assessment.solutions[i].figure.points - path.assessment.solutions[i].figure.points;
+    const Eigen::Matrix3Xd difference = all.solutions[i].figure.points - path.solutions[i].figure.points;
     CHECK(difference.cwiseAbs().maxCoeff() <= 1e-12);
   }
 }
@@ -161,7 +158,7 @@ TEST_CASE("cyclohexane has eight real classes, some with the same diagonals") {
   const SolveRun run = solved(load_instance("octahedron-cyclohexane").problem);
   CHECK(run.status == RunStatus::complete);
   CHECK(real_ones(run) == 8);
-  CHECK(run.assessment.solutions.size() == 8);
+  CHECK(run.solutions.size() == 8);
 }
 
 TEST_CASE("points that hang on an octahedron are placed on both sides") {
@@ -170,9 +167,9 @@ TEST_CASE("points that hang on an octahedron are placed on both sides") {
   const ProblemStatement more = with_hanging_point(with_hanging_point(problem, {0, 1, 2}, 2), {1, 2, 6}, 2);
   const SolveRun run = solved(more);
   CHECK(run.status == RunStatus::complete);
-  CHECK(run.assessment.solutions.size() == 32);
-  for (const FailedCheck& check : run.assessment.failed_checks) FAIL_CHECK(check.name << ": " << check.what);
-  CHECK(run.assessment.counts.generic == 32);
+  CHECK(run.solutions.size() == 32);
+  for (const FailedCheck& check : run.failed_checks) FAIL_CHECK(check.name << ": " << check.what);
+  CHECK(run.counts.generic == 32);
 }
 
 TEST_CASE("an edge of 1e-5 leaves all eight classes, four of them far away in its frame") {
@@ -184,8 +181,8 @@ TEST_CASE("an edge of 1e-5 leaves all eight classes, four of them far away in it
     INFO("octahedron " << i << ": " << run.reason);
     const bool is_too_far = run.reason.find("doubles do not hold the distances") != std::string::npos;
     CHECK((run.status == RunStatus::complete || is_too_far));
-    CHECK(run.assessment.solutions.size() == 8);
-    CHECK(run.assessment.failed_checks.empty());
+    CHECK(run.solutions.size() == 8);
+    CHECK(run.failed_checks.empty());
     CHECK(holds(problem, run, points));
   }
 }
@@ -198,7 +195,7 @@ TEST_CASE("a point that hangs on an octahedron with a short edge is placed on bo
         solved(with_hanging_point(problem, {2, 3, 4}, 2), "cayley-menger", {{"reduce", reduce}});
     INFO("reduce " << reduce << ": " << run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.solutions.size() == 16);
+    CHECK(run.solutions.size() == 16);
   }
 }
 
@@ -208,11 +205,11 @@ TEST_CASE("solutions of an octahedron with a short edge scale by powers of two, 
   const SolveRun run = solved(octahedron_of(points));
   for (const double scale : {0x1p100, 0x1p-100}) {
     const SolveRun scaled = solved(octahedron_of(scale * points));
-    REQUIRE(scaled.assessment.solutions.size() == run.assessment.solutions.size());
-    for (std::size_t i = 0; i < run.assessment.solutions.size(); ++i) {
-      const Figure& figure = run.assessment.solutions[i].figure;
-      CHECK(scaled.assessment.solutions[i].figure.points == scale * figure.points);
-      CHECK(scaled.assessment.solutions[i].figure.imaginary == scale * figure.imaginary);
+    REQUIRE(scaled.solutions.size() == run.solutions.size());
+    for (std::size_t i = 0; i < run.solutions.size(); ++i) {
+      const Figure& figure = run.solutions[i].figure;
+      CHECK(scaled.solutions[i].figure.points == scale * figure.points);
+      CHECK(scaled.solutions[i].figure.imaginary == scale * figure.imaginary);
     }
   }
 }
@@ -255,8 +252,8 @@ TEST_CASE("a pair of diagonals that escapes to infinity is counted as such") {
     const SolveRun run = solved(problem);
     INFO(run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.counts.at_infinity.value_or(0) > 0);
-    CHECK(run.assessment.counts.at_infinity.value_or(0) + run.assessment.solutions.size() == 8);
+    CHECK(run.counts.at_infinity.value_or(0) > 0);
+    CHECK(run.counts.at_infinity.value_or(0) + run.solutions.size() == 8);
     CHECK(holds(problem, run, points));
   }
 }
@@ -275,10 +272,10 @@ TEST_CASE("two simple solutions near a fold are no double one, and real on one s
     const SolveRun run = solved(near_fold(square));
     INFO(square << " " << run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.solutions.size() == 8);
+    CHECK(run.solutions.size() == 8);
     CHECK(real_ones(run) == real);
-    CHECK(run.assessment.counts.singular == 0U);
-    CHECK(run.assessment.failed_checks.empty());
+    CHECK(run.counts.singular == 0U);
+    CHECK(run.failed_checks.empty());
   }
 }
 
@@ -294,7 +291,7 @@ TEST_CASE("a point that hangs just beside the plane of its base is placed on bot
                                        {"4.9999999999", 0}}) {
       const SolveRun run = solved(hanging_near_its_base(square), "cayley-menger", {{"reduce", reduce}});
       INFO(square << ", reduce " << reduce << ": " << run.reason);
-      const bool is_whole = run.assessment.solutions.size() == 16 && real_ones(run) == real;
+      const bool is_whole = run.solutions.size() == 16 && real_ones(run) == real;
       if (reduce == "off") CHECK(run.status == RunStatus::complete);
       CHECK((is_whole || run.status == RunStatus::partial));
     }
@@ -304,9 +301,9 @@ TEST_CASE("a point that hangs in the plane of its base has one place of multipli
   const SolveRun run = solved(hanging_near_its_base("5"), "cayley-menger", {{"reduce", "off"}});
   INFO(run.reason);
   CHECK(run.status == RunStatus::complete);
-  CHECK(run.assessment.solutions.size() == 8);
+  CHECK(run.solutions.size() == 8);
   CHECK(real_ones(run) == 4);
-  for (const AssessedSolution& solution : run.assessment.solutions) CHECK(solution.multiplicity == 2);
+  for (const AssessedSolution& solution : run.solutions) CHECK(solution.multiplicity == 2);
 }
 
 TEST_CASE("solutions that doubles do not tell apart are not called complete") {

@@ -22,7 +22,7 @@ SolveRun solved(const ProblemStatement& problem, const std::string& strategy, co
 
 std::vector<Figure> real_figures(const SolveRun& run) {
   std::vector<Figure> figures;
-  for (const AssessedSolution& s : run.assessment.solutions)
+  for (const AssessedSolution& s : run.solutions)
     if (s.figure.is_real()) figures.push_back(s.figure);
   return figures;
 }
@@ -192,6 +192,6 @@ TEST_CASE("a scan that cannot divide by a gap does not say that nothing is there
             {"type": "distance", "between": ["x", "b"], "length": 1}]})";
     const SolveRun run = solved(parse_instance(text, "gap.json", "").problem, "plan-scan");
     INFO(gap << ": " << run.reason);
-    CHECK((run.status == RunStatus::partial || run.assessment.solutions.size() == 2));
+    CHECK((run.status == RunStatus::partial || run.solutions.size() == 2));
   }
 }

@@ -39,19 +39,18 @@ ProblemStatement near_double_tangent(const std::string& square) {
 
 int multiplicities(const SolveRun& run) {
   int sum = 0;
-  for (const AssessedSolution& solution : run.assessment.solutions) sum += solution.multiplicity;
+  for (const AssessedSolution& solution : run.solutions) sum += solution.multiplicity;
   return sum;
 }
 
 bool holds_conjugate(const SolveRun& run, const ComplexLine& line) {
-  return std::any_of(run.assessment.solutions.begin(), run.assessment.solutions.end(),
-                     [&](const AssessedSolution& other) {
-                       const ComplexLine at = complex_lines(other.figure)[0];
-                       const auto off = [&](const Eigen::Vector3cd& u) { return (at.direction - u).norm(); };
-                       const Eigen::Vector3cd u = line.direction.conjugate();
-                       return std::min(off(u), off(-u)) <= 1e-9 * u.norm() &&
-                              (at.point - line.point.conjugate()).norm() <= 1e-9 * (1 + at.point.norm());
-                     });
+  return std::any_of(run.solutions.begin(), run.solutions.end(), [&](const AssessedSolution& other) {
+    const ComplexLine at = complex_lines(other.figure)[0];
+    const auto off = [&](const Eigen::Vector3cd& u) { return (at.direction - u).norm(); };
+    const Eigen::Vector3cd u = line.direction.conjugate();
+    return std::min(off(u), off(-u)) <= 1e-9 * u.norm() &&
+           (at.point - line.point.conjugate()).norm() <= 1e-9 * (1 + at.point.norm());
+  });
 }
 
 /// Both methods find the same lines, and 24 paths have named ends of which none failed.
@@ -59,10 +58,10 @@ void expect_agreement(const ProblemStatement& problem) {
   const SolveRun direct = solved(problem), homotopy = solved(problem, {{"method", "homotopy"}});
   INFO(homotopy.reason);
   CHECK(homotopy.status == direct.status);
-  CHECK(homotopy.assessment.failed_checks.empty());
-  CHECK(homotopy.assessment.counts.paths == 24U);
-  CHECK(homotopy.assessment.counts.failed_paths == 0U);
-  CHECK(homotopy.assessment.counts.at_infinity == 2 * direct.assessment.counts.at_infinity.value());
+  CHECK(homotopy.failed_checks.empty());
+  CHECK(homotopy.counts.paths == 24U);
+  CHECK(homotopy.counts.failed_paths == 0U);
+  CHECK(homotopy.counts.at_infinity == 2 * direct.counts.at_infinity.value());
   CHECK(have_same_lines(direct, homotopy));
 }
 
@@ -80,7 +79,7 @@ bool is_precise(const FourDistances& given, const AssessedSolution& solution) {
 
 /// Whether rounding the coordinates of every line leaves something of it.
 bool doubles_determine(const SolveRun& run) {
-  return std::ranges::all_of(run.assessment.solutions,
+  return std::ranges::all_of(run.solutions,
                              [](const AssessedSolution& solution) { return solution.condition < 0x1p53; });
 }
 
@@ -88,10 +87,10 @@ void expect_twelve(const ProblemStatement& problem) {
   const SolveRun run = solved(problem);
   INFO(run.reason);
   CHECK(run.status == (doubles_determine(run) ? RunStatus::complete : RunStatus::partial));
-  CHECK(run.assessment.solutions.size() == 12);
-  CHECK(run.assessment.failed_checks.empty());
+  CHECK(run.solutions.size() == 12);
+  CHECK(run.failed_checks.empty());
   const FourDistances given = distances_of(problem);
-  for (const AssessedSolution& solution : run.assessment.solutions) {
+  for (const AssessedSolution& solution : run.solutions) {
     CHECK(holds_conjugate(run, complex_lines(solution.figure)[0]));
     CHECK(is_precise(given, solution));
   }
@@ -105,18 +104,18 @@ TEST_CASE("the published tangents have 12 complex lines and 4 or 12 real ones") 
     const SolveRun run = solved(load_instance(id).problem);
     INFO(id << " " << run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.solutions.size() == 12);
+    CHECK(run.solutions.size() == 12);
     CHECK(real_ones(run) == real);
-    CHECK(run.assessment.failed_checks.empty());
+    CHECK(run.failed_checks.empty());
   }
 }
 
 TEST_CASE("touching spheres have 3 real tangents of multiplicity 4, found to 1e-12") {
   const SolveRun run = solved(load_instance("tangents-fourfold").problem);
   CHECK(run.status == RunStatus::complete);
-  REQUIRE(run.assessment.solutions.size() == 3);
+  REQUIRE(run.solutions.size() == 3);
   CHECK(real_ones(run) == 3);
-  for (const AssessedSolution& solution : run.assessment.solutions) {
+  for (const AssessedSolution& solution : run.solutions) {
     CHECK(solution.multiplicity == 4);
     // By symmetry the lines are the axes of coordinates.
     CHECK(solution.figure.lines[0].point.norm() <= 1e-12);
@@ -135,7 +134,7 @@ TEST_CASE("a line that is off by more than rounding is not precise") {
   const ProblemStatement problem =
       spheres(dice.centers(), {1, 0.7, 0.8, 0.6});  // the scene's unit is the file's
   const FourDistances given = distances_of(problem);
-  for (AssessedSolution solution : solved(problem).assessment.solutions) {
+  for (AssessedSolution solution : solved(problem).solutions) {
     const bool is_real = solution.figure.is_real();
     ComplexLine line = complex_lines(solution.figure)[0];
     line.direction[0] *= 1 + 1e-10;
@@ -173,11 +172,9 @@ TEST_CASE("a line through a point is found with its multiplicity") {
     INFO(run.reason);
     CHECK(run.status == RunStatus::complete);
     CHECK(multiplicities(run) == 12);
-    CHECK(std::any_of(run.assessment.solutions.begin(), run.assessment.solutions.end(),
-                      [&](const AssessedSolution& s) {
-                        return s.figure.is_real() && s.multiplicity == 2 &&
-                               s.figure.lines[0].direction.cross(u).norm() <= 1e-9;
-                      }));
+    CHECK(std::any_of(run.solutions.begin(), run.solutions.end(), [&](const AssessedSolution& s) {
+      return s.figure.is_real() && s.multiplicity == 2 && s.figure.lines[0].direction.cross(u).norm() <= 1e-9;
+    }));
   }
 }
 
@@ -194,7 +191,7 @@ TEST_CASE("a line through a point that only rounded distances have is no real on
     INFO(run.reason);
     CHECK(run.status == RunStatus::partial);
     CHECK_THAT(run.reason, Catch::Contains("too near each other"));
-    CHECK(run.assessment.solutions.size() == 11);
+    CHECK(run.solutions.size() == 11);
     CHECK(real_ones(run) == 0);
   }
 }
@@ -212,9 +209,9 @@ TEST_CASE("simple tangents next to each other are no double one, whatever the me
       const SolveRun run = solved(near_double_tangent(square), {{"method", method}});
       INFO(square << " " << method << ": " << run.reason);
       CHECK(run.status == RunStatus::complete);
-      CHECK(run.assessment.solutions.size() == 12);
+      CHECK(run.solutions.size() == 12);
       CHECK(real_ones(run) == real);
-      CHECK(run.assessment.failed_checks.empty());
+      CHECK(run.failed_checks.empty());
     }
 }
 
@@ -223,7 +220,7 @@ TEST_CASE("a tangent that the decimals make double is listed as such") {
     const SolveRun run = solved(near_double_tangent("5"), {{"method", method}});
     INFO(method << ": " << run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.solutions.size() == 11);
+    CHECK(run.solutions.size() == 11);
     CHECK(real_ones(run) == 3);
     CHECK(multiplicities(run) == 12);
   }
@@ -238,8 +235,8 @@ TEST_CASE("spheres that nearly touch have twelve real tangents, near to each oth
       set_square(problem, 0, square);
       const SolveRun run = solved(problem, {{"method", method}});
       INFO(square << " " << method << ": " << run.reason);
-      CHECK(run.assessment.failed_checks.empty());
-      const bool is_whole = run.assessment.solutions.size() == 12 && real_ones(run) == 12;
+      CHECK(run.failed_checks.empty());
+      const bool is_whole = run.solutions.size() == 12 && real_ones(run) == 12;
       CHECK((is_whole || run.status == RunStatus::partial));
       if (square.size() > 12) CHECK(run.status == RunStatus::complete);
     }
@@ -252,12 +249,12 @@ TEST_CASE("centres on two parallel lines send tangents to infinity") {
   centers << 0, 0, 2, 2, 0, 0, 0, 0, 0, 1, 0, 3;
   const SolveRun trapezium = solved(spheres(centers, {1, 0.9, 0.8, 0.95}));
   CHECK(trapezium.status == RunStatus::complete);
-  CHECK(trapezium.assessment.counts.at_infinity == 2);
+  CHECK(trapezium.counts.at_infinity == 2);
   expect_agreement(spheres(centers, {1, 0.9, 0.8, 0.95}));
   centers.row(2) << 0, 1, 0.3, 1.3;
   const SolveRun parallelogram = solved(spheres(centers, {1, 0.9, 0.8, 0.95}));
   CHECK(parallelogram.status == RunStatus::complete);
-  CHECK(parallelogram.assessment.counts.at_infinity == 4);
+  CHECK(parallelogram.counts.at_infinity == 4);
   expect_agreement(spheres(centers, {1, 0.9, 0.8, 0.95}));
 }
 
@@ -313,8 +310,8 @@ TEST_CASE("parallel edges send tangents to infinity in a narrow strip too") {
         spheres(Eigen::Vector3d(1, breadth, breadth).asDiagonal() * centers, {1, 0.9, 0.8, 0.95});
     const SolveRun run = solved(problem);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.solutions.size() == 10);
-    CHECK(run.assessment.counts.at_infinity == 2);
+    CHECK(run.solutions.size() == 10);
+    CHECK(run.counts.at_infinity == 2);
     expect_agreement(problem);
   }
 }
@@ -351,10 +348,10 @@ TEST_CASE("infinitely many tangents are named") {
   CHECK(complex.reason.find("no real one") != std::string::npos);
   const SolveRun none = solved(spheres(centers, {1, 1, 1, 2}));
   CHECK(none.status == RunStatus::complete);
-  CHECK(none.assessment.solutions.empty());
+  CHECK(none.solutions.empty());
   const SolveRun axis = solved(spheres(centers, Eigen::Vector4d::Zero()));
   CHECK(axis.status == RunStatus::infinite);
-  CHECK(axis.assessment.solutions.size() == 1);
+  CHECK(axis.solutions.size() == 1);
 }
 
 // Lines in an isotropic plane through the line of three points have the distance 0 from all of them: two
@@ -379,7 +376,7 @@ TEST_CASE("coinciding centres have infinitely many tangents or none") {
   CHECK(same.reason.find("coincide") != std::string::npos);
   const SolveRun different = solved(spheres(centers, {1, 0.7, 0.8, 0.6}));
   CHECK(different.status == RunStatus::complete);
-  CHECK(different.assessment.solutions.empty());
+  CHECK(different.solutions.empty());
 }
 
 TEST_CASE("sphere-tangents says what it is not for") {

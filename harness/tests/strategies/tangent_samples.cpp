@@ -64,13 +64,13 @@ ProblemStatement Dice::problem(const Eigen::Matrix3d& shape) {
 }
 
 int real_ones(const SolveRun& run) {
-  const auto& solutions = run.assessment.solutions;
+  const auto& solutions = run.solutions;
   return static_cast<int>(std::count_if(solutions.begin(), solutions.end(),
                                         [](const AssessedSolution& s) { return s.figure.is_real(); }));
 }
 
 bool have_same_lines(const SolveRun& a, const SolveRun& b) {
-  const auto &lines = a.assessment.solutions, &others = b.assessment.solutions;
+  const auto &lines = a.solutions, &others = b.solutions;
   return lines.size() == others.size() &&
          std::all_of(lines.begin(), lines.end(), [&](const AssessedSolution& line) {
            return std::count_if(others.begin(), others.end(),

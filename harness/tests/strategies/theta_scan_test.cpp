@@ -46,8 +46,8 @@ TEST_CASE("steps of 1° give the paper's coarse and refined solutions") {
   const SolveRun wide = scanned(example(), {{"delta", "0.2"}});
   CHECK(particular(wide, "coarse_solutions") == 224);
   CHECK(particular(wide, "refined_solutions") == 24);
-  CHECK(wide.assessment.solutions.size() == 6);
-  CHECK(wide.assessment.failed_checks.empty());
+  CHECK(wide.solutions.size() == 6);
+  CHECK(wide.failed_checks.empty());
 }
 
 // "When δ > 0.2 we have more than 224 coarse solutions but the refined real solution number is still 24."
@@ -79,17 +79,17 @@ TEST_CASE("whatever is coarse is refined, or counted as without a solution") {
 TEST_CASE("whichever point of the base is named first, the solutions are the same") {
   const ProblemStatement problem = example();
   const SolveRun first = scanned(problem, {{"dtheta", "0.25"}, {"delta", "0.5"}});
-  REQUIRE(first.assessment.solutions.size() == 6);
+  REQUIRE(first.solutions.size() == 6);
   for (int shift = 1; shift < 4; ++shift) {
     const auto renamed = [shift](int entity) { return entity < 4 ? (entity + shift) % 4 : entity; };
     ProblemStatement turned = problem;
     for (DistanceConstraint& c : turned.constraints)
       c.between = {renamed(c.between[0]), renamed(c.between[1])};
     SolveRun run = scanned(turned, {{"dtheta", "0.25"}, {"delta", "0.5"}});
-    REQUIRE(run.assessment.solutions.size() == 6);
+    REQUIRE(run.solutions.size() == 6);
     std::vector<Figure> figures;
-    for (const AssessedSolution& solution : first.assessment.solutions) figures.push_back(solution.figure);
-    for (const AssessedSolution& solution : run.assessment.solutions) {
+    for (const AssessedSolution& solution : first.solutions) figures.push_back(solution.figure);
+    for (const AssessedSolution& solution : run.solutions) {
       Figure figure = solution.figure;
       for (int p = 0; p < 4; ++p) figure.points.col(p) = solution.figure.points.col(renamed(p));
       figures.push_back(figure);
@@ -104,14 +104,14 @@ TEST_CASE("the solutions are the same in a frame of points") {
   problem.reference = Reference{0, 1, 4};
   const SolveRun in_point_frame = scanned(problem, {});
   CHECK(particular(in_point_frame, "refined_solutions") == 24);
-  CHECK(in_point_frame.assessment.failed_checks.empty());
-  REQUIRE(in_point_frame.assessment.solutions.size() == 6);
-  for (const AssessedSolution& solution : in_point_frame.assessment.solutions) {
+  CHECK(in_point_frame.failed_checks.empty());
+  REQUIRE(in_point_frame.solutions.size() == 6);
+  for (const AssessedSolution& solution : in_point_frame.solutions) {
     const auto is_same = [&](const AssessedSolution& other) {
       const std::vector<Figure> pair{solution.figure, other.figure};
       return reflection_classes(Scene(problem), pair, 1e-9).count() == 1;
     };
-    const auto& others = in_line_frame.assessment.solutions;
+    const auto& others = in_line_frame.solutions;
     CHECK(std::count_if(others.begin(), others.end(), is_same) == 1);
   }
 }
@@ -128,9 +128,9 @@ TEST_CASE("a fine scan finds the placement that lengths were taken from") {
     const SolveRun run = scanned(problem, {{"dtheta", "0.1"}, {"delta", "0.2"}});
     INFO("placement " << i);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.failed_checks.empty());
+    CHECK(run.failed_checks.empty());
     std::vector<Figure> figures;
-    for (const AssessedSolution& solution : run.assessment.solutions) figures.push_back(solution.figure);
+    for (const AssessedSolution& solution : run.solutions) figures.push_back(solution.figure);
     const int found = reflection_classes(Scene(problem), figures, 1e-9).count();
     figures.push_back(placement);
     CHECK(reflection_classes(Scene(problem), figures, 1e-8).count() == found);

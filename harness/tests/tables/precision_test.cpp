@@ -65,7 +65,7 @@ TEST_CASE("right answers meet all solutions that they claim, with errors of roun
 TEST_CASE("an error is the distance that a point was moved, a mirror image none, and others are spurious") {
   const Court court("octahedron");
   SolveRun run = solved(court.scene, "cayley-menger");
-  std::vector<AssessedSolution>& solutions = run.assessment.solutions;
+  std::vector<AssessedSolution>& solutions = run.solutions;
   const double size = std::ldexp(court.scene.size(), court.scene.unit_exponent());
 
   solutions[1].figure.points.row(2) *= -1;

@@ -184,8 +184,7 @@ TEST_CASE("beside an extremum of the open side the condition number grows like t
     const Scene scene(load_member(id).problem);
     const SolveRun run = run_strategy(find_strategy("theta-scan"), {}, scene, {});
     double largest = 0;
-    for (const AssessedSolution& solution : run.assessment.solutions)
-      largest = std::max(largest, solution.condition);
+    for (const AssessedSolution& solution : run.solutions) largest = std::max(largest, solution.condition);
     return largest;
   };
   const double ratio = largest_condition("open-side@1e-10") / largest_condition("open-side@1e-6");
@@ -205,7 +204,7 @@ TEST_CASE("two solutions near a fold are two") {
   // Both real, at a condition number of 1e8.
   const Scene scene(load_member("double-root@1e-6").problem);
   const SolveRun run = run_strategy(find_strategy("plan-scan"), {}, scene, {});
-  CHECK(run.assessment.counts.real_up_to_reflection == 2u);
+  CHECK(run.counts.real_up_to_reflection == 2u);
 }
 
 TEST_CASE("two solutions whose paths are not told apart are not called a double one") {
@@ -213,7 +212,7 @@ TEST_CASE("two solutions whose paths are not told apart are not called a double 
     const Scene scene(load_member(id).problem);
     const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
     INFO(id << ": " << run.reason);
-    const bool tells_them_apart = run.assessment.counts.singular == 0u;
+    const bool tells_them_apart = run.counts.singular == 0u;
     CHECK((tells_them_apart || run.status == RunStatus::partial));
   }
 }
@@ -225,7 +224,7 @@ TEST_CASE("paths to solutions next to each other are told apart by small circles
     const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
     INFO(id << ": " << run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.solutions.size() == classes);
+    CHECK(run.solutions.size() == classes);
   }
 }
 
@@ -261,8 +260,8 @@ TEST_CASE("solutions next to a fold of S are met, and none are where S falls sho
     const SolveRun run = run_strategy(find_strategy(strategy), options, scene, {});
     INFO(id << ", " << strategy << ": " << run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.failed_checks.empty());
-    return run.assessment.counts.on_path;
+    CHECK(run.failed_checks.empty());
+    return run.counts.on_path;
   };
   for (const std::string family : {"flat-triangle", "double-root", "infeasible"}) {
     const auto expected = on_path(family + "@1e-2", "full-space", {{"mode", "certified"}});
@@ -288,8 +287,8 @@ TEST_CASE("next to a fold S crosses t = 1 twice, whichever way and in whatever s
         const SolveRun run = run_strategy(find_strategy(strategy), options, scene, {});
         INFO(value << ", " << strategy << (options.empty() ? "" : ", " + options.begin()->first));
         CHECK(run.status == RunStatus::complete);
-        CHECK(run.assessment.crossings.size() == 4);
-        CHECK(run.assessment.counts.on_path == 2u);
+        CHECK(run.crossings.size() == 4);
+        CHECK(run.counts.on_path == 2u);
       }
 }
 
@@ -308,11 +307,11 @@ TEST_CASE("solutions too far away for doubles are not called missing at infinity
     const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
     INFO(id << ": " << run.reason);
     CHECK(run.status == RunStatus::partial);
-    CHECK(run.assessment.counts.at_infinity.value_or(0) == 0u);
+    CHECK(run.counts.at_infinity.value_or(0) == 0u);
   }
   // Coordinates of 1e6, at the ends of paths that grow like the inverse of a square root.
   const Scene scene(load_member("short-edge@1e-6").problem);
-  CHECK(run_strategy(find_strategy("monodromy"), {}, scene, {}).assessment.counts.at_infinity == 0u);
+  CHECK(run_strategy(find_strategy("monodromy"), {}, scene, {}).counts.at_infinity == 0u);
 }
 
 TEST_CASE("tangents that doubles do not determine are named") {
@@ -335,8 +334,8 @@ TEST_CASE("determinants find the solutions too far away for doubles, and say so"
   const SolveRun run = run_strategy(find_strategy("cayley-menger"), {}, scene, {});
   CHECK(run.status == RunStatus::partial);
   CHECK_THAT(run.reason, Catch::Contains("doubles do not hold the distances"));
-  CHECK(run.assessment.counts.real_up_to_reflection == 4u);
-  CHECK(run.assessment.solutions.size() == 8);
+  CHECK(run.counts.real_up_to_reflection == 4u);
+  CHECK(run.solutions.size() == 8);
 }
 
 TEST_CASE("octahedra that move but for 1e-8 are solved") {
@@ -362,8 +361,8 @@ TEST_CASE("some solutions that doubles do not tell apart are listed as one") {
   const Scene scene(load_member("mixed-lengths@1e-12").problem);
   const SolveRun run = run_strategy(find_strategy("newton-multistart"), {}, scene, {});
   CHECK(run.status == RunStatus::complete);
-  CHECK(run.assessment.failed_checks.empty());
-  CHECK(run.assessment.solutions.size() == 2);  // both real classes of K3,3
+  CHECK(run.failed_checks.empty());
+  CHECK(run.solutions.size() == 2);  // both real classes of K3,3
 }
 
 TEST_CASE("why not all solutions of a product are listed is said") {
@@ -373,7 +372,7 @@ TEST_CASE("why not all solutions of a product are listed is said") {
   CHECK(reason("mixed-lengths@1e-12", {}) ==
         "2 of the 8 solutions are listed; doubles do not tell all apart");
   CHECK(reason("mixed-lengths@1e-4", {.max_solutions = 5}) ==
-        "5 of the 8 solutions are listed; --max-solutions lists more");
+        "5 of the 8 solutions are listed; max_solutions lists more");
 }
 
 TEST_CASE("an edge of length 1e-8 refuses no path strategy") {
@@ -387,7 +386,7 @@ TEST_CASE("solutions on S that are as near as an edge of length 1e-8 is short ar
       const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
       INFO(value << ", " << strategy);
       CHECK(run.status == RunStatus::complete);
-      CHECK(run.assessment.counts.on_path == 4u);
+      CHECK(run.counts.on_path == 4u);
     }
 }
 
@@ -396,7 +395,7 @@ TEST_CASE("a crossing that is no solution is not part of a complete answer") {
     const Scene scene(load_member("short-edge@1e-12").problem);
     const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
     INFO(strategy << ": " << run.reason);
-    CHECK((run.status != RunStatus::complete || run.assessment.failed_checks.empty()));
+    CHECK((run.status != RunStatus::complete || run.failed_checks.empty()));
   }
 }
 
@@ -411,8 +410,8 @@ TEST_CASE("tangents of spheres with nearly collinear centres are found by homoto
     const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
     INFO(strategy << ": " << run.reason);
     CHECK(run.status == RunStatus::complete);
-    CHECK(run.assessment.failed_checks.empty());
-    CHECK(run.assessment.counts.complex_up_to_reflection == 12u);
+    CHECK(run.failed_checks.empty());
+    CHECK(run.counts.complex_up_to_reflection == 12u);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "harness/base/json_build.hpp"
+#include "solvers/reading/json_build.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,17 @@
+#include "solvers/solving/answer.hpp"
+
+namespace gcs {
+
+std::string_view word(RunStatus status) {
+  constexpr std::array<std::string_view, all_statuses.size()> words{
+      "complete", "partial", "infinite", "unsupported", "gave up", "stopped", "interrupted", "timed out"};
+  return words[static_cast<std::size_t>(status)];
+}
+
+std::string_view word(Claim claim) {
+  constexpr std::array<std::string_view, all_claims.size()> words{
+      "some real", "on path", "on path of the core", "all real", "all complex"};
+  return words[static_cast<std::size_t>(claim)];
+}
+
+}  // namespace gcs

@@ -1,0 +1,49 @@
+#pragma once
+/// The answer of a strategy to a scene: how the solve ended, and what it found, assessed in the same way for every
+/// strategy.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solvers/answers/assess.hpp"
+#include "solvers/certificates/decimal_figure.hpp"
+#include "solvers/interface/strategy_interface.hpp"
+
+namespace gcs {
+
+/// How a solve ended. Everything but `complete` comes with a reason. The last two say who stopped it, where its
+/// caller can tell.
+enum class RunStatus { complete, partial, infinite, unsupported, gave_up, stopped, interrupted, timed_out };
+
+/// The word of gcsbench-result/1: "complete", …, "gave up", "timed out".
+std::string_view word(RunStatus status);
+/// The word of gcsbench-result/1: "some real", "on path", …
+std::string_view word(Claim claim);
+
+inline constexpr std::array all_statuses{RunStatus::complete,    RunStatus::partial,  RunStatus::infinite,
+                                         RunStatus::unsupported, RunStatus::gave_up,  RunStatus::stopped,
+                                         RunStatus::interrupted, RunStatus::timed_out};
+inline constexpr std::array all_claims{Claim::some_real, Claim::on_path, Claim::on_path_of_core,
+                                       Claim::all_real, Claim::all_complex};
+
+/// One solution for each reflection class, how many there are, what is proven about them, and which checks failed
+/// (see Assessment), beside how they were asked for and how the solve ended.
+struct Answer : Assessment {
+  std::string strategy;
+  OptionMap options;  ///< every option of the strategy, defaults included
+  std::uint64_t seed = 1;
+  int threads = 1;
+  RunStatus status = RunStatus::gave_up;
+  std::string reason;          ///< empty when complete
+  std::optional<Claim> claim;  ///< empty when nothing was run
+  /// Of each solution, to the digits asked for; nothing where it is not proven to so many. Empty unless asked for.
+  std::vector<std::optional<DecimalFigure>> refined;
+  WorkCounters work;
+  std::vector<Particular> particulars;  ///< counts that only this strategy knows
+};
+
+}  // namespace gcs

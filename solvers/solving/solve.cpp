@@ -1,0 +1,244 @@
+#include "solvers/solving/solve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "solvers/answers/certify.hpp"
+#include "solvers/certificates/scene_equations.hpp"
+#include "solvers/reading/nearest_name.hpp"
+#include "solvers/running/errors.hpp"
+
+namespace gcs {
+namespace {
+
+/// Hands progress on to a function.
+class ProgressCall final : public Monitor {
+ public:
+  explicit ProgressCall(const std::function<void(std::string_view, double)>& call) : call_(call) {}
+  void progress(std::string_view stage, double fraction) override { call_(stage, fraction); }
+
+ private:
+  const std::function<void(std::string_view, double)>& call_;
+};
+
+class Solve {
+ public:
+  Solve(const Scene& scene, const SolveSettings& settings, const SolveSurroundings& surroundings)
+      : scene_(scene),
+        settings_(settings),
+        surroundings_(surroundings),
+        progress_(surroundings.progress),
+        monitor_(surroundings.progress ? &progress_ : nullptr) {}
+
+  Answer run(const StrategyEntry& entry, const OptionMap& given) {
+    answer_.strategy = entry.name;
+    answer_.options = complete_options(entry, given);
+    answer_.seed = settings_.seed;
+    answer_.threads = settings_.threads;
+    const auto strategy = entry.make(answer_.options);
+    if (auto reason = why_not(entry, *strategy, scene_)) {
+      answer_.status = RunStatus::unsupported;
+      answer_.reason = std::move(*reason);
+      return std::move(answer_);
+    }
+    SolveReport report = ask(*strategy);
+    enter(SolveStage::assessing);
+    take(report);
+    if (settings_.checks_counts || settings_.certify) hold_against_counts(report);
+    enter(SolveStage::listing);
+    list(report.candidates.size());
+    if (settings_.digits > 0) refine();
+    enter(SolveStage::done);
+    return std::move(answer_);
+  }
+
+ private:
+  void enter(SolveStage stage) const {
+    if (surroundings_.entered) surroundings_.entered(stage);
+  }
+
+  bool is_stopped() const { return surroundings_.stop.stop_requested(); }
+
+  /// A strategy that throws has a defect, or the machine has no memory left; neither may end a series of solves.
+  /// What is wrong with the user's files and options does.
+  SolveReport ask(Strategy& strategy) const {
+    const SolveRequest request{
+        scene_,   settings_.seed,        settings_.threads,    surroundings_.stop,
+        monitor_, surroundings_.journal, surroundings_.starts, settings_.max_solutions};
+    try {
+      enter(SolveStage::preparing);
+      strategy.prepare(request);
+      enter(SolveStage::solving);
+      return strategy.solve(request);
+    } catch (const UserError&) {
+      throw;
+    } catch (const std::exception& error) {
+      SolveReport report;
+      report.reason = fmt::format("the strategy failed with an exception: {}", error.what());
+      return report;
+    }
+  }
+
+  void set_stopped(SolveStage stage) {
+    StopCause cause = surroundings_.why_stopped ? surroundings_.why_stopped(stage) : StopCause();
+    answer_.status = cause.status;
+    answer_.reason = std::move(cause.reason);
+  }
+
+  void set_status(const SolveReport& report) {
+    answer_.reason = report.reason;
+    switch (report.status) {
+      case SolveStatus::complete:
+        answer_.status = RunStatus::complete;
+        return;
+      case SolveStatus::partial:
+        answer_.status = RunStatus::partial;
+        return;
+      case SolveStatus::infinite:
+        answer_.status = RunStatus::infinite;
+        return;
+      case SolveStatus::gave_up:
+        answer_.status = RunStatus::gave_up;
+        return;
+      case SolveStatus::stopped:
+        if (is_stopped()) return set_stopped(SolveStage::solving);
+        answer_.status = RunStatus::gave_up;
+        answer_.reason = "the strategy stopped without being asked to";
+        return;
+    }
+  }
+
+  void take(SolveReport& report) {
+    set_status(report);
+    answer_.claim = report.claim;
+    static_cast<Assessment&>(answer_) = assess(scene_, report);
+    answer_.work = report.work;
+    answer_.particulars = std::move(report.particulars);
+  }
+
+  void hold_against_counts(const SolveReport& report) {
+    const TheoreticalCounts counts = theoretical_counts(scene_.problem());
+    if (settings_.checks_counts) check_counts(counts);
+    if (settings_.certify) prove(counts, report);
+  }
+
+  /// No isolated solutions are more than the theoretical count, and at generic lengths they are as many as the
+  /// exact one. Only of complete answers: others say themselves what is wrong with them.
+  void check_counts(const TheoreticalCounts& limits) {
+    const SolutionCount* limit = limits.upper_limit();
+    if (limit == nullptr || answer_.status != RunStatus::complete) return;
+    const Natural most = limit->up_to_reflection();
+    const auto fail = [&](std::string_view what, const Natural& count) {
+      answer_.failed_checks.push_back(
+          {"count", fmt::format("{} {} up to reflection, and the {} is {}", count.decimal(), what,
+                                limits.exact ? "exact number" : "upper bound", most.decimal())});
+    };
+    const std::optional<Natural>& generic = answer_.counts.generic;
+    const bool is_right = !generic || (limits.exact ? *generic == most : *generic <= most);
+    if (!is_right) fail("solutions at generic lengths", *generic);
+    Natural solutions;
+    for (const AssessedSolution& solution : answer_.solutions)
+      solutions += Natural(static_cast<std::uint64_t>(solution.multiplicity));
+    if (answer_.totals) solutions = std::max(solutions, answer_.totals->complex.value_or(solutions));
+    if (most < solutions) fail("solutions, counted with multiplicities,", solutions);
+  }
+
+  /// Of a solve that was stopped, all that it found is certified, and its monitor has heard the last of it.
+  void prove(const TheoreticalCounts& counts, const SolveReport& report) {
+    enter(SolveStage::proving);
+    const bool was_stopped = is_stopped();
+    const std::stop_token stop =
+        was_stopped ? std::stop_token() : surroundings_.stop_proofs.value_or(surroundings_.stop);
+    certify(scene_, counts, report.generic_member, settings_.threads, was_stopped ? nullptr : monitor_,
+            answer_, stop);
+    if (!stop.stop_requested()) return;
+    set_stopped(SolveStage::proving);
+    answer_.reason += " while solutions were proven";
+  }
+
+  void list(std::size_t candidates) {
+    const bool are_distinct = answer_.solutions.size() == candidates;
+    if (settings_.only_real) leave_out_complex();
+    if (settings_.max_solutions) limit_solutions(*settings_.max_solutions);
+    note_unlisted(are_distinct);
+  }
+
+  /// What is left of all complex solutions are all real ones.
+  void leave_out_complex() {
+    keep_real(answer_);
+    if (answer_.claim == Claim::all_complex) answer_.claim = Claim::all_real;
+  }
+
+  void limit_solutions(std::size_t limit) {
+    const std::size_t found = answer_.solutions.size();
+    if (found <= limit) return;
+    keep_first(answer_, limit);
+    if (answer_.status != RunStatus::complete) return;
+    answer_.status = RunStatus::partial;
+    answer_.reason = fmt::format("{} of the {} solutions found are kept, as asked", limit, found);
+  }
+
+  /// Of a product, not all are listed. `are_distinct`: in doubles, what is listed is.
+  void note_unlisted(bool are_distinct) {
+    const std::optional<SolutionTotals>& totals = answer_.totals;
+    if (!totals || answer_.status != RunStatus::complete) return;
+    const std::optional<Natural>& all = totals->complex ? totals->complex : totals->real;
+    const std::size_t listed = answer_.solutions.size();
+    if (!all || *all == Natural(listed)) return;
+    answer_.status = RunStatus::partial;
+    answer_.reason = fmt::format("{} of the {} solutions are listed; {}", listed, readable(*all),
+                                 are_distinct ? "max_solutions lists more" : "doubles do not tell all apart");
+  }
+
+  /// Where certificates do not reach the scene nothing is refined.
+  void refine() {
+    if (why_not_certified(scene_)) return;
+    enter(SolveStage::refining);
+    std::vector<Figure> figures;
+    for (const AssessedSolution& solution : answer_.solutions)
+      figures.push_back(scene_.in_scene_unit(solution.figure));
+    answer_.refined = decimal_figures(SceneEquations(scene_), scene_, figures, settings_.digits,
+                                      settings_.threads, surroundings_.stop);
+    if (is_stopped()) set_stopped(SolveStage::refining);
+  }
+
+  const Scene& scene_;
+  const SolveSettings& settings_;
+  const SolveSurroundings& surroundings_;
+  ProgressCall progress_;
+  Monitor* monitor_;
+  Answer answer_;
+};
+
+const StrategyEntry& entry_of(std::string_view name) {
+  std::vector<std::string> names;
+  for (const StrategyEntry& entry : all_strategies()) {
+    if (entry.name == name) return entry;
+    names.emplace_back(entry.name);
+  }
+  throw OptionError(
+      fmt::format("there is no strategy '{}'; did you mean '{}'?", name, nearest_name(name, names)));
+}
+
+}  // namespace
+
+std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy, const Scene& scene) {
+  if (auto reason = strategy.why_unsupported(scene)) return reason;
+  if (entry.needs_sketch && !scene.sketch()) return "it starts at a sketch, and the instance gives none";
+  return std::nullopt;
+}
+
+Answer solve(const Scene& scene, const StrategyEntry& entry, const OptionMap& given,
+             const SolveSettings& settings, const SolveSurroundings& surroundings) {
+  return Solve(scene, settings, surroundings).run(entry, given);
+}
+
+Answer solve(const Scene& scene, std::string_view strategy, const OptionMap& given,
+             const SolveSettings& settings, const SolveSurroundings& surroundings) {
+  return solve(scene, entry_of(strategy), given, settings, surroundings);
+}
+
+}  // namespace gcs

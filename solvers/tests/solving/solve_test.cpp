@@ -1,0 +1,197 @@
+/// The library as its callers see it: a problem stated in C++, solved and assessed. Expected values come from the law of
+/// cosines and from the degrees of freedom.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+
+#include "solvers/solving/gcsbench.hpp"
+
+using namespace gcs;
+
+namespace {
+
+Problem triangle() {
+  Problem problem(2);
+  problem.points("a", "b", "c").distance("a", "b", "3.1").distance("b", "c", 4).distance("c", "a", 5);
+  return problem;
+}
+
+/// K_{3,3} with these lengths in the plane: several real and complex classes.
+Problem two_triangles_across() {
+  Problem problem(2);
+  problem.points("a", "b", "c", "d", "e", "f");
+  int length = 0;
+  for (const char* left : {"a", "b", "c"})
+    for (const char* right : {"d", "e", "f"})
+      problem.distance(left, right, std::to_string(20 + 7 * length++ % 11));
+  return problem;
+}
+
+std::string refusal(const Problem& problem) {
+  try {
+    problem.instance();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a triangle that is stated in C++ is placed by the law of cosines") {
+  const Answer answer = solve(triangle(), "monodromy", {}, {.certify = true});
+  CHECK(answer.status == RunStatus::complete);
+  CHECK(answer.reason.empty());
+  REQUIRE(answer.solutions.size() == 1);
+  const AssessedSolution& solution = answer.solutions[0];
+  CHECK(solution.certified);
+  const double x = (3.1 * 3.1 + 25 - 16) / (2 * 3.1);
+  REQUIRE(solution.point("c").size() == 2);
+  CHECK(solution.point("a").norm() < 1e-15);
+  CHECK(solution.point("b")[0] == Approx(3.1).epsilon(1e-15));
+  CHECK(solution.point("c")[0] == Approx(x).epsilon(1e-14));
+  CHECK(solution.point("c")[1] == Approx(std::sqrt(25 - x * x)).epsilon(1e-14));
+  CHECK(solution.complex_point("c").real() == solution.point("c"));
+  CHECK_THROWS_AS(solution.point("d"), std::out_of_range);
+  CHECK_THROWS_AS(solution.line("a"), std::out_of_range);
+}
+
+TEST_CASE("a complex solution has complex points alone") {
+  Problem problem(2);
+  problem.points("a", "b", "c", "d", "e").distance("a", "b", 4).distance("b", "c", 5).distance("c", "a", 6);
+  problem.distance("d", "a", 4).distance("d", "b", 5).distance("e", "d", 1).distance("e", "c", 20);
+  const Answer answer = solve(problem, "monodromy");
+  CHECK(answer.status == RunStatus::complete);
+  int complex = 0;
+  for (const AssessedSolution& solution : answer.solutions) {
+    if (solution.is_real()) continue;
+    ++complex;
+    CHECK_THROWS_AS(solution.point("e"), std::domain_error);
+    const Eigen::VectorXcd along = solution.complex_point("e") - solution.complex_point("c");
+    CHECK(std::abs(along.array().square().sum() - 400.0) < 1e-9);
+  }
+  CHECK(complex > 0);
+}
+
+TEST_CASE("texts are exact numbers and doubles are what they are") {
+  Problem problem(2);
+  problem.points("a", "b", "c")
+      .distance("a", "b", "0.1")
+      .distance("b", "c", 0.1)
+      .squared_distance("c", "a", "2e-2");
+  const ProblemStatement statement = problem.instance().problem;
+  CHECK(statement.constraints[0].given.text == "0.1");
+  // 0.1 in binary, written out: IEEE 754.
+  CHECK(statement.constraints[1].given.text == "0.1000000000000000055511151231257827021181583404541015625");
+  CHECK(statement.constraints[0].given.value == statement.constraints[1].given.value);
+  CHECK(statement.constraints[2].is_squared);
+}
+
+TEST_CASE("positions and a sketch reach the strategies") {
+  Problem problem(2);
+  problem.points("a", "b", "c").fix("a", {0, 0}).fix("b", {"3.1", 0});
+  problem.distance("b", "c", 4).distance("c", "a", 5);
+  const Answer fixed = solve(problem, "monodromy");
+  CHECK(fixed.counts.real_up_to_reflection == Natural(2));
+
+  const std::string without = solve(triangle(), "full-space").reason;
+  CHECK(without == "it starts at a sketch, and the instance gives none");
+  const Answer path =
+      solve(triangle().sketch("a", {0, 0}).sketch("b", {3, 0}).sketch("c", {3, 4}), "full-space");
+  CHECK(path.status == RunStatus::complete);
+  CHECK(path.counts.on_path == 1u);
+}
+
+TEST_CASE("lines are stated like points, and placed") {
+  Problem problem(3);
+  problem.points("p", "q", "r", "s").lines("l");
+  problem.fix("p", {0, 0, 0}).fix("q", {2, 0, 0}).fix("r", {0, 2, 0}).fix("s", {0, 0, 2});
+  for (const char* point : {"p", "q", "r", "s"}) problem.distance(point, "l", "0.9");
+  const Answer answer = solve(problem, "sphere-tangents");
+  CHECK(answer.status == RunStatus::complete);
+  REQUIRE_FALSE(answer.solutions.empty());
+  for (const AssessedSolution& solution : answer.solutions) {
+    if (!solution.is_real()) continue;
+    const LinePosition line = solution.line("l");
+    CHECK((line.point - line.point.dot(line.direction) * line.direction).norm() ==
+          Approx(0.9).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("what is wrong with a problem is said as of a file, with its place") {
+  CHECK(refusal(triangle()).empty());
+  CHECK_THAT(refusal(Problem(4).points("a")),
+             Catch::Contains("problem: /dimension: the dimension is 4; give 2 or 3"));
+  CHECK_THAT(refusal(triangle().points("a")), Catch::Contains("/points/3: the name 'a' is given twice"));
+  CHECK_THAT(refusal(triangle().distance("a", "d", 1)), Catch::Contains("/constraints/3/between/1"));
+  CHECK_THAT(refusal(triangle().distance("a", "b", 1)), Catch::Contains("over-constrained"));
+  CHECK_THAT(refusal(triangle().points("d").distance("a", "d", "1,5")),
+             Catch::Contains("/constraints/3/length"));
+  CHECK_THAT(refusal(triangle().points("d").distance("a", "d", -1)), Catch::Contains("is > 0"));
+  CHECK_THAT(refusal(triangle().points("d").distance("a", "d", std::nan(""))), Catch::Contains("/length"));
+  CHECK_THAT(refusal(triangle().points("d")), Catch::Contains("under-constrained"));
+  // The triangle inequality.
+  Problem flat(2);
+  flat.points("a", "b", "c").distance("a", "b", 1).distance("b", "c", 1).distance("c", "a", 3);
+  CHECK_THAT(refusal(flat), Catch::Contains("/constraints/2"));
+  CHECK_THROWS_AS(solve(flat, "monodromy"), InputError);
+}
+
+TEST_CASE("strategies and options are named, and misspelt ones refused with what was meant") {
+  CHECK_THROWS_WITH(solve(triangle(), "monodrome"), Catch::Contains("did you mean 'monodromy'?"));
+  CHECK_THROWS_AS(solve(triangle(), "monodromy", {{"loops", "3"}}), OptionError);
+  CHECK_THROWS_AS(solve(triangle(), "monodromy", {{"arcs", "1"}}), OptionError);
+  CHECK_THROWS_AS(solve(triangle(), "monodromy", {{"save_start", "start.json"}}), OptionError);
+  const Answer answer = solve(triangle(), "monodromy", {{"order", "8"}}, {.seed = 7, .threads = 2});
+  CHECK(answer.options.at("order") == "8");
+  CHECK(answer.options.at("arcs") == "12");
+  CHECK(answer.seed == 7);
+  CHECK(answer.strategy == "monodromy");
+}
+
+TEST_CASE("progress and stages are heard, in order") {
+  std::set<std::string> heard;
+  std::vector<SolveStage> stages;
+  SolveSurroundings surroundings;
+  surroundings.progress = [&](std::string_view stage, double) { heard.emplace(stage); };
+  surroundings.entered = [&](SolveStage stage) { stages.push_back(stage); };
+  solve(two_triangles_across(), "monodromy", {}, {.certify = true, .digits = 20}, surroundings);
+  CHECK(heard.contains("solutions at random lengths"));
+  CHECK(stages == std::vector{SolveStage::preparing, SolveStage::solving, SolveStage::assessing,
+                              SolveStage::proving, SolveStage::listing, SolveStage::refining,
+                              SolveStage::done});
+}
+
+TEST_CASE("a solve that is stopped says so, and by whom when that is told") {
+  std::stop_source stop;
+  stop.request_stop();
+  const Answer stopped = solve(two_triangles_across(), "monodromy", {}, {}, {.stop = stop.get_token()});
+  CHECK(stopped.status == RunStatus::stopped);
+  CHECK(stopped.reason == "stopped on request");
+  const auto at_noon = [](SolveStage) { return StopCause{RunStatus::timed_out, "it is noon"}; };
+  const Answer late =
+      solve(two_triangles_across(), "monodromy", {}, {}, {.stop = stop.get_token(), .why_stopped = at_noon});
+  CHECK(late.status == RunStatus::timed_out);
+  CHECK(late.reason == "it is noon");
+
+  // While solutions are proven: what was found is kept.
+  std::stop_source in_proofs;
+  SolveSurroundings surroundings{.stop_proofs = in_proofs.get_token()};
+  surroundings.entered = [&](SolveStage stage) {
+    if (stage == SolveStage::proving) in_proofs.request_stop();
+  };
+  const Answer unproven = solve(two_triangles_across(), "monodromy", {}, {.certify = true}, surroundings);
+  CHECK(unproven.status == RunStatus::stopped);
+  CHECK(unproven.reason == "stopped on request while solutions were proven");
+  CHECK(unproven.counts.certified == 0u);
+  CHECK(unproven.solutions.size() == solve(two_triangles_across(), "monodromy").solutions.size());
+}
+
+TEST_CASE("an instance is read from a file and solved") {
+  const Instance instance = read_instance(GCSBENCH_SOURCE_DIR "/instances/k33.json");
+  const Answer answer = solve(instance, "monodromy");
+  CHECK(answer.status == RunStatus::complete);
+  CHECK(answer.counts.generic == Natural(8));  // the Laman number of K33 is 16 with mirror images
+  CHECK_THROWS_AS(read_instance("/no/such/file.json"), InputError);
+}

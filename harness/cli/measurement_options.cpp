@@ -33,6 +33,8 @@ void add_measuring_options(CLI::App& command, const char* files, TableRequest& r
                    fmt::format("No limits of time (otherwise {:.0f} s a solve, {:.0f} minutes in all, "
                                "without making references)",
                                *request.limits.cell_limit_s, *request.limits.total_limit_s / 60));
+  command.add_flag("--log", request.logs_progress,
+                   "Say on standard error, where that is no terminal, which instance is measured");
   command.add_flag("--resume", request.resume, "Go on with the run in --out, if there is one; see below");
 }
 
@@ -46,7 +48,7 @@ RunRecord measure_and_show(TableRequest request, const Publications& publication
   request.arguments = invocation.arguments;
   catch_interrupts();
   RunRecord run = [&] {
-    ProgressLine progress(!invocation.quiet);
+    ProgressLine progress(!invocation.quiet, request.logs_progress);
     return run_tables(request, publications, progress);
   }();
   const TableSet set = build_tables(run, publications);

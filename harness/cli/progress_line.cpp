@@ -1,11 +1,14 @@
 #include "harness/cli/progress_line.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <condition_variable>
+#include <ctime>
 #include <iostream>
 
 namespace gcs {
@@ -33,9 +36,10 @@ std::string_view fitting(std::string_view text) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool wanted) {
-  if (wanted && isatty(STDERR_FILENO) == 1)
-    drawing_ = std::jthread([this](const std::stop_token& stop) { keep_drawing(stop); });
+ProgressLine::ProgressLine(bool wanted, bool logged) {
+  const bool is_seen = isatty(STDERR_FILENO) == 1;
+  if (wanted && is_seen) drawing_ = std::jthread([this](const std::stop_token& stop) { keep_drawing(stop); });
+  logs_ = wanted && logged && !is_seen;
 }
 
 ProgressLine::~ProgressLine() {
@@ -46,6 +50,7 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::progress(std::string_view stage, double fraction) {
+  if (logs_) log(stage, fraction);
   if (!drawing_.joinable()) return;
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
@@ -61,6 +66,17 @@ void ProgressLine::progress(std::string_view stage, double fraction) {
   end_.reset();
   if (left_s)
     end_ = now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*left_s));
+}
+
+void ProgressLine::log(std::string_view stage, double fraction) {
+  const std::lock_guard lock(mutex_);
+  const std::size_t comma = stage.find(',');
+  std::string line(stage.substr(0, comma));
+  if (comma == std::string_view::npos && fraction >= 0)
+    line += fmt::format(" {:.0f} %", 10 * std::floor(10 * fraction));
+  if (line == logged_) return;
+  logged_ = line;
+  std::cerr << fmt::format("{:%H:%M:%S} {}\n", fmt::localtime(std::time(nullptr)), line) << std::flush;
 }
 
 void ProgressLine::keep_drawing(const std::stop_token& stop) {

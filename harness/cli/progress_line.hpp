@@ -13,12 +13,14 @@
 
 namespace gcs {
 
-/// Shows progress when standard error is a terminal and `wanted`; otherwise nothing. The line lives between
-/// reports too: it says how long a stage has taken so far, or how much time is left. Clears its line at the
-/// end.
+/// Shows progress when standard error is a terminal and `wanted`; otherwise nothing, or a log. The line lives
+/// between reports too: it says how long a stage has taken so far, or how much time is left. Clears its line
+/// at the end.
 class ProgressLine final : public Monitor {
  public:
-  explicit ProgressLine(bool wanted);
+  /// `logged`: where there is no terminal, a line with the time of day for every stage, named up to its first
+  /// comma, and for each tenth of one whose share is known.
+  explicit ProgressLine(bool wanted, bool logged = false);
   ~ProgressLine() override;
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -29,6 +31,7 @@ class ProgressLine final : public Monitor {
   using Clock = std::chrono::steady_clock;
 
   void keep_drawing(const std::stop_token& stop);
+  void log(std::string_view stage, double fraction);
   std::string text(Clock::time_point now) const;
 
   std::mutex mutex_;      ///< of all below but the thread
@@ -39,6 +42,8 @@ class ProgressLine final : public Monitor {
   Clock::time_point next_estimate_;
   std::optional<Clock::time_point> end_;  ///< of the stage, as estimated
   TimeLeft time_left_;
+  bool logs_ = false;
+  std::string logged_;    ///< the last line of the log, without its time
   std::jthread drawing_;  ///< runs while somebody sees the line
 };
 

@@ -153,13 +153,9 @@ void take_proofs(const Assessment& assessment, CellRecord& record) {
 
 CellRecord record_of(const MeasureTask& task, const SolveRun& run, const AccuracyJudge* judge) {
   CellRecord record;
+  static_cast<SolveOutcome&>(record) = run;
   record.spec = task.spec;
-  record.options = run.options;
-  record.status = run.status;
-  record.reason = run.reason;
   record.counts = run.counts;
-  record.work = run.work;
-  record.particulars = run.particulars;
   record.residual = largest_residual(run);
   if (task.keeps_solutions)
     for (const AssessedSolution& solution : run.solutions)
@@ -169,7 +165,6 @@ CellRecord record_of(const MeasureTask& task, const SolveRun& run, const Accurac
     record.difference += (record.difference.empty() ? "" : " ") + check.what;
   }
   take_proofs(run, record);
-  record.claim = run.claim;
   const bool is_answer = run.status == RunStatus::complete || run.status == RunStatus::partial;
   if (judge != nullptr && is_answer) record.accuracy = judge->judge(run, task.spec.digits);
   record.warm_up_s = run.timing.prepare_s + run.timing.wall_s + run.timing.refine_s;

@@ -56,19 +56,13 @@ struct RecordedProofs {
   bool decides_real = false;  ///< nor are there more real ones
 };
 
-/// One cell: its assessed warm-up, and the times of the repetitions.
-struct CellRecord {
+/// One cell: the outcome of its assessed warm-up, and the times of the repetitions.
+struct CellRecord : SolveOutcome {
   CellSpec spec;
-  OptionMap options;  ///< every option, defaults included
-  RunStatus status = RunStatus::gave_up;
-  std::string reason;      ///< empty when complete
   std::string difference;  ///< why the answer is wrong; empty: nothing speaks against it
   Counts counts;
-  std::optional<RecordedProofs> proofs;  ///< empty: certificates do not reach the scene, or were not asked
-  std::optional<Claim> claim;            ///< empty when nothing was run
-  std::optional<Accuracy> accuracy;      ///< empty: not measured
-  WorkCounters work;
-  std::vector<Particular> particulars;
+  std::optional<RecordedProofs> proofs;     ///< empty: certificates do not reach the scene, or were not asked
+  std::optional<Accuracy> accuracy;         ///< empty: not measured
   double residual = 0;                      ///< largest relative residual of the solutions
   std::vector<RecordedSolution> solutions;  ///< one per class; kept only where a table shows them
   double warm_up_s = 0;                     ///< what the assessed solve took

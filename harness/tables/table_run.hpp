@@ -21,6 +21,7 @@ struct TableRequest {
   MeasureLimits limits;
   bool full = false;                         ///< without limits of time
   std::optional<std::filesystem::path> out;  ///< folder in which run.json is kept up to date
+  bool logs_progress = false;                ///< in lines, where standard error is no terminal
   bool resume = false;                       ///< go on with the run that is there, if any
   std::vector<std::string> arguments;        ///< the words of the command line, for the record
 };

@@ -30,20 +30,25 @@ inline constexpr std::array all_statuses{RunStatus::complete,    RunStatus::part
 inline constexpr std::array all_claims{Claim::some_real, Claim::on_path, Claim::on_path_of_core,
                                        Claim::all_real, Claim::all_complex};
 
-/// One solution for each reflection class, how many there are, what is proven about them, and which checks failed
-/// (see Assessment), beside how they were asked for and how the solve ended.
-struct Answer : Assessment {
-  std::string strategy;
+/// How a solve was asked for, how it ended and what it took.
+struct SolveOutcome {
   OptionMap options;  ///< every option of the strategy, defaults included
-  std::uint64_t seed = 1;
-  int threads = 1;
   RunStatus status = RunStatus::gave_up;
   std::string reason;          ///< empty when complete
   std::optional<Claim> claim;  ///< empty when nothing was run
-  /// Of each solution, to the digits asked for; nothing where it is not proven to so many. Empty unless asked for.
-  std::vector<std::optional<DecimalFigure>> refined;
   WorkCounters work;
   std::vector<Particular> particulars;  ///< counts that only this strategy knows
+};
+
+/// One solution for each reflection class, how many there are, what is proven about them, and which checks
+/// failed (see Assessment), with the outcome of the solve.
+struct Answer : Assessment, SolveOutcome {
+  std::string strategy;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  /// Of each solution, to the digits asked for; nothing where it is not proven to so many. Empty unless asked
+  /// for.
+  std::vector<std::optional<DecimalFigure>> refined;
 };
 
 }  // namespace gcs

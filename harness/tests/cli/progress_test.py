@@ -75,6 +75,15 @@ class Progress(command_line.CommandLine):
             if line.startswith("answers"):
                 self.assertLess(len(line), 20)
 
+    def test_a_log_names_every_instance_and_how_far_repetitions_are(self):
+        done = run("tables", "table1", "--instances", "k33,dodecagon", "--strategies", "rcp", "--repetitions", 20, "--log")
+        self.assertEqual(done.returncode, DONE)
+        lines = done.stderr.splitlines()
+        self.assertTrue(all(re.match(r"\d\d:\d\d:\d\d \w", line) for line in lines), done.stderr)
+        said = [line[9:] for line in lines]
+        for expected in ("answers: k33", "answers: dodecagon", "repetitions 0 %", "repetitions 90 %"):
+            self.assertEqual(said.count(expected), 1, done.stderr)
+
     def test_nothing_is_shown_elsewhere(self):
         for more in ([], ["--quiet"]):
             done = run("tables", "table1", "--instances", "dodecagon", "--strategies", "full-space,rcp",

@@ -51,7 +51,7 @@ TrackedPath CertifiedTracker::run() {
   double half_length =
       std::min({options_.step_max, series_.step_for(options_.tolerance), there_.promising_half_length()});
   Failure failure = first_tube(half_length);
-  for (; failure != Failure::none && half_length > options_.step_min; failure = first_tube(half_length)) {
+  for (; failure != Failure::none && half_length > least_step; failure = first_tube(half_length)) {
     half_length *= shrink;
     ++work.rejected_steps;
   }
@@ -80,7 +80,7 @@ CertifiedTracker::Failure CertifiedTracker::first_tube(double half_length) {
 
 bool CertifiedTracker::advance() {
   Failure furthest = Failure::none;
-  for (double ahead = ahead_; ahead >= options_.step_min; ahead *= shrink) {
+  for (double ahead = ahead_; ahead >= least_step; ahead *= shrink) {
     const Failure failure = next_tube(ahead);
     if (failure == Failure::none) return true;
     furthest = std::max(furthest, failure);

@@ -57,10 +57,10 @@ class Narrowing {
 template <int N>
 class Scan {
  public:
-  Scan(const Scene& scene, const ScanPlan& plan, const ScanLimits& limits, const std::stop_token& stop)
+  Scan(const Scene& scene, const ScanPlan& plan, std::int64_t max_cells, const std::stop_token& stop)
       : scene_(scene),
         plan_(plan),
-        limits_(limits),
+        max_cells_(max_cells),
         stop_(stop),
         system_(scene, plan.frame),
         squares_(target_squares(scene)),
@@ -112,7 +112,7 @@ class Scan {
   /// Follows all branches of the part.
   void visit(const Part& part) {
     if (stop_.stop_requested()) outcome_.end = ScanOutcome::End::stopped;
-    if (++outcome_.cells > limits_.max_cells) outcome_.end = ScanOutcome::End::too_many_cells;
+    if (++outcome_.cells > max_cells_) outcome_.end = ScanOutcome::End::too_many_cells;
     Visit visit{part, std::vector<Choice>(plan_.steps.size()), std::vector<Position>(scene_.point_count())};
     for (int p = 0; p < scene_.point_count(); ++p)
       if (const auto position = scene_.fixed_point(p))
@@ -244,7 +244,7 @@ class Scan {
       double move = 0;
       for (const Form& x : visit.last) move += std::abs(x.slope[i]);
       move = std::max(move, 1e-3 * half);
-      if (!(half > limits_.finest && move > most)) continue;
+      if (!(half > finest && move > most)) continue;
       most = move;
       symbol = i;
     }
@@ -358,21 +358,27 @@ class Scan {
     outcome_.newton_iterations += refine(system_, squares_, x).iterations;
     piece.figure = system_.figure(x);
     outcome_.undecided.push_back(std::move(piece));
-    if (static_cast<std::int64_t>(outcome_.undecided.size()) > limits_.max_undecided)
+    if (static_cast<std::int64_t>(outcome_.undecided.size()) > most_undecided)
       outcome_.end = ScanOutcome::End::too_many_undecided;
   }
 
   static constexpr double worth_a_visit = 0.6;  ///< of a cell: less is left than halving would leave
   static constexpr double coarse = 0.02;        ///< of the scene
   static constexpr double worth_a_test = 0.1;  ///< of the scene: in larger boxes the Jacobian varies too much
-  /// Half a cell, as in ScanLimits: regular solutions are found in wider ones.
+  /// Half a cell, as `finest`: regular solutions are found in wider ones.
   static constexpr double narrow = 1e-5;
+  /// Half the width of the finest cells: of angles in radians, of heights (see Choice) in the scene's unit:
+  /// about a thousand roundings of an angle. A regular solution is found long before.
+  static constexpr double finest = 1e-12;
+  /// More finest pieces than this are a curve of solutions and not the surroundings of a few multiple ones,
+  /// each of which takes about 1e-8 / finest in the direction in which it is multiple.
+  static constexpr std::int64_t most_undecided = 200'000;
   static constexpr int most_parts = 5000;          ///< of a search: tens of milliseconds
   static constexpr int most_failed_searches = 50;  ///< more would say no more, and take seconds
 
   const Scene& scene_;
   const ScanPlan& plan_;
-  const ScanLimits& limits_;
+  std::int64_t max_cells_;
   const std::stop_token& stop_;
   DistanceSystem system_;
   std::vector<DoubleDouble> squares_;
@@ -385,11 +391,11 @@ class Scan {
 
 }  // namespace
 
-ScanOutcome scan_plan(const Scene& scene, const ScanPlan& plan, const ScanLimits& limits,
+ScanOutcome scan_plan(const Scene& scene, const ScanPlan& plan, std::int64_t max_cells,
                       const std::stop_token& stop) {
   const bool has_line = scene.has_lines();
-  if (plan.angles() + (has_line ? 1 : 0) <= 1) return Scan<1>(scene, plan, limits, stop).run();
-  return Scan<2>(scene, plan, limits, stop).run();
+  if (plan.angles() + (has_line ? 1 : 0) <= 1) return Scan<1>(scene, plan, max_cells, stop).run();
+  return Scan<2>(scene, plan, max_cells, stop).run();
 }
 
 }  // namespace gcs

@@ -21,13 +21,6 @@
 
 namespace gcs {
 
-struct ScanLimits {
-  /// Half the width of the finest cells: of angles in radians, of heights (see Choice) in the scene's unit.
-  double finest = 1e-12;
-  std::int64_t max_cells = 0;
-  std::int64_t max_undecided = 0;
-};
-
 /// A range of angles on which some branch could not be decided.
 struct UndecidedPiece {
   std::vector<std::array<double, 2>> ranges;  ///< one per angle, in radians
@@ -50,8 +43,8 @@ struct ScanOutcome {
   std::int64_t newton_iterations = 0;
 };
 
-/// Precondition: the plan has at most two angles, or one and a line.
-ScanOutcome scan_plan(const Scene& scene, const ScanPlan& plan, const ScanLimits& limits,
+/// Gives up after max_cells. Precondition: the plan has at most two angles, or one and a line.
+ScanOutcome scan_plan(const Scene& scene, const ScanPlan& plan, std::int64_t max_cells,
                       const std::stop_token& stop);
 
 }  // namespace gcs

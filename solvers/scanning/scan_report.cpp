@@ -9,10 +9,6 @@
 namespace gcs {
 namespace {
 
-/// More finest pieces than this are a curve of solutions and not the surroundings of a few multiple ones,
-/// each of which takes about 1e-8 / finest in the direction in which it is multiple.
-constexpr std::int64_t max_undecided = 200'000;
-
 /// More ranges than this nobody reads; the others are counted.
 constexpr std::size_t most_named = 20;
 
@@ -86,14 +82,11 @@ SolveStatus status_of(const ScanOutcome& outcome) {
 }  // namespace
 
 std::vector<OptionSpec> scan_option_specs() {
-  return {{"finest", "1e-12", "number from 1e-14 to 1e-2",
-           "half the width, in radians, below which a piece is named as undecided"},
-          {"max_cells", "100000000", "whole number from 1 to 1e12", "cells after which the scan gives up"}};
+  return {{"max_cells", "100000000", "whole number from 1 to 1e12", "cells after which the scan gives up"}};
 }
 
-ScanLimits read_scan_limits(const OptionMap& options) {
-  return {number_option(options, "finest", 1e-14, 1e-2),
-          integer_option(options, "max_cells", 1, 1'000'000'000'000), max_undecided};
+std::int64_t read_max_cells(const OptionMap& options) {
+  return integer_option(options, "max_cells", 1, 1'000'000'000'000);
 }
 
 SolveReport scan_report(const Scene& scene, const ScanPlan& plan, const ScanOutcome& outcome) {

@@ -6,10 +6,10 @@
 
 namespace gcs {
 
-/// The options `finest` and `max_cells`.
+/// The option `max_cells`.
 std::vector<OptionSpec> scan_option_specs();
 /// Throws OptionError.
-ScanLimits read_scan_limits(const OptionMap& options);
+std::int64_t read_max_cells(const OptionMap& options);
 
 /// The solutions with the claim that they are all real ones. Where pieces are undecided the status says so
 /// and the reason names the first; points of them that satisfy the constraints to rounding are reported too.

@@ -35,6 +35,12 @@ namespace {
 /// Starts between two looks at `unseen`: no fewer are made, and their number does not depend on the threads.
 constexpr int batch = 64;
 
+/// Half of the starts' box, in longest lengths: points of a rigid figure are seldom further apart than a few.
+constexpr double spread = 2;
+
+/// Of the damped steps, relative: from there the undamped ones after them converge quadratically.
+constexpr double tolerance = 1e-8;
+
 /// One over the square root of the unit roundoff: at this condition number a fold is so near that the
 /// rounding of the lengths can make the solution meet another one and vanish.
 constexpr double singular_condition = 9.5e7;
@@ -84,9 +90,7 @@ class NewtonMultistart final : public Strategy {
  public:
   explicit NewtonMultistart(const OptionMap& options)
       : most_starts_(static_cast<int>(integer_option(options, "starts", 1, 100'000'000))),
-        unseen_(number_option(options, "unseen", 0, 1e9)),
-        spread_(number_option(options, "spread", 1e-3, 1e3)),
-        tolerance_(number_option(options, "tolerance", 1e-15, 1e-2)) {}
+        unseen_(number_option(options, "unseen", 0, 1e9)) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     if (scene.is_anchored()) return "it places points and a line in a frame, and the file fixes positions";
@@ -151,14 +155,14 @@ class NewtonMultistart final : public Strategy {
     seed.add(static_cast<std::uint64_t>(number));
     std::mt19937_64 random(seed.value());
     std::uniform_real_distribution<double> coordinate(-1, 1);
-    const double reach = spread_ * request.scene.size();
+    const double reach = spread * request.scene.size();
     return Eigen::VectorXd::NullaryExpr(unknowns, [&] { return reach * coordinate(random); });
   }
 
   End end_of(const SolveRequest& request, Equations& equations, int number) const {
     Eigen::VectorXd x = random_start(request, equations.inputs(), number);
     Eigen::LevenbergMarquardt<Equations> method(equations);
-    method.parameters.xtol = method.parameters.ftol = tolerance_;
+    method.parameters.xtol = method.parameters.ftol = tolerance;
     method.minimizeInit(x);
     while (method.minimizeOneStep(x) == Eigen::LevenbergMarquardtSpace::Running &&
            !request.stop.stop_requested()) {
@@ -216,8 +220,6 @@ class NewtonMultistart final : public Strategy {
 
   int most_starts_;
   double unseen_;
-  double spread_;
-  double tolerance_;
 };
 
 }  // namespace
@@ -230,10 +232,7 @@ StrategyEntry newton_multistart_entry() {
   entry.options = {
       {"starts", "1000", "a whole number from 1 to 100000000", "starts at most"},
       {"unseen", "0.5", "number from 0 to 1e9",
-       "stop when fewer classes than this are expected to be unseen, by estimate; 0: make all starts"},
-      {"spread", "2", "number from 0.001 to 1000", "half of the starts' box, in longest lengths"},
-      {"tolerance", "1e-8", "number from 1e-15 to 0.01",
-       "of the steps, relative, before the last undamped ones"}};
+       "stop when fewer classes than this are expected to be unseen, by estimate; 0: make all starts"}};
   entry.accuracy_settings = {{{"starts", "64"}}};
   entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<NewtonMultistart>(options);

@@ -22,7 +22,7 @@ constexpr int most_angles = 2;  // each more multiplies the cells by hundreds
 
 class PlanScan final : public Strategy {
  public:
-  explicit PlanScan(const OptionMap& options) : limits_(read_scan_limits(options)) {}
+  explicit PlanScan(const OptionMap& options) : max_cells_(read_max_cells(options)) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     if (scene.has_lines()) return "its plans place points only, and the instance has a line";
@@ -37,11 +37,11 @@ class PlanScan final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     const ScanPlan plan = plan_ ? *plan_ : derive_scan_plan(request.scene);
-    return scan_report(request.scene, plan, scan_plan(request.scene, plan, limits_, request.stop));
+    return scan_report(request.scene, plan, scan_plan(request.scene, plan, max_cells_, request.stop));
   }
 
  private:
-  ScanLimits limits_;
+  std::int64_t max_cells_;
   std::optional<ScanPlan> plan_;
 };
 

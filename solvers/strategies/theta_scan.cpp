@@ -142,7 +142,7 @@ class ThetaScan final : public Strategy {
   explicit ThetaScan(const OptionMap& options)
       : is_published_(choice_option(options, "method", methods) == 1),
         options_(options),
-        limits_(read_scan_limits(options)) {}
+        max_cells_(read_max_cells(options)) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     const auto pyramid = find_pyramid(scene);
@@ -158,13 +158,13 @@ class ThetaScan final : public Strategy {
     const auto pyramid = find_pyramid(request.scene);
     if (is_published_) return PublishedScan(request, *pyramid, options_).run();
     const ScanPlan plan = pyramid_plan(request.scene, *pyramid);
-    return scan_report(request.scene, plan, scan_plan(request.scene, plan, limits_, request.stop));
+    return scan_report(request.scene, plan, scan_plan(request.scene, plan, max_cells_, request.stop));
   }
 
  private:
   bool is_published_;
   GridOptions options_;
-  ScanLimits limits_;
+  std::int64_t max_cells_;
 };
 
 std::vector<OptionSpec> option_specs() {

@@ -45,7 +45,6 @@ concept Homotopy = requires(H homotopy, const Eigen::VectorXd& y, Eigen::VectorX
 
 struct EulerNewtonOptions {
   double step_max = 0.1;
-  double step_min = 1e-10;
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
   bool keep_points = false;  ///< in TrackedPath::points, as figure_coordinates
@@ -67,9 +66,7 @@ class EulerNewtonTracker {
     if (options_.keep_points) path_.points.push_back(start_);
     while (homotopy_.work().iterations < options_.max_steps) {
       if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
-      if (!step())
-        return finish(TrackedPath::End::failed,
-                      "the step fell below step_min near t = " + std::to_string(t_of(here_)));
+      if (!step()) return finish(TrackedPath::End::failed, step_too_small(t_of(here_)));
       const bool closed = closes();
       record_crossing();
       path_.length += (there_ - here_).norm();
@@ -137,7 +134,7 @@ class EulerNewtonTracker {
     while (true) {
       if (correct(here_ + step_ * tangent_, tangent_) || on_other_branch()) break;
       ++work.rejected_steps;
-      if (step_ < 2 * options_.step_min) return false;
+      if (step_ < 2 * least_step) return false;
       step_ /= 2;
     }
     ++work.iterations;

@@ -32,8 +32,6 @@ std::vector<OptionSpec> path_option_specs(std::string_view modes, std::string_vi
                                : "largest step; auto: 1 (fast, in units of the scene; further than 10 away a "
                                  "tenth of that), 0.05 "
                                  "(paper, in the file's unit)"},
-      {"step_min", "1e-10", "a number from 1e-15 to 1",
-       "below this step, in the unit of step_max, the tracker gives up; not above step_max"},
       {"max_steps", std::to_string(defaults.max_steps), "a whole number from 1 to 1000000000",
        "the tracker gives up after so many steps"},
       {"orientation", "forward", "forward|backward", "leave the sketch towards growing or falling t"},
@@ -62,11 +60,6 @@ PathOptions read_path_options(const OptionMap& options, std::string_view modes, 
   } else {
     path.fast.step_max = path.paper.step_max = number_option(options, "step_max", 1e-6, 1e6);
   }
-  path.fast.step_min = path.paper.step_min = number_option(options, "step_min", 1e-15, 1);
-  const double step_max = path.mode == PathMode::paper ? path.paper.step_max : path.fast.step_max;
-  if (path.fast.step_min > step_max)
-    throw OptionError("option step_min=" + options.find("step_min")->second +
-                      ": expected a number that is not above step_max=" + options.find("step_max")->second);
   path.fast.max_steps = path.paper.max_steps = integer_option(options, "max_steps", 1, 1'000'000'000);
   path.fast.orientation = path.paper.orientation =
       choice_option(options, "orientation", "forward|backward") == 0 ? 1 : -1;

@@ -70,7 +70,6 @@ struct SeriesTrackerOptions {
   double step_max = 1;      ///< arc length in (X, t)
   /// Far away a step may be longer than step_max: this part of the largest coordinate.
   double step_max_far = 0;
-  double step_min = 1e-10;
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
 };
@@ -133,7 +132,7 @@ class SeriesTracker {
     const double far = options_.step_max_far * here_.coefficient(0).lpNorm<Eigen::Infinity>();
     step_ = std::min(
         {std::max(options_.step_max, far), here_.step_for(options_.tolerance), disc_used * here_.radius()});
-    for (; step_ >= options_.step_min; step_ /= 2) {
+    for (; step_ >= least_step; step_ /= 2) {
       here_.evaluate(step_, predicted_);
       here_.tangent(step_, tangent_);
       if (curve_.advance(predicted_, tangent_, there_) && step_ <= there_.radius() && agrees_backwards()) {
@@ -255,9 +254,8 @@ class SeriesTracker {
   std::string too_small() const {
     const double t = here_.coefficient(0)[t_row()];
     const bool vanishes = curve_.shortest_length(t) <= vanished;
-    return "the step fell below step_min near t = " + std::to_string(t) +
-           (vanishes ? ": a length vanishes there or nearly so (hypothesis h2)"
-                     : ": S is singular there or nearly so (hypothesis h1)");
+    return step_too_small(t) + (vanishes ? ": a length vanishes there or nearly so (hypothesis h2)"
+                                         : ": S is singular there or nearly so (hypothesis h1)");
   }
 
   void report_progress() {

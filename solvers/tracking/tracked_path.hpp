@@ -40,6 +40,15 @@ struct TrackedPath {
   WorkCounters work;
 };
 
+/// A tracker gives up below this step, in the unit of its largest: near a singular point of S none is short
+/// enough, and elsewhere steps are longer by orders of magnitude. δmin of [I].
+inline constexpr double least_step = 1e-10;
+
+/// The cause of giving up so.
+inline std::string step_too_small(double t) {
+  return "the step became too small near t = " + std::to_string(t);
+}
+
 /// The outside world of a tracker.
 struct TrackerContext {
   std::stop_token stop;

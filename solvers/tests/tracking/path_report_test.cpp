@@ -33,7 +33,7 @@ SolveReport report_of(const TrackedPath& path) { return path_report(triangle(), 
 TEST_CASE("the reason why a path failed is not replaced by what its crossings lack") {
   TrackedPath path;
   path.end = TrackedPath::End::failed;
-  path.cause = "the step fell below step_min";
+  path.cause = step_too_small(0.5);
   path.crossings.push_back({no_solution(), 1, 0.5});
   const SolveReport report = report_of(path);
   CHECK(report.status == SolveStatus::gave_up);

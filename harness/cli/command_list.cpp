@@ -71,7 +71,7 @@ JsonValue families_value() {
 JsonValue option_value(const OptionSpec& option) {
   return json_object({{"name", json_text(std::string(option.name))},
                       {"default", json_text(option.default_value)},
-                      {"allowed", json_text(std::string(option.allowed))},
+                      {"allowed", json_text(option.allowed)},
                       {"summary", json_text(std::string(option.summary))}});
 }
 

@@ -9,7 +9,6 @@
 #include "harness/results/result_reader.hpp"
 #include "harness/runs/published.hpp"
 #include "harness/runs/run_file.hpp"
-#include "solvers/interface/options.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/reading/json_document.hpp"

@@ -5,22 +5,26 @@
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/released_report.hpp"
-#include "solvers/interface/options.hpp"
 
 namespace gcs {
 namespace {
 
-constexpr std::string_view instruction_sets = "auto|portable|avx2|avx512";
-constexpr std::string_view ways_with_images = "divided|followed";
-
-InstructionSet read_instruction_set(const OptionMap& options) {
-  const int choice = choice_option(options, "instructions", instruction_sets);
-  if (choice == 0) return widest_instruction_set();
-  const auto set = static_cast<InstructionSet>(choice - 1);
+InstructionSet instruction_set(HomotopySettings::Instructions instructions) {
+  if (instructions == HomotopySettings::Instructions::automatic) return widest_instruction_set();
+  const auto set = static_cast<InstructionSet>(static_cast<int>(instructions) - 1);
   if (!is_available(set))
-    throw OptionError("option instructions=" + options.find("instructions")->second +
+    throw OptionError("option instructions=" + HomotopySettings::instruction_sets.text(instructions) +
                       ": this machine does not have them; auto takes the widest that it has");
   return set;
+}
+
+TrackingSetup tracking_setup(const HomotopySettings& settings) {
+  TrackingSetup setup;
+  setup.options.order = settings.order;
+  setup.options.tolerance = settings.tolerance;
+  setup.all_wide = settings.precision == HomotopySettings::Precision::twice;
+  setup.set = instruction_set(settings.instructions);
+  return setup;
 }
 
 /// The squared lengths that the file gives.
@@ -71,33 +75,12 @@ SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
 
 }  // namespace
 
-std::vector<OptionSpec> tracking_option_specs() {
-  return {{"order", "12", "whole number from 4 to 40", "of the Taylor predictor"},
-          {"tolerance", "1e-6", "number from 1e-12 to 1e-3",
-           "error of a prediction, relative to how far the path goes until its series diverges"},
-          {"precision", "auto", "auto|twice",
-           "twice: every path in about 106 bits; auto: where 53 do not suffice"},
-          {"mirror_images", "divided", ways_with_images,
-           "followed: on the way to random lengths they are followed too, for the same solutions"},
-          {"instructions", "auto", instruction_sets, "SIMD instructions; the result does not depend on them",
-           false, false}};
-}
-
 std::vector<OptionMap> tracking_accuracy_settings() {
   return {{{"tolerance", "1e-4"}},
           {{"tolerance", "1e-8"}},
           {{"tolerance", "1e-10"}},
           {{"order", "8"}},
           {{"order", "20"}}};
-}
-
-TrackingSetup tracking_setup(const OptionMap& options) {
-  TrackingSetup setup;
-  setup.options.order = static_cast<int>(integer_option(options, "order", 4, 40));
-  setup.options.tolerance = number_option(options, "tolerance", 1e-12, 1e-3);
-  setup.all_wide = choice_option(options, "precision", "auto|twice") == 1;
-  setup.set = read_instruction_set(options);
-  return setup;
 }
 
 GenericStart::GenericStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup)
@@ -107,9 +90,9 @@ GenericStart::GenericStart(const Scene& scene, std::uint64_t seed, const Trackin
       elimination(order_elimination(system, random)),
       tracking(system, elimination, setup) {}
 
-ComplexStrategy::ComplexStrategy(const OptionMap& options)
-    : setup_(tracking_setup(options)),
-      follows_mirror_images_(choice_option(options, "mirror_images", ways_with_images) == 1) {}
+ComplexStrategy::ComplexStrategy(const HomotopySettings& settings)
+    : setup_(tracking_setup(settings)),
+      follows_mirror_images_(settings.mirror_images == HomotopySettings::MirrorImages::followed) {}
 
 std::optional<std::string> ComplexStrategy::why_unsupported(const Scene& scene) const {
   if (scene.problem().lines.size() > 1) return "it places one line at most";

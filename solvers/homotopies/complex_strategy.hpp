@@ -1,5 +1,5 @@
 #pragma once
-/// What the strategies for all complex solutions share: their options, the scene's equations with a tracker
+/// What the strategies for all complex solutions share: their settings, the scene's equations with a tracker
 /// for them, and the way from the solutions at random lengths, which serve all lengths of a graph, to those
 /// at the given ones. Where positions are given beside a line the scene is restated without
 /// (model/released_scene.hpp), and the solutions are carried back.
@@ -9,18 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "solvers/homotopies/homotopy_settings.hpp"
 #include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/distance_system.hpp"
 
 namespace gcs {
 
-/// The options that they share.
-std::vector<OptionSpec> tracking_option_specs();
 /// Predictions that are rough or fine, of low and of high order.
 std::vector<OptionMap> tracking_accuracy_settings();
-/// Their values. Throws OptionError.
-TrackingSetup tracking_setup(const OptionMap& options);
 
 /// The number of classes at generic lengths, or at most so many; nothing where nobody knows, or where no list
 /// could be that long. Takes seconds at most.
@@ -61,7 +58,8 @@ class ComplexStrategy : public Strategy {
   SolveReport solve(const SolveRequest& request) final;
 
  protected:
-  explicit ComplexStrategy(const OptionMap& options);
+  /// Throws OptionError for instructions that this machine does not have.
+  explicit ComplexStrategy(const HomotopySettings& settings);
 
   /// Whether on the way to random lengths mirror images are followed too: many times the work, as a measure
   /// of what dividing them out saves.

@@ -1,60 +1,89 @@
 #include "solvers/interface/options.hpp"
 
+#include <array>
 #include <charconv>
-#include <cmath>
-#include <sstream>
 
 namespace gcs {
 namespace {
 
-[[noreturn]] void refuse(std::string_view name, const std::string& value, const std::string& expected) {
-  throw OptionError("option " + std::string(name) + "=" + value + ": expected " + expected);
-}
-
-const std::string& value_of(const OptionMap& options, std::string_view name) {
-  return options.find(name)->second;
-}
-
-template <class Number>
-Number parse(const OptionMap& options, std::string_view name, Number low, Number high) {
-  const std::string& text = value_of(options, name);
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high)) {
-    std::ostringstream expected;
-    expected << (std::is_integral_v<Number> ? "a whole number" : "a number") << " from " << low << " to "
-             << high;
-    refuse(name, text, expected.str());
-  }
-  return value;
+/// "1e-07" is written "1e-7", and "1e+06" "1e6".
+std::string without_padding(std::string_view decimal) {
+  const auto exponent = decimal.find('e');
+  if (exponent == std::string_view::npos) return std::string(decimal);
+  const std::string sign = decimal[exponent + 1] == '-' ? "-" : "";
+  const auto digits = decimal.find_first_not_of('0', exponent + 2);
+  return std::string(decimal.substr(0, exponent + 1)) + sign + std::string(decimal.substr(digits));
 }
 
 }  // namespace
 
-double number_option(const OptionMap& options, std::string_view name, double low, double high) {
-  return parse<double>(options, name, low, high);
+template <class Number>
+std::string Range<Number>::allowed() const {
+  return (std::is_integral_v<Number> ? "a whole number from " : "a number from ") + text(low) + " to " +
+         text(high);
 }
 
-std::int64_t integer_option(const OptionMap& options, std::string_view name, std::int64_t low,
-                            std::int64_t high) {
-  return parse<std::int64_t>(options, name, low, high);
+template <class Number>
+std::optional<Number> Range<Number>::read(std::string_view text) const {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const bool is_allowed = error == std::errc() && rest == end && value >= low && value <= high;
+  return is_allowed ? std::optional(value) : std::nullopt;
 }
 
-int choice_option(const OptionMap& options, std::string_view name, std::string_view allowed) {
-  const std::string& text = value_of(options, name);
-  int index = 0;
-  for (std::size_t begin = 0; begin <= allowed.size(); ++index) {
-    const std::size_t end = std::min(allowed.find('|', begin), allowed.size());
-    if (allowed.substr(begin, end - begin) == text) return index;
+template <class Number>
+std::string Range<Number>::text(Number value) {
+  std::array<char, 32> digits;
+  const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return without_padding({digits.data(), end});
+}
+
+template struct Range<int>;
+template struct Range<std::int64_t>;
+template struct Range<double>;
+
+std::optional<int> number_of_word(std::string_view words, std::string_view word) {
+  int number = 0;
+  for (std::size_t begin = 0; begin <= words.size(); ++number) {
+    const std::size_t end = std::min(words.find('|', begin), words.size());
+    if (words.substr(begin, end - begin) == word) return number;
     begin = end + 1;
   }
-  refuse(name, text, std::string(allowed));
+  return std::nullopt;
 }
 
-std::optional<std::string> file_option(const OptionMap& options, std::string_view name) {
-  const std::string& text = value_of(options, name);
-  if (text.empty()) refuse(name, text, "the name of a file, or none");
-  return text == "none" ? std::nullopt : std::optional(text);
+std::string_view word_of_number(std::string_view words, int number) {
+  if (number < 0) return {};
+  for (; number > 0; --number) {
+    const std::size_t end = words.find('|');
+    if (end == std::string_view::npos) return {};
+    words.remove_prefix(end + 1);
+  }
+  return words.substr(0, words.find('|'));
+}
+
+std::optional<bool> OnOff::read(std::string_view text) {
+  if (text == "on") return true;
+  if (text == "off") return false;
+  return std::nullopt;
+}
+
+std::optional<AutoOr::Value> AutoOr::read(std::string_view text) const {
+  if (text == "auto") return Value();
+  const std::optional<double> number = range.read(text);
+  return number ? std::optional<Value>(number) : std::nullopt;
+}
+
+std::optional<FileName::Value> FileName::read(std::string_view text) {
+  if (text.empty()) return std::nullopt;
+  return text == "none" ? Value() : Value(text);
+}
+
+void refuse_value(std::string_view name, std::string_view text, const std::string& allowed,
+                  std::string_view hint) {
+  throw OptionError("option " + std::string(name) + "=" + std::string(text) + ": expected " + allowed +
+                    (hint.empty() ? "" : "; ") + std::string(hint));
 }
 
 OptionMap complete_options(const StrategyEntry& entry, const OptionMap& given) {

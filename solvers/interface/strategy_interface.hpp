@@ -121,7 +121,7 @@ struct SolveReport {
 struct OptionSpec {
   std::string_view name;
   std::string default_value;
-  std::string_view allowed;  ///< "a|b|c" for a choice, otherwise a range in words: "number > 0"
+  std::string allowed;  ///< "a|b|c" for a choice, otherwise in words: "a number from 0 to 1"
   std::string_view summary;
   bool is_length = false;  ///< in the file's unit of length: means another length when the unit changes
   /// False: it says how to compute, or what else to write, and a journal serves all its values.

@@ -11,10 +11,9 @@
 #include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/numeric/natural.hpp"
+#include "solvers/polyhedral/formulation.hpp"
 
 namespace gcs {
-
-enum class Formulation { spheres, coordinates };  ///< see supports.hpp
 
 struct PolyhedralSolutions {
   std::vector<ComplexVectorX> solutions;  ///< regular, distinct up to reflections, in the scene's coordinates

@@ -166,9 +166,8 @@ class NoStartSystems final : public StartStore {
 class ReducedStrategy final : public Strategy {
  public:
   ReducedStrategy(const StrategyEntry& inner, const OptionMap& options)
-      : needs_sketch_(inner.needs_sketch),
-        reduces_(choice_option(options, "reduce", "on|off") == 0),
-        make_([make = inner.make, options] { return make(options); }) {
+      : needs_sketch_(inner.needs_sketch), make_([make = inner.make, options] { return make(options); }) {
+    read_option(options, reduce_option, OnOff{}, reduces_);
     strategies_.push_back(make_());
   }
 
@@ -280,7 +279,7 @@ class ReducedStrategy final : public Strategy {
   }
 
   bool needs_sketch_;
-  bool reduces_;
+  bool reduces_ = false;
   std::function<std::unique_ptr<Strategy>()> make_;
   NoStartSystems no_starts_;
   std::vector<std::unique_ptr<Strategy>> strategies_;  ///< one for each part that is solved
@@ -290,7 +289,7 @@ class ReducedStrategy final : public Strategy {
 
 StrategyEntry with_reduction(StrategyEntry inner) {
   StrategyEntry entry = inner;
-  entry.options.push_back({"reduce", inner.needs_sketch ? "off" : "on", "on|off",
+  entry.options.push_back({reduce_option, OnOff::text(!inner.needs_sketch), OnOff::allowed(),
                            "place hung points after the rest, and solve apart what d points separate"});
   entry.make = [inner = std::move(inner)](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<ReducedStrategy>(inner, options);

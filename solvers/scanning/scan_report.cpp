@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "solvers/figures/residual_and_condition.hpp"
-#include "solvers/interface/options.hpp"
 
 namespace gcs {
 namespace {
@@ -80,14 +79,6 @@ SolveStatus status_of(const ScanOutcome& outcome) {
 }
 
 }  // namespace
-
-std::vector<OptionSpec> scan_option_specs() {
-  return {{"max_cells", "100000000", "whole number from 1 to 1e12", "cells after which the scan gives up"}};
-}
-
-std::int64_t read_max_cells(const OptionMap& options) {
-  return integer_option(options, "max_cells", 1, 1'000'000'000'000);
-}
 
 SolveReport scan_report(const Scene& scene, const ScanPlan& plan, const ScanOutcome& outcome) {
   SolveReport report;

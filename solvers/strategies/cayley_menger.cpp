@@ -20,13 +20,14 @@
 /// the octahedron is proven to flex (octahedron/exact_squares.hpp). Hoffmann, Yuan, On Spatial Constraint
 /// Solving Approaches, 2000, section 3; Michelucci, Foufou 2004.
 
+#include "solvers/strategies/cayley_menger.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/certificates/proven_error.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
-#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/octahedron/core_solutions.hpp"
 #include "solvers/octahedron/octahedron.hpp"
@@ -238,8 +239,10 @@ SolveReport stopped() {
   return report;
 }
 
-class CayleyMenger final : public Strategy {
+class CayleyMengerStrategy final : public Strategy {
  public:
+  explicit CayleyMengerStrategy(const CayleyMenger&) {}
+
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     if (scene.dimension() != 3 || scene.has_lines()) return "it solves octahedra: six points in space";
     if (scene.is_anchored()) return "it places the octahedron itself, and the instance fixes positions";
@@ -264,12 +267,10 @@ class CayleyMenger final : public Strategy {
 }  // namespace
 
 StrategyEntry cayley_menger_entry() {
-  StrategyEntry entry;
-  entry.name = "cayley-menger";
+  StrategyEntry entry = entry_of<CayleyMengerStrategy, CayleyMenger>();
   entry.summary =
       "solves an octahedron by two Cayley-Menger determinants, all eight pairs of diagonals at once";
   entry.citation = "Hoffmann, Yuan 2000, section 3";
-  entry.make = [](const OptionMap&) -> std::unique_ptr<Strategy> { return std::make_unique<CayleyMenger>(); };
   return entry;
 }
 

@@ -13,6 +13,8 @@
 /// max_steps. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point Distance Problems by
 /// Homotopy, 2016.
 
+#include "solvers/strategies/full_space.hpp"
+
 #include "solvers/model/wide_reference.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/proven_paths/path_jumps.hpp"
@@ -30,27 +32,28 @@ constexpr double paper_step_max = 0.1;  // [I] §7.3.1, without a plan
 /// this near to S, relative to the scene's size, unless S is nearly singular there.
 constexpr double newton_distance = 1e-7;
 
-class FullSpace final : public Strategy {
+class FullSpaceStrategy final : public Strategy {
  public:
-  explicit FullSpace(const OptionMap& options)
-      : options_(read_path_options(options, all_modes, paper_step_max)),
-        names_jumps_(choice_option(options, "jumps", "ignored|named") == 1) {
+  explicit FullSpaceStrategy(const FullSpace& asked)
+      : mode_(asked.mode),
+        options_(path_options(asked.tracking, paper_step_max)),
+        names_jumps_(asked.jumps == FullSpace::Jumps::named) {
     options_.paper.keep_points = names_jumps_;
   }
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
-    const bool proves = options_.mode == PathMode::certified || names_jumps_;
+    const bool proves = mode_ == FullSpace::Mode::certified || names_jumps_;
     return proves ? why_not_proven(scene) : why_no_path(scene);
   }
 
   SolveReport solve(const SolveRequest& request) override {
     const TrackerContext context{request.stop, request.monitor};
-    switch (options_.mode) {
-      case PathMode::paper:
+    switch (mode_) {
+      case FullSpace::Mode::paper:
         return solve_as_published(request.scene, context);
-      case PathMode::certified:
+      case FullSpace::Mode::certified:
         return solve_with_proof(request.scene, context);
-      case PathMode::fast:
+      case FullSpace::Mode::fast:
         break;
     }
     return report_once_refined(options_.fast, [&](const SeriesTrackerOptions& options) {
@@ -107,6 +110,7 @@ class FullSpace final : public Strategy {
     return report;
   }
 
+  FullSpace::Mode mode_;
   PathOptions options_;
   bool names_jumps_;
 };
@@ -114,18 +118,11 @@ class FullSpace final : public Strategy {
 }  // namespace
 
 StrategyEntry full_space_entry() {
-  StrategyEntry entry;
-  entry.name = "full-space";
+  StrategyEntry entry = entry_of<FullSpaceStrategy, FullSpace>();
   entry.summary = "tracks the path S from the sketch in all coordinates";
   entry.citation = "Imbach, Mathis, Schreck 2016, sections 2.2 and 7.1";
   entry.needs_sketch = true;
-  entry.options = path_option_specs(all_modes, "0.1");
-  entry.options.push_back({"jumps", "ignored", "ignored|named",
-                           "named (paper): says where the tracker left the path, which is then proven too"});
   entry.accuracy_settings = path_accuracy_settings();
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<FullSpace>(options);
-  };
   return entry;
 }
 

@@ -15,6 +15,8 @@
 /// Jensen, Lee, Leykin, Sommars, Solving polynomial systems via homotopy continuation and monodromy, IMA J.
 /// Numer. Anal. 39 (2019).
 
+#include "solvers/strategies/monodromy.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -22,7 +24,6 @@
 #include "solvers/homotopies/complex_strategy.hpp"
 #include "solvers/homotopies/mirror_images.hpp"
 #include "solvers/homotopies/start_store.hpp"
-#include "solvers/interface/options.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
@@ -88,14 +89,15 @@ class Found final : public GenericStart {
   bool is_stored = false;          ///< the two above come from an earlier search
 };
 
-class Monodromy final : public ComplexStrategy {
+class MonodromyStrategy final : public ComplexStrategy {
  public:
-  explicit Monodromy(const OptionMap& options)
-      : ComplexStrategy(options),
-        with_trace_(choice_option(options, "trace", "on|off") == 0),
-        start_(file_option(options, "start")),
-        save_start_(file_option(options, "save_start")) {
-    search_.arcs = static_cast<int>(integer_option(options, "arcs", 2, 1000));
+  /// Throws OptionError for a start system to read and one to write.
+  explicit MonodromyStrategy(const Monodromy& asked)
+      : ComplexStrategy(asked.tracking),
+        with_trace_(asked.trace),
+        start_(asked.start),
+        save_start_(asked.save_start) {
+    search_.arcs = asked.arcs;
     if (start_ && save_start_)
       throw OptionError("options start=" + *start_ + " and save_start=" + *save_start_ +
                         ": give one of them; what is read is not written again");
@@ -179,22 +181,11 @@ class Monodromy final : public ComplexStrategy {
 }  // namespace
 
 StrategyEntry monodromy_entry() {
-  StrategyEntry entry;
-  entry.name = "monodromy";
+  StrategyEntry entry = entry_of<MonodromyStrategy, Monodromy>();
   entry.summary = "finds all complex solutions at random lengths by loops and follows them to the given ones";
   entry.citation = "Duff, Hill, Jensen, Lee, Leykin, Sommars 2019";
-  entry.options = {
-      {"arcs", "12", "whole number from 2 to 1000", "ways between the two sets of random lengths, at most"},
-      {"trace", "on", "on|off", "test completeness by a trace where no count is met"},
-      {"start", "none", "FILE, or none", "start with the solutions at random lengths that save_start wrote"},
-      {"save_start", "none", "FILE, or none",
-       "write the solutions at random lengths, for this graph with any lengths", false, false}};
-  for (const OptionSpec& spec : tracking_option_specs()) entry.options.push_back(spec);
   entry.accuracy_settings = tracking_accuracy_settings();
   entry.keeps_journal = true;
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<Monodromy>(options);
-  };
   return entry;
 }
 

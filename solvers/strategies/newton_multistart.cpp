@@ -15,6 +15,8 @@
 /// Hence it claims some real solutions. It fails, and says so, where no start ends at a solution, which does
 /// not prove that there is none, and at multiple solutions and scenes that move, whose ends it counts only.
 
+#include "solvers/strategies/newton_multistart.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,8 +25,6 @@
 
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
-#include "solvers/interface/options.hpp"
-#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/numeric/digest.hpp"
 #include "solvers/running/run_on_threads.hpp"
@@ -86,11 +86,10 @@ struct End {
   WorkCounters work;
 };
 
-class NewtonMultistart final : public Strategy {
+class NewtonMultistartStrategy final : public Strategy {
  public:
-  explicit NewtonMultistart(const OptionMap& options)
-      : most_starts_(static_cast<int>(integer_option(options, "starts", 1, 100'000'000))),
-        unseen_(number_option(options, "unseen", 0, 1e9)) {}
+  explicit NewtonMultistartStrategy(const NewtonMultistart& asked)
+      : most_starts_(asked.starts), unseen_(asked.unseen) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     if (scene.is_anchored()) return "it places points and a line in a frame, and the file fixes positions";
@@ -225,18 +224,10 @@ class NewtonMultistart final : public Strategy {
 }  // namespace
 
 StrategyEntry newton_multistart_entry() {
-  StrategyEntry entry;
-  entry.name = "newton-multistart";
+  StrategyEntry entry = entry_of<NewtonMultistartStrategy, NewtonMultistart>();
   entry.summary = "Levenberg-Marquardt from random starts: some real solutions, the baseline";
   entry.citation = "Moré 1978; Boender, Rinnooy Kan 1987 for when to stop";
-  entry.options = {
-      {"starts", "1000", "a whole number from 1 to 100000000", "starts at most"},
-      {"unseen", "0.5", "number from 0 to 1e9",
-       "stop when fewer classes than this are expected to be unseen, by estimate; 0: make all starts"}};
   entry.accuracy_settings = {{{"starts", "64"}}};
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<NewtonMultistart>(options);
-  };
   return entry;
 }
 

@@ -12,6 +12,8 @@
 /// the constraints to rounding are reported. Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000,
 /// §5.
 
+#include "solvers/strategies/plan_scan.hpp"
+
 #include "solvers/construction/derive.hpp"
 #include "solvers/scanning/scan_report.hpp"
 
@@ -20,9 +22,9 @@ namespace {
 
 constexpr int most_angles = 2;  // each more multiplies the cells by hundreds
 
-class PlanScan final : public Strategy {
+class PlanScanStrategy final : public Strategy {
  public:
-  explicit PlanScan(const OptionMap& options) : max_cells_(read_max_cells(options)) {}
+  explicit PlanScanStrategy(const PlanScan& asked) : max_cells_(asked.scan.max_cells) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     if (scene.has_lines()) return "its plans place points only, and the instance has a line";
@@ -48,15 +50,10 @@ class PlanScan final : public Strategy {
 }  // namespace
 
 StrategyEntry plan_scan_entry() {
-  StrategyEntry entry;
-  entry.name = "plan-scan";
+  StrategyEntry entry = entry_of<PlanScanStrategy, PlanScan>();
   entry.summary =
       "subdivides the driving angles of a construction plan until every piece is decided, with proof";
   entry.citation = "Hoffmann, Yuan 2000, section 5";
-  entry.options = scan_option_specs();
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<PlanScan>(options);
-  };
   return entry;
 }
 

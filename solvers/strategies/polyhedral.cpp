@@ -17,12 +17,13 @@
 /// enumerated, on graphs beyond some twenty points, and on scenes as monodromy does. HOM4PS-2.0: T. L. Lee,
 /// T. Y. Li, C. H. Tsai, Computing 83 (2008).
 
+#include "solvers/strategies/polyhedral.hpp"
+
 #include <memory>
 
 #include "solvers/homotopies/complex_strategy.hpp"
 #include "solvers/homotopies/endgame.hpp"
 #include "solvers/homotopies/mirror_images.hpp"
-#include "solvers/interface/options.hpp"
 #include "solvers/polyhedral/polyhedral_solutions.hpp"
 
 namespace gcs {
@@ -61,13 +62,10 @@ class Found final : public GenericStart {
   bool misses_placement = false;       ///< it is a solution, and not among those found
 };
 
-class Polyhedral final : public ComplexStrategy {
+class PolyhedralStrategy final : public ComplexStrategy {
  public:
-  explicit Polyhedral(const OptionMap& options)
-      : ComplexStrategy(options),
-        formulation_(static_cast<Formulation>(choice_option(options, "formulation", formulations))) {}
-
-  static constexpr std::string_view formulations = "spheres|coordinates";
+  explicit PolyhedralStrategy(const Polyhedral& asked)
+      : ComplexStrategy(asked.tracking), formulation_(asked.formulation) {}
 
  private:
   std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request,
@@ -99,19 +97,11 @@ class Polyhedral final : public ComplexStrategy {
 }  // namespace
 
 StrategyEntry polyhedral_entry() {
-  StrategyEntry entry;
-  entry.name = "polyhedral";
+  StrategyEntry entry = entry_of<PolyhedralStrategy, Polyhedral>();
   entry.summary = "finds all complex solutions by homotopies from mixed cells, the way of HOM4PS";
   entry.citation = "Huber, Sturmfels 1995; Lee, Li, Tsai 2008";
   entry.keeps_journal = true;
-  entry.options = tracking_option_specs();
-  entry.options.insert(entry.options.begin(),
-                       {"formulation", "spheres", Polyhedral::formulations,
-                        "with the points' squared norms as unknowns, or the coordinates alone"});
   entry.accuracy_settings = tracking_accuracy_settings();
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<Polyhedral>(options);
-  };
   return entry;
 }
 

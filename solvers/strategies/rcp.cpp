@@ -29,6 +29,8 @@
 /// Claims the solutions on S. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point
 /// Distance Problems by Homotopy, 2016.
 
+#include "solvers/strategies/rcp.hpp"
+
 #include "solvers/construction/derive.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_options.hpp"
@@ -40,14 +42,14 @@ namespace {
 
 constexpr double paper_step_max = 0.05;  // [I] §7.3.1, with a plan
 
-class Rcp final : public Strategy {
+class RcpStrategy final : public Strategy {
  public:
-  explicit Rcp(const OptionMap& options)
-      : options_(read_path_options(options, uncertified_modes, paper_step_max)) {
-    plan_options_.swap = choice_option(options, "swap", "on|off") == 0;
-    plan_options_.partial = choice_option(options, "derivatives", "partial|whole") == 0;
-    plan_options_.rule.alpha = number_option(options, "alpha", 1e-6, 0.49);
-    plan_options_.rule.watch_sine = choice_option(options, "measure", "guarded|published") == 0;
+  explicit RcpStrategy(const Rcp& asked)
+      : mode_(asked.mode), options_(path_options(asked.tracking, paper_step_max)) {
+    plan_options_.swap = asked.swap;
+    plan_options_.partial = asked.derivatives == Rcp::Derivatives::partial;
+    plan_options_.rule.alpha = asked.alpha;
+    plan_options_.rule.watch_sine = asked.measure == Rcp::Measure::guarded;
   }
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
@@ -64,7 +66,7 @@ class Rcp final : public Strategy {
     const TrackerContext context{request.stop, request.monitor};
     const Plan plan = plan_ ? *plan_ : first_plan(scene, plan_options_.rule);
     const Figure sketch = in_plan_frame(scene, plan, *scene.sketch());
-    if (options_.mode == PathMode::paper) {
+    if (mode_ == Rcp::Mode::paper) {
       PaperPlanHomotopy homotopy(scene, plan, sketch, plan_options_);
       EulerNewtonTracker tracker(homotopy, options_.paper, context);
       return report_of(scene, tracker.run(), homotopy);
@@ -85,6 +87,7 @@ class Rcp final : public Strategy {
     return report;
   }
 
+  Rcp::Mode mode_;
   PathOptions options_;
   PlanHomotopyOptions plan_options_;
   std::optional<Plan> plan_;
@@ -93,26 +96,12 @@ class Rcp final : public Strategy {
 }  // namespace
 
 StrategyEntry rcp_entry() {
-  StrategyEntry entry;
-  entry.name = "rcp";
+  StrategyEntry entry = entry_of<RcpStrategy, Rcp>();
   entry.summary =
       "tracks S in the driving parameters of a construction plan changed on the fly (Algorithm 1)";
   entry.citation = "Imbach, Mathis, Schreck 2016, Algorithms 1 to 4";
   entry.needs_sketch = true;
-  entry.options = path_option_specs(uncertified_modes, "0.05");
-  entry.options.push_back(
-      {"alpha", "0.1", "a number from 1e-6 to 0.49", "the plan is changed when a measure falls to this"});
-  entry.options.push_back({"measure", "guarded", "guarded|published",
-                           "published: γ alone; guarded: also the angle of intersection"});
-  entry.options.push_back(
-      {"swap", "on", "on|off", "off: keep the first plan and change the branch at a boundary"});
-  entry.options.push_back(
-      {"derivatives", "partial", "partial|whole",
-       "mode=paper: by evaluating the plan from where a parameter matters, or all of it"});
   entry.accuracy_settings = path_accuracy_settings();
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<Rcp>(options);
-  };
   return entry;
 }
 

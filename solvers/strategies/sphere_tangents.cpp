@@ -28,6 +28,8 @@
 /// 4. The published counts are reported as particulars. Step control of paths is a heuristic: where one is
 /// taken for its neighbour a line is missing, and the status is partial.
 
+#include "solvers/strategies/sphere_tangents.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -35,8 +37,6 @@
 
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
-#include "solvers/interface/options.hpp"
-#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/tangents/degenerate_spheres.hpp"
 #include "solvers/tangents/scene_spheres.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
@@ -45,8 +45,6 @@
 
 namespace gcs {
 namespace {
-
-constexpr std::string_view methods = "direct|homotopy";
 
 /// Degrees of the equations (1)–(6) of the paper, and of those left in u, v and w.
 constexpr std::array<int, 6> published_degrees{2, 2, 2, 2, 2, 2};
@@ -161,10 +159,10 @@ void report_stop(SolveReport& report) {
   report.reason = "stopped on request";
 }
 
-class SphereTangents final : public Strategy {
+class SphereTangentsStrategy final : public Strategy {
  public:
-  explicit SphereTangents(const OptionMap& options)
-      : follows_paths_(choice_option(options, "method", methods) == 1) {}
+  explicit SphereTangentsStrategy(const SphereTangents& asked)
+      : follows_paths_(asked.method == SphereTangents::Method::homotopy) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     const ProblemStatement& problem = scene.problem();
@@ -227,15 +225,10 @@ class SphereTangents final : public Strategy {
 }  // namespace
 
 StrategyEntry sphere_tangents_entry() {
-  StrategyEntry entry;
-  entry.name = "sphere-tangents";
+  StrategyEntry entry = entry_of<SphereTangentsStrategy, SphereTangents>();
   entry.summary = "solves for the 12 common tangents of four spheres, complex ones included";
   entry.citation = "Hoffmann, Yuan 2000, section 3.2";
-  entry.options = {{"method", "direct", methods, "direct: eigenvalues; homotopy: 24 paths, as published"}};
   entry.accuracy_settings = {{{"method", "homotopy"}}};
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<SphereTangents>(options);
-  };
   return entry;
 }
 

@@ -20,13 +20,13 @@
 ///
 /// Which point of the cycle plays p1 follows the file's order of points, and with it which side is open.
 
+#include "solvers/strategies/theta_scan.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "solvers/figures/residual_and_condition.hpp"
-#include "solvers/interface/options.hpp"
-#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/pyramid/pyramid_branches.hpp"
 #include "solvers/pyramid/pyramid_plan.hpp"
@@ -35,8 +35,6 @@
 namespace gcs {
 namespace {
 
-constexpr std::string_view methods = "events|published";
-
 /// Of what Newton's method has settled to: the coordinates' rounding leaves 1e-15 or so of a length.
 constexpr double solved_residual = 1e-13;
 
@@ -44,40 +42,35 @@ constexpr double solved_residual = 1e-13;
 /// condition.
 constexpr double same_solution = 1e-9;
 
-struct GridOptions {
-  double step = 1;     ///< degrees
-  double start = 0;    ///< degrees
-  double delta = 0.2;  ///< in the file's unit
+/// Angles from asked.start on that are less than a full turn away; a quotient within rounding of a whole
+/// number is that number.
+int angle_count(const ThetaScan& asked) {
+  return static_cast<int>(std::ceil(360 / asked.dtheta * (1 - 1e-12)));
+}
 
-  explicit GridOptions(const OptionMap& options)
-      : step(number_option(options, "dtheta", 1e-4, 360)),
-        start(number_option(options, "start", -360, 360)),
-        delta(number_option(options, "delta", 0, 1e300)) {}
-
-  /// Angles from `start` on that are less than a full turn away; a quotient within rounding of a whole number
-  /// is that number.
-  int angles() const { return static_cast<int>(std::ceil(360 / step * (1 - 1e-12))); }
-  double angle(int i) const { return (start + i * step) * std::numbers::pi / 180; }
-};
+double angle(const ThetaScan& asked, int i) {
+  return (asked.start + i * asked.dtheta) * std::numbers::pi / 180;
+}
 
 class PublishedScan {
  public:
-  PublishedScan(const SolveRequest& request, const Pyramid& pyramid, const GridOptions& options)
+  PublishedScan(const SolveRequest& request, const Pyramid& pyramid, const ThetaScan& asked)
       : request_(request),
         scene_(request.scene),
         pyramid_(pyramid),
-        options_(options),
+        asked_(asked),
+        angles_(angle_count(asked)),
         system_(scene_),
         squares_(target_squares(scene_)) {}
 
   SolveReport run() {
-    const double delta = std::ldexp(options_.delta, -scene_.unit_exponent());
+    const double delta = std::ldexp(asked_.delta, -scene_.unit_exponent());
     const PyramidBranches branches(pyramid_);
     report_.status = SolveStatus::complete;
-    for (int i = 0; i < options_.angles() && !is_stopped(); ++i) {
+    for (int i = 0; i < angles_ && !is_stopped(); ++i) {
       show_progress(i);
       ++report_.work.evaluations;
-      for (const PyramidBranch& branch : branches.at(options_.angle(i)))
+      for (const PyramidBranch& branch : branches.at(angle(asked_, i)))
         if (std::abs(branch.gap() - pyramid_.side[2]) < delta) refine_coarse(branch);
     }
     finish();
@@ -92,9 +85,9 @@ class PublishedScan {
     return true;
   }
 
-  void show_progress(int angle) const {
+  void show_progress(int done) const {
     if (request_.monitor != nullptr)
-      request_.monitor->progress("scanning", static_cast<double>(angle) / options_.angles());
+      request_.monitor->progress("scanning", static_cast<double>(done) / angles_);
   }
 
   void refine_coarse(const PyramidBranch& coarse) {
@@ -128,7 +121,8 @@ class PublishedScan {
   const SolveRequest& request_;
   const Scene& scene_;
   const Pyramid& pyramid_;
-  const GridOptions& options_;
+  const ThetaScan& asked_;
+  int angles_;
   DistanceSystem system_;
   std::vector<DoubleDouble> squares_;
   std::vector<Eigen::VectorXd> refined_;
@@ -137,12 +131,9 @@ class PublishedScan {
   SolveReport report_;
 };
 
-class ThetaScan final : public Strategy {
+class ThetaScanStrategy final : public Strategy {
  public:
-  explicit ThetaScan(const OptionMap& options)
-      : is_published_(choice_option(options, "method", methods) == 1),
-        options_(options),
-        max_cells_(read_max_cells(options)) {}
+  explicit ThetaScanStrategy(const ThetaScan& asked) : asked_(asked) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     const auto pyramid = find_pyramid(scene);
@@ -156,27 +147,15 @@ class ThetaScan final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     const auto pyramid = find_pyramid(request.scene);
-    if (is_published_) return PublishedScan(request, *pyramid, options_).run();
+    if (asked_.method == ThetaScan::Method::published) return PublishedScan(request, *pyramid, asked_).run();
     const ScanPlan plan = pyramid_plan(request.scene, *pyramid);
-    return scan_report(request.scene, plan, scan_plan(request.scene, plan, max_cells_, request.stop));
+    return scan_report(request.scene, plan,
+                       scan_plan(request.scene, plan, asked_.scan.max_cells, request.stop));
   }
 
  private:
-  bool is_published_;
-  GridOptions options_;
-  std::int64_t max_cells_;
+  ThetaScan asked_;
 };
-
-std::vector<OptionSpec> option_specs() {
-  std::vector<OptionSpec> specs{
-      {"method", "events", methods, "events: subdivision with proof; published: the paper's scan"},
-      {"dtheta", "1", "number from 1e-4 to 360", "published: step of the angle, in degrees"},
-      {"start", "0", "number from -360 to 360", "published: first angle, in degrees"},
-      {"delta", "0.2", "number >= 0",
-       "published: how near d34(theta) must come to d34, in the file's unit of length", true}};
-  for (const OptionSpec& spec : scan_option_specs()) specs.push_back(spec);
-  return specs;
-}
 
 /// The published scan with coarse and fine steps, in narrow and wide bands.
 std::vector<OptionMap> published_settings() {
@@ -190,15 +169,10 @@ std::vector<OptionMap> published_settings() {
 }  // namespace
 
 StrategyEntry theta_scan_entry() {
-  StrategyEntry entry;
-  entry.name = "theta-scan";
+  StrategyEntry entry = entry_of<ThetaScanStrategy, ThetaScan>();
   entry.summary = "scans five points and a line (5p1L) over the angle of one point around the line";
   entry.citation = "Hoffmann, Yuan 2000, section 4.3";
-  entry.options = option_specs();
   entry.accuracy_settings = published_settings();
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<ThetaScan>(options);
-  };
   return entry;
 }
 

@@ -36,8 +36,7 @@ std::vector<Instance> small_instances() {
 bool has_choice(const StrategyEntry& entry, std::string_view name, std::string_view value) {
   return std::any_of(entry.options.begin(), entry.options.end(), [&](const OptionSpec& option) {
     return option.name == name &&
-           ("|" + std::string(option.allowed) + "|").find("|" + std::string(value) + "|") !=
-               std::string::npos;
+           ("|" + option.allowed + "|").find("|" + std::string(value) + "|") != std::string::npos;
   });
 }
 

@@ -20,11 +20,25 @@ StrategyEntry plan_scan_entry();
 
 namespace {
 
+struct Newcomer {
+  static constexpr std::string_view strategy = "newcomer";
+
+  std::uint64_t seed = 1;
+  int threads = 1;
+  bool certify = false;
+  std::optional<bool> reduce = {};
+  int starts = 3;
+
+  template <class Self, class Visitor>
+  static void options(Self& self, Visitor&& option) {
+    option("starts", self.starts, Range{1, 100}, "sketches to start from, each a tenth larger");
+  }
+};
+
 /// Newton's method from the sketch.
-class Newcomer final : public Strategy {
+class NewcomerStrategy final : public Strategy {
  public:
-  explicit Newcomer(const OptionMap& options)
-      : most_steps_(static_cast<int>(integer_option(options, "starts", 1, 100))) {}
+  explicit NewcomerStrategy(const Newcomer& asked) : starts_(asked.starts) {}
 
   std::optional<std::string> why_unsupported(const Scene& scene) const override {
     if (scene.has_lines()) return "it places points, and the instance has lines";
@@ -35,7 +49,7 @@ class Newcomer final : public Strategy {
     const DistanceSystem system(request.scene);
     Eigen::VectorXd x = system.coordinates(*request.scene.sketch());
     SolveReport report;
-    for (int start = 0; start < most_steps_; ++start) {
+    for (int start = 0; start < starts_; ++start) {
       if (refine(system, target_squares(request.scene), x).converged) {
         report.status = SolveStatus::complete;
         report.candidates = {{system.figure(x)}};
@@ -48,20 +62,14 @@ class Newcomer final : public Strategy {
   }
 
  private:
-  int most_steps_;
+  int starts_;
 };
 
 StrategyEntry newcomer_entry() {
-  StrategyEntry entry;
-  entry.name = "newcomer";
+  StrategyEntry entry = entry_of<NewcomerStrategy, Newcomer>();
   entry.summary = "Newton's method from the sketch";
   entry.needs_sketch = true;
-  entry.options = {
-      {"starts", "3", "a whole number from 1 to 100", "sketches to start from, each a tenth larger"}};
   entry.accuracy_settings = {{{"starts", "1"}}};
-  entry.make = [](const OptionMap& options) -> std::unique_ptr<Strategy> {
-    return std::make_unique<Newcomer>(options);
-  };
   return entry;
 }
 

@@ -2,74 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace gcs {
 
 Natural Natural::power_of_two(int exponent) {
-  Natural result;
-  result.limbs_.assign(static_cast<std::size_t>(exponent / limb_bits) + 1, 0);
-  result.limbs_.back() = Limb{1} << (exponent % limb_bits);
+  Natural result(1);
+  fmpz_mul_2exp(result.value_, result.value_, static_cast<ulong>(exponent));
   return result;
 }
 
 std::optional<Natural> Natural::from_decimal(std::string_view digits) {
-  if (digits.empty()) return std::nullopt;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (digits.empty() || !std::all_of(digits.begin(), digits.end(), is_digit)) return std::nullopt;
   Natural result;
-  for (const char digit : digits) {
-    if (digit < '0' || digit > '9') return std::nullopt;
-    result = result * Natural(10);
-    result += Natural(static_cast<std::uint64_t>(digit - '0'));
-  }
+  fmpz_set_str(result.value_, std::string(digits).c_str(), 10);
   return result;
 }
 
 std::string Natural::decimal() const {
-  std::string digits;
-  for (Natural rest = *this; !rest.is_zero();) digits.push_back(static_cast<char>('0' + rest.divide(10)));
-  if (digits.empty()) return "0";
-  std::reverse(digits.begin(), digits.end());
-  return digits;
+  const std::unique_ptr<char, void (*)(void*)> digits(fmpz_get_str(nullptr, 10, value_), flint_free);
+  return digits.get();
 }
 
 double Natural::approximate() const {
-  double value = 0;
-  for (auto limb = limbs_.rbegin(); limb != limbs_.rend(); ++limb)
-    value = std::ldexp(value, limb_bits) + static_cast<double>(*limb);
-  return value;
-}
-
-Natural& Natural::operator+=(const Natural& other) {
-  limbs_.resize(std::max(limbs_.size(), other.limbs_.size()) + 1);
-  std::uint64_t carry = 0;
-  for (std::size_t i = 0; i < limbs_.size(); ++i) {
-    carry += std::uint64_t{limbs_[i]} + (i < other.limbs_.size() ? other.limbs_[i] : 0);
-    limbs_[i] = static_cast<Limb>(carry);
-    carry >>= limb_bits;
-  }
-  trim();
-  return *this;
-}
-
-Natural operator*(const Natural& a, const Natural& b) {
-  Natural product;
-  product.limbs_.resize(a.limbs_.size() + b.limbs_.size());
-  for (std::size_t i = 0; i < a.limbs_.size(); ++i) {
-    std::uint64_t carry = 0;  // at most (2^32 − 1)² + 2(2^32 − 1) = 2^64 − 1 before it is shifted
-    for (std::size_t j = 0; j < b.limbs_.size(); ++j) {
-      carry += std::uint64_t{a.limbs_[i]} * b.limbs_[j] + product.limbs_[i + j];
-      product.limbs_[i + j] = static_cast<Natural::Limb>(carry);
-      carry >>= Natural::limb_bits;
-    }
-    product.limbs_[i + b.limbs_.size()] = static_cast<Natural::Limb>(carry);
-  }
-  product.trim();
-  return product;
-}
-
-std::strong_ordering operator<=>(const Natural& a, const Natural& b) {
-  if (a.limbs_.size() != b.limbs_.size()) return a.limbs_.size() <=> b.limbs_.size();
-  return std::lexicographical_compare_three_way(a.limbs_.rbegin(), a.limbs_.rend(), b.limbs_.rbegin(),
-                                                b.limbs_.rend());
+  slong exponent = 0;
+  const double mantissa = fmpz_get_d_2exp(&exponent, value_);
+  return std::ldexp(mantissa, static_cast<int>(std::min<slong>(exponent, 10'000)));
 }
 
 std::string readable(const Natural& count) {
@@ -78,21 +37,6 @@ std::string readable(const Natural& count) {
   if (digits.size() <= most_digits) return digits;
   return "about " + digits.substr(0, 1) + "." + digits.substr(1, shown_digits - 1) + "e" +
          std::to_string(digits.size() - 1);
-}
-
-void Natural::trim() {
-  while (!limbs_.empty() && limbs_.back() == 0) limbs_.pop_back();
-}
-
-Natural::Limb Natural::divide(Limb divisor) {
-  std::uint64_t rest = 0;
-  for (auto limb = limbs_.rbegin(); limb != limbs_.rend(); ++limb) {
-    rest = rest << limb_bits | *limb;
-    *limb = static_cast<Limb>(rest / divisor);
-    rest %= divisor;
-  }
-  trim();
-  return static_cast<Limb>(rest);
 }
 
 }  // namespace gcs

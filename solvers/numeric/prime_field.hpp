@@ -1,8 +1,9 @@
 #pragma once
-/// Exact arithmetic modulo the prime 2^61 − 1, and the linear algebra over it that ranks need.
+/// Exact arithmetic modulo the prime 2^61 − 1, and linear algebra over it by the library FLINT.
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -73,12 +74,21 @@ Residue3 cross(const Residue3& a, const Residue3& b);
 /// Sum of a[i]·b[i]. Precondition: equal lengths.
 Residue dot(const ResidueVector& a, const ResidueVector& b);
 
-/// Rank of the matrix, in O(rows · columns · rank).
-int rank(ResidueMatrix matrix);
+/// Rank of the matrix.
+int rank(const ResidueMatrix& matrix);
 
 /// A basis of the vectors x of length `columns` with matrix·x = 0. Vector i of the basis is the only one with
 /// a non-zero entry in the i-th column without pivot, so that its support is minimal.
-ResidueMatrix null_space(ResidueMatrix matrix, int columns);
+ResidueMatrix null_space(const ResidueMatrix& matrix, int columns);
+
+/// The solution of a square system, times its determinant.
+struct ScaledSolution {
+  Residue determinant;
+  ResidueVector numerators;
+};
+
+/// Of n rows with n + 1 entries, the last column being the right-hand side. Nothing for a singular system.
+std::optional<ScaledSolution> solve(const ResidueMatrix& augmented);
 
 /// Rows and columns exchanged. `columns` is the length of the rows.
 ResidueMatrix transposed(const ResidueMatrix& matrix, int columns);

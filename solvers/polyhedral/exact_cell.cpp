@@ -47,35 +47,6 @@ std::int64_t lifted(Residue value) {
   return -static_cast<std::int64_t>(Residue::modulus - positive);
 }
 
-void eliminate(ResidueMatrix& rows, std::size_t pivot, std::size_t from) {
-  const Residue inverse = rows[pivot][pivot].inverse();
-  for (std::size_t i = from; i < rows.size(); ++i) {
-    if (i == pivot || rows[i][pivot].is_zero()) continue;
-    const Residue factor = rows[i][pivot] * inverse;
-    for (std::size_t j = pivot; j < rows[i].size(); ++j)
-      if (!rows[pivot][j].is_zero()) rows[i][j] -= factor * rows[pivot][j];
-  }
-}
-
-/// The determinant; the last column becomes the solution times it. 0 when singular.
-Residue solve(ResidueMatrix& rows) {
-  const std::size_t n = rows.size();
-  Residue determinant(1);
-  for (std::size_t v = 0; v < n; ++v) {
-    std::size_t found = v;
-    while (found < n && rows[found][v].is_zero()) ++found;
-    if (found == n) return Residue();
-    if (found != v) {
-      std::swap(rows[found], rows[v]);
-      determinant = -determinant;
-    }
-    determinant = determinant * rows[v][v];
-    eliminate(rows, v, 0);
-  }
-  for (std::size_t v = 0; v < n; ++v) rows[v][n] = rows[v][n] * rows[v][v].inverse() * determinant;
-  return determinant;
-}
-
 bool solves(const std::vector<std::vector<std::int64_t>>& rows, const ExactNormal& normal) {
   const std::size_t n = rows.size();
   return std::all_of(rows.begin(), rows.end(), [&](const std::vector<std::int64_t>& row) {
@@ -97,12 +68,12 @@ std::optional<ExactNormal> exact_normal(const Supports& supports, const Lifting&
     ResidueVector& row = rows.emplace_back();
     for (const std::int64_t entry : equation) row.push_back(residue(entry));
   }
-  const Residue determinant = solve(rows);
-  if (determinant.is_zero()) return std::nullopt;
-  const std::int64_t signed_volume = lifted(determinant);
+  const std::optional<ScaledSolution> solution = solve(rows);
+  if (!solution) return std::nullopt;
+  const std::int64_t signed_volume = lifted(solution->determinant);
   ExactNormal normal{std::abs(signed_volume), {}};
-  for (const ResidueVector& row : rows)
-    normal.numerators.push_back(signed_volume < 0 ? -lifted(row.back()) : lifted(row.back()));
+  for (const Residue numerator : solution->numerators)
+    normal.numerators.push_back(signed_volume < 0 ? -lifted(numerator) : lifted(numerator));
   if (!solves(equations, normal)) return std::nullopt;
   return normal;
 }

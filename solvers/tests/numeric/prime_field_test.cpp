@@ -60,6 +60,15 @@ TEST_CASE("the null space is what the matrix maps to zero") {
   CHECK(gcs::null_space(matrix_of({{1, 0}, {0, 1}}), 2).empty());
 }
 
+// Cramer's rule: 2x + 3y = 8 and 5x − y = 3 have the determinant −17 and the solution (1, 2).
+TEST_CASE("a square system is solved up to its determinant") {
+  const auto solution = gcs::solve(matrix_of({{2, 3, 8}, {5, p - 1, 3}}));
+  REQUIRE(solution);
+  CHECK(solution->determinant == -Residue(17));
+  CHECK(solution->numerators == ResidueVector{-Residue(17), -Residue(34)});
+  CHECK_FALSE(gcs::solve(matrix_of({{1, 2, 3}, {2, 4, 5}})));
+}
+
 TEST_CASE("rows become columns") {
   const ResidueMatrix transposed = gcs::transposed(matrix_of({{1, 2, 3}, {4, 5, 6}}), 3);
   CHECK(transposed == matrix_of({{1, 4}, {2, 5}, {3, 6}}));

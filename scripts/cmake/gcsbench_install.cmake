@@ -33,7 +33,7 @@ set_target_properties(gcs_flags PROPERTIES EXPORT_NAME flags)
 install(TARGETS gcs_solvers gcs_flags EXPORT gcsbenchTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY solvers DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gcsbench
         FILES_MATCHING PATTERN "*.hpp" PATTERN tests EXCLUDE)
-install(FILES solvers/solving/gcsbench.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gcsbench)
+install(FILES ${PROJECT_BINARY_DIR}/generated/gcsbench/gcsbench.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gcsbench)
 install(EXPORT gcsbenchTargets NAMESPACE gcsbench:: DESTINATION ${package_dir})
 configure_package_config_file(scripts/cmake/gcsbenchConfig.cmake.in
   ${PROJECT_BINARY_DIR}/generated/gcsbenchConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -213,7 +213,7 @@ class Solve {
   Answer answer_;
 };
 
-const StrategyEntry& entry_of(std::string_view name) {
+const StrategyEntry& named(std::string_view name) {
   std::vector<std::string> names;
   for (const StrategyEntry& entry : all_strategies()) {
     if (entry.name == name) return entry;
@@ -238,7 +238,7 @@ Answer solve(const Scene& scene, const StrategyEntry& entry, const OptionMap& gi
 
 Answer solve(const Scene& scene, std::string_view strategy, const OptionMap& given,
              const SolveSettings& settings, const SolveSurroundings& surroundings) {
-  return solve(scene, entry_of(strategy), given, settings, surroundings);
+  return solve(scene, named(strategy), given, settings, surroundings);
 }
 
 }  // namespace gcs

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "solvers/interface/options.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/solving/answer.hpp"
 
@@ -64,5 +65,16 @@ Answer solve(const Scene& scene, const StrategyEntry& entry, const OptionMap& gi
 /// The same with a strategy of this build, by name. Throws OptionError, too, for a name that none has.
 Answer solve(const Scene& scene, std::string_view strategy, const OptionMap& given = {},
              const SolveSettings& settings = {}, const SolveSurroundings& surroundings = {});
+
+/// The same with typed options, `solve(problem, Monodromy{.seed = 1, .certify = true})`: seed, threads and
+/// certify are those of `strategy`, the other settings as given. Throws OptionError for values out of range.
+template <StrategyOptions Options>
+Answer solve(const Scene& scene, const Options& strategy, SolveSettings settings = {},
+             const SolveSurroundings& surroundings = {}) {
+  settings.seed = strategy.seed;
+  settings.threads = strategy.threads;
+  settings.certify = strategy.certify;
+  return solve(scene, Options::strategy, options_of(strategy), settings, surroundings);
+}
 
 }  // namespace gcs

@@ -3,9 +3,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <gcsbench/gcsbench.hpp>
 #include <set>
-
-#include "solvers/solving/gcsbench.hpp"
 
 using namespace gcs;
 
@@ -40,7 +39,7 @@ std::string refusal(const Problem& problem) {
 }  // namespace
 
 TEST_CASE("a triangle that is stated in C++ is placed by the law of cosines") {
-  const Answer answer = solve(triangle(), "monodromy", {}, {.certify = true});
+  const Answer answer = solve(triangle(), Monodromy{.seed = 1, .certify = true});
   CHECK(answer.status == RunStatus::complete);
   CHECK(answer.reason.empty());
   REQUIRE(answer.solutions.size() == 1);
@@ -92,7 +91,7 @@ TEST_CASE("positions and a sketch reach the strategies") {
   Problem problem(2);
   problem.points("a", "b", "c").fix("a", {0, 0}).fix("b", {"3.1", 0});
   problem.distance("b", "c", 4).distance("c", "a", 5);
-  const Answer fixed = solve(problem, "monodromy");
+  const Answer fixed = solve(problem, "plan-scan");
   CHECK(fixed.counts.real_up_to_reflection == Natural(2));
 
   const std::string without = solve(triangle(), "full-space").reason;
@@ -148,6 +147,20 @@ TEST_CASE("strategies and options are named, and misspelt ones refused with what
   CHECK(answer.options.at("arcs") == "12");
   CHECK(answer.seed == 7);
   CHECK(answer.strategy == "monodromy");
+}
+
+TEST_CASE("typed options ask for what texts ask for") {
+  const Problem problem = two_triangles_across();
+  const Answer typed =
+      solve(problem, Monodromy{.seed = 5, .arcs = 9, .tracking = {.order = 14}}, {.only_real = true});
+  const Answer named =
+      solve(problem, "monodromy", {{"arcs", "9"}, {"order", "14"}}, {.seed = 5, .only_real = true});
+  CHECK(typed.options == named.options);
+  CHECK(typed.seed == named.seed);
+  REQUIRE(typed.solutions.size() == named.solutions.size());
+  for (std::size_t i = 0; i < typed.solutions.size(); ++i)
+    CHECK(typed.solutions[i].figure.points == named.solutions[i].figure.points);
+  CHECK_THROWS_AS(solve(problem, Monodromy{.arcs = 1}), OptionError);
 }
 
 TEST_CASE("progress and stages are heard, in order") {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/counting/counts_once.hpp"
 #include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/released_report.hpp"
 
@@ -48,8 +48,7 @@ void add_start(const GenericStart& start, SolveReport& report) {
 }
 
 /// With two mirror images for each doubling.
-std::optional<std::uint64_t> most_classes(const Scene& scene, int doublings) {
-  const TheoreticalCounts counts = theoretical_counts(scene.problem());
+std::optional<std::uint64_t> most_classes(const TheoreticalCounts& counts, int doublings) {
   const SolutionCount* limit = counts.upper_limit();
   if (!limit) return std::nullopt;
   const Natural classes = limit->up_to_reflection() * Natural::power_of_two(doublings);
@@ -57,21 +56,15 @@ std::optional<std::uint64_t> most_classes(const Scene& scene, int doublings) {
   return static_cast<std::uint64_t>(classes.approximate());
 }
 
-ClassLimit limit_of(const Scene& scene) {
-  return [&scene] { return most_classes(scene, 0); };
-}
-
-/// Wherever the given points are, the given scene has no more isolated solutions than its limit.
-ClassLimit limit_of(const ReleasedScene& released, const Scene& given) {
-  return [&] { return most_classes(given, released.doublings()); };
+/// Wherever given points are, the scene of the request has no more isolated solutions than its limit.
+ClassLimit limit_of(const SolveRequest& request, int doublings = 0) {
+  return [&request, doublings] {
+    return request.counts ? most_classes(request.counts->get(), doublings)
+                          : most_classes(theoretical_counts(request.scene.problem()), doublings);
+  };
 }
 
 bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
-
-SolveRequest request_on(const Scene& scene, const SolveRequest& request) {
-  return {scene,           request.seed,    request.threads, request.stop,
-          request.monitor, request.journal, request.starts};
-}
 
 }  // namespace
 
@@ -104,19 +97,18 @@ std::optional<std::string> ComplexStrategy::why_unsupported(const Scene& scene) 
 
 void ComplexStrategy::prepare(const SolveRequest& request) {
   if (!is_released(request.scene)) {
-    prepared_ = solve_at_random_lengths(request, limit_of(request.scene));
+    prepared_ = solve_at_random_lengths(request, limit_of(request));
     return;
   }
   const ReleasedScene released(request.scene);
-  prepared_ =
-      solve_at_random_lengths(request_on(released.scene(), request), limit_of(released, request.scene));
+  prepared_ = solve_at_random_lengths(request.on(released.scene()), limit_of(request, released.doublings()));
 }
 
 SolveReport ComplexStrategy::solve(const SolveRequest& request) {
-  if (!is_released(request.scene)) return solve_free(request, limit_of(request.scene));
+  if (!is_released(request.scene)) return solve_free(request, limit_of(request));
   const ReleasedScene released(request.scene);
   return carried_back(released, request.scene,
-                      solve_free(request_on(released.scene(), request), limit_of(released, request.scene)));
+                      solve_free(request.on(released.scene()), limit_of(request, released.doublings())));
 }
 
 SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const ClassLimit& limit) const {

@@ -26,6 +26,7 @@
 
 namespace gcs {
 
+class CountsOnce;  // solvers/counting/counts_once.hpp
 class StartStore;  // solvers/homotopies/start_store.hpp
 
 /// All that a strategy may see.
@@ -39,6 +40,12 @@ struct SolveRequest {
   StartStore* starts = nullptr;  ///< may be null for strategies whose options name no start system
   /// Solutions to list at most, where there are so many that they are counted without being listed.
   std::optional<std::size_t> most_listed = std::nullopt;
+  const CountsOnce* counts = nullptr;  ///< of the scene; may be null
+
+  /// The same for another scene.
+  SolveRequest on(const Scene& other) const {
+    return {other, seed, threads, stop, monitor, journal, starts, most_listed, nullptr};
+  }
 };
 
 /// What a strategy says that it found; the harness checks it.

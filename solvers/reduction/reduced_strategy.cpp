@@ -215,9 +215,9 @@ class ReducedStrategy final : public Strategy {
   }
 
   SolveRequest request_for(const SolveRequest& request, const std::vector<Part>& parts, const Scene& part) {
-    StartStore* const starts = solved_parts(parts) == 1 ? request.starts : &no_starts_;
-    return {part,   request.seed,       request.threads, request.stop, request.monitor, request.journal,
-            starts, request.most_listed};
+    SolveRequest of_part = request.on(part);
+    if (solved_parts(parts) > 1) of_part.starts = &no_starts_;
+    return of_part;
   }
 
   SolveReport solve_on_path(const SolveRequest& request, const std::vector<Part>& parts) {

@@ -8,6 +8,7 @@
 
 #include "solvers/answers/certify.hpp"
 #include "solvers/certificates/scene_equations.hpp"
+#include "solvers/counting/counts_once.hpp"
 #include "solvers/reading/nearest_name.hpp"
 #include "solvers/running/errors.hpp"
 
@@ -29,6 +30,7 @@ class Solve {
   Solve(const Scene& scene, const SolveSettings& settings, const SolveSurroundings& surroundings)
       : scene_(scene),
         settings_(settings),
+        counts_(scene.problem()),
         surroundings_(surroundings),
         progress_(surroundings.progress),
         monitor_(surroundings.progress ? &progress_ : nullptr) {}
@@ -65,9 +67,15 @@ class Solve {
   /// A strategy that throws has a defect, or the machine has no memory left; neither may end a series of solves.
   /// What is wrong with the user's files and options does.
   SolveReport ask(Strategy& strategy) const {
-    const SolveRequest request{
-        scene_,   settings_.seed,        settings_.threads,    surroundings_.stop,
-        monitor_, surroundings_.journal, surroundings_.starts, settings_.max_solutions};
+    const SolveRequest request{.scene = scene_,
+                               .seed = settings_.seed,
+                               .threads = settings_.threads,
+                               .stop = surroundings_.stop,
+                               .monitor = monitor_,
+                               .journal = surroundings_.journal,
+                               .starts = surroundings_.starts,
+                               .most_listed = settings_.max_solutions,
+                               .counts = &counts_};
     try {
       enter(SolveStage::preparing);
       strategy.prepare(request);
@@ -120,7 +128,7 @@ class Solve {
   }
 
   void hold_against_counts(const SolveReport& report) {
-    const TheoreticalCounts counts = theoretical_counts(scene_.problem());
+    const TheoreticalCounts& counts = counts_.get();
     if (settings_.checks_counts) check_counts(counts);
     if (settings_.certify) prove(counts, report);
   }
@@ -207,6 +215,7 @@ class Solve {
 
   const Scene& scene_;
   const SolveSettings& settings_;
+  CountsOnce counts_;
   const SolveSurroundings& surroundings_;
   ProgressCall progress_;
   Monitor* monitor_;

@@ -12,7 +12,6 @@
 #include "harness/base/atomic_file.hpp"
 #include "harness/cli/argument_checks.hpp"
 #include "harness/cli/commands.hpp"
-#include "harness/drawings/pdf_figure.hpp"
 #include "harness/report/page.hpp"
 #include "harness/report/page_scene.hpp"
 #include "harness/tables/table_output.hpp"
@@ -27,14 +26,14 @@ struct ReportArguments {
   std::optional<std::filesystem::path> out;
 };
 
-constexpr const char *svg = "svg", *pdf = "pdf", *html = "html";
+constexpr const char *svg = "svg", *html = "html";
 
 constexpr const char* page_file = "report.html";
 
 std::vector<std::string> all_formats() {
   std::vector<std::string> names;
   for (const TableFormat& format : table_formats()) names.emplace_back(format.name);
-  names.insert(names.end(), {svg, pdf, html});
+  names.insert(names.end(), {svg, html});
   return names;
 }
 
@@ -59,14 +58,6 @@ std::vector<Drawing> drawings_of(const PageRun& run) {
   for (const auto& [id, scene] : run.scenes)
     for (Drawing& drawing : draw_scene(scene)) drawings.push_back(std::move(drawing));
   return drawings;
-}
-
-void write_figures(const PageRun& run, const std::filesystem::path& folder, bool as_svg, bool as_pdf) {
-  if (!as_svg && !as_pdf) return;
-  const std::vector<Drawing> drawings = drawings_of(run);
-  if (as_svg) write_drawings(drawings, folder);
-  for (const Drawing& drawing : drawings)
-    if (as_pdf) write_pdf(drawing.svg, folder / (drawing.name + ".pdf"));
 }
 
 PageRun load_page_run(const std::filesystem::path& run, const Publications& publications) {
@@ -103,29 +94,21 @@ std::vector<TableFormat> wanted_tables(const ReportArguments& arguments) {
   return formats;
 }
 
-/// Whether PDF is wanted and can be had; says so where it cannot.
-bool writes_pdf(const ReportArguments& arguments, bool quiet) {
-  if (!is_wanted(arguments, pdf) || pdf_converter_is_there()) return is_wanted(arguments, pdf);
-  if (!quiet) std::cerr << "gcsbench: no PDF is written: there is no " << pdf_converter << '\n';
-  return false;
-}
-
 /// Reads all runs before it writes anything.
-ExitCode report(const ReportArguments& arguments, bool quiet) {
+ExitCode report(const ReportArguments& arguments) {
   const std::vector<TableFormat> formats = wanted_tables(arguments);
-  const bool as_svg = is_wanted(arguments, svg), as_pdf = is_wanted(arguments, pdf);
-  if (arguments.out && arguments.runs.size() > 1 && (!formats.empty() || as_svg || as_pdf))
+  const bool with_figures = is_wanted(arguments, svg);
+  if (arguments.out && arguments.runs.size() > 1 && (!formats.empty() || with_figures))
     throw UsageError("--out holds the tables and figures of one run; give one RUN, or --format html");
   const Publications publications = load_publications();
   std::vector<PageRun> runs;
   for (const std::filesystem::path& run : arguments.runs) runs.push_back(load_page_run(run, publications));
   require_same_instances(runs);
-  const bool converts = writes_pdf(arguments, quiet);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const std::filesystem::path folder = folder_of(arguments.runs[i], arguments);
     make_folder(folder);
     write_tables(runs[i].tables, folder, formats);
-    write_figures(runs[i], folder, as_svg, converts);
+    if (with_figures) write_drawings(drawings_of(runs[i]), folder);
     std::cout << shown_on_terminal(runs[i].tables);
   }
   if (is_wanted(arguments, html))
@@ -142,9 +125,8 @@ void add_report_command(CLI::App& app, Invocation& invocation) {
       app.add_subcommand("report", "Rebuild tables, figures and the page of stored runs without solving");
   command->add_option("RUN", arguments->runs, "A run.json, or the folder that holds it")->required();
   command
-      ->add_option(
-          "--format", arguments->formats,
-          "md, csv, tex (tables), svg, pdf (figures), html (the page), separated by commas; default: all")
+      ->add_option("--format", arguments->formats,
+                   "md, csv, tex (tables), svg (figures), html (the page), separated by commas; default: all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(all_formats()));
@@ -160,16 +142,13 @@ void add_report_command(CLI::App& app, Invocation& invocation) {
       "What it\n"
       "shows of instances is stored by `tables`, `precision` and `stability` --out, in scenes/ and paths/ "
       "beside\n"
-      "run.json; a finer path of `gcsbench path` may take the place of one there. PDF needs rsvg-convert "
-      "(Debian\n"
-      "package librsvg2-bin).\n"
+      "run.json; a finer path of `gcsbench path` may take the place of one there.\n"
       "\nExamples:\n"
       "  gcsbench report results/runs/today\n"
       "  gcsbench report results/runs/today --format html --out /tmp\n"
       "  gcsbench report tables/ precision/ stability/ --format html\n");
-  command->callback([&invocation, arguments] {
-    invocation.action = [&invocation, arguments] { return report(*arguments, invocation.quiet); };
-  });
+  command->callback(
+      [&invocation, arguments] { invocation.action = [arguments] { return report(*arguments); }; });
 }
 
 }  // namespace gcs

@@ -60,6 +60,7 @@ ExitCode exit_code(const SolveRun& run) {
     case RunStatus::gave_up:
     case RunStatus::timed_out:
     case RunStatus::infinite:
+    case RunStatus::stopped:
       return ExitCode::not_solved;
     case RunStatus::complete:
     case RunStatus::partial:

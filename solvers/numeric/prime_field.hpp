@@ -1,5 +1,5 @@
 #pragma once
-/// Exact arithmetic modulo the prime 2^61 − 1, and linear algebra over it by the library FLINT.
+/// Exact arithmetic modulo the prime 2^61 − 1, and linear algebra over it.
 
 #include <array>
 #include <cstdint>
@@ -74,12 +74,12 @@ Residue3 cross(const Residue3& a, const Residue3& b);
 /// Sum of a[i]·b[i]. Precondition: equal lengths.
 Residue dot(const ResidueVector& a, const ResidueVector& b);
 
-/// Rank of the matrix.
-int rank(const ResidueMatrix& matrix);
+/// Rank of the matrix, in O(rows · columns · rank).
+int rank(ResidueMatrix matrix);
 
 /// A basis of the vectors x of length `columns` with matrix·x = 0. Vector i of the basis is the only one with
 /// a non-zero entry in the i-th column without pivot, so that its support is minimal.
-ResidueMatrix null_space(const ResidueMatrix& matrix, int columns);
+ResidueMatrix null_space(ResidueMatrix matrix, int columns);
 
 /// The solution of a square system, times its determinant.
 struct ScaledSolution {

@@ -95,7 +95,7 @@ class Reducer {
   std::vector<bool> kept_;
   std::set<std::pair<bool, int>> ready_;  ///< points that can go, those to keep first
   int left_;
-  bool anchored_;
+  bool anchored_ = problem_.is_anchored();
   CoreReduction result_;
 };
 

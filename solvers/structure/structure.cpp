@@ -161,7 +161,7 @@ int generic_rank(const ProblemStatement& problem, const RigidityMatrix& matrix) 
   std::vector<std::vector<int>> incident(problem.points.size() + problem.lines.size());
   for (int i = 0; i < static_cast<int>(problem.constraints.size()); ++i)
     for (const int entity : problem.constraints[i].between) incident[entity].push_back(i);
-  int result = rank(core);
+  int result = rank(std::move(core));
   for (const PlacedPoint& placed : reduction.placed)
     result += rank(own_block(problem, matrix, placed, incident[placed.point]));
   return result;

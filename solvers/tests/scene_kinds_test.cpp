@@ -15,12 +15,12 @@ Instance shipped(const std::string& id) {
 Problem hung_points() {
   Problem problem(2);
   problem.points("a", "b", "c", "d", "e").distance("a", "b", 4).distance("b", "c", 5).distance("c", "a", 6);
-  problem.distance("d", "a", 4).distance("d", "b", 5).distance("e", "d", 3).distance("e", "c", 4);
+  problem.distance("d", "a", 4).distance("d", "b", 5).distance("e", "d", 6).distance("e", "c", 5);
   problem.sketch("a", {0, 0})
       .sketch("b", {4, 0})
-      .sketch("c", {3, 5})
-      .sketch("d", {2, -4})
-      .sketch("e", {5, 1});
+      .sketch("c", {"3.4", 5})
+      .sketch("d", {"0.9", "-3.9"})
+      .sketch("e", {"3.5", 1});
   return problem;
 }
 
@@ -54,6 +54,11 @@ std::vector<OptionMap> settings_of(const StrategyEntry& entry) {
   return {{}};
 }
 
+/// Of a line and five points, homotopies in twice the precision or in more unknowns take a minute.
+bool is_long_way(const StrategyEntry& entry, const Scene& scene) {
+  return scene.has_lines() && (entry.name == "monodromy" || entry.name == "polyhedral");
+}
+
 }  // namespace
 
 TEST_CASE("every strategy solves a scene of every kind that it supports") {
@@ -62,6 +67,7 @@ TEST_CASE("every strategy solves a scene of every kind that it supports") {
   for (const StrategyEntry& entry : all_strategies())
     for (const OptionMap& given : settings_of(entry))
       for (const auto& [kind, scene] : scenes) {
+        if (!given.empty() && is_long_way(entry, scene)) continue;
         const Answer answer = solve(scene, entry, given, {.threads = 2, .certify = true, .digits = 20});
         INFO(entry.name << ", " << kind << ": " << word(answer.status) << " " << answer.reason);
         if (answer.status == RunStatus::unsupported) continue;

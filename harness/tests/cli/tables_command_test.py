@@ -6,7 +6,6 @@ Usage: tables_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import csv
 import json
-import shutil
 import signal
 import subprocess
 import time
@@ -171,26 +170,6 @@ class Report(WithFolder):
         self.assertEqual(figures, {"graph-octahedron", "path-octahedron"})
         for figure in self.folder.glob("*.svg"):
             xml.etree.ElementTree.parse(figure)
-
-    @unittest.skipUnless(shutil.which("rsvg-convert"), "rsvg-convert (librsvg2-bin) is not installed")
-    def test_pdf(self):
-        self.measure()
-        self.assertEqual(run("report", self.folder, "--format", "pdf").returncode, DONE)
-        figures = sorted(self.folder.glob("*.pdf"))
-        self.assertEqual([path.stem for path in figures], ["graph-octahedron", "path-octahedron"])
-        first = [path.read_bytes() for path in figures]
-        self.assertTrue(all(content.startswith(b"%PDF-") for content in first))
-        self.assertEqual(run("report", self.folder, "--format", "pdf").returncode, DONE)
-        self.assertEqual([path.read_bytes() for path in figures], first, "the same drawing is the same file")
-
-    def test_without_a_converter_all_but_pdf_is_written(self):
-        self.measure()
-        done = subprocess.run(argv("report", self.folder), capture_output=True, text=True, timeout=300, cwd=SOURCE,
-                              check=False, env={"PATH": "/nowhere"})
-        self.assertEqual(done.returncode, DONE)
-        self.assertIn("librsvg2-bin", done.stderr)
-        self.assertTrue((self.folder / "report.html").exists())
-        self.assertEqual(list(self.folder.glob("*.pdf")), [])
 
     def test_page_of_several_runs(self):
         self.measure()

@@ -85,8 +85,8 @@ TEST_CASE("what is saved changes the work and not the solutions") {
   std::vector<Figure> figures;
   for (const SolveRun* run : {&saving, &all}) {
     CHECK(run->status == RunStatus::complete);
-    CHECK(run->assessment.solutions.size() == 8);  // 16 in a fixed frame, by the recursion for Laman graphs
-    for (const AssessedSolution& solution : run->assessment.solutions) {
+    CHECK(run->solutions.size() == 8);  // 16 in a fixed frame, by the recursion for Laman graphs
+    for (const AssessedSolution& solution : run->solutions) {
       figures.push_back(solution.figure);
       figures.back().points *= std::ldexp(1.0, -scene.unit_exponent());
       figures.back().imaginary *= std::ldexp(1.0, -scene.unit_exponent());

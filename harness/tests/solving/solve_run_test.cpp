@@ -75,7 +75,7 @@ struct SlowMonitor final : Monitor {
 }  // namespace
 
 TEST_CASE("a complete run holds what was asked for and what was found") {
-  const SolveRun result = run("good", {.seed = 7, .threads = 2});
+  const SolveRun result = run("good", {{.seed = 7, .threads = 2}});
   CHECK(result.status == RunStatus::complete);
   CHECK(result.reason.empty());
   CHECK(result.strategy == "toy");
@@ -129,7 +129,7 @@ TEST_CASE("giving up keeps the strategy's reason and what it found") {
 
 TEST_CASE("the time limit stops a strategy and keeps what it found") {
   const auto start = std::chrono::steady_clock::now();
-  const SolveRun result = run("waits", {.time_limit_s = 0.05});
+  const SolveRun result = run("waits", {{}, 0.05});
   CHECK(std::chrono::steady_clock::now() - start >= std::chrono::milliseconds(50));
   CHECK(result.status == RunStatus::timed_out);
   CHECK_THAT(result.reason, Catch::Contains("0.05 s"));
@@ -138,7 +138,7 @@ TEST_CASE("the time limit stops a strategy and keeps what it found") {
 
 TEST_CASE("the time limit stops proofs unless it is for the solve alone") {
   SlowMonitor slow(std::chrono::milliseconds(1200));
-  RunLimits limits{.time_limit_s = 1, .certify = true};
+  RunLimits limits{{.certify = true}, 1};
   const SolveRun stopped = run("good", limits, &slow);
   CHECK(stopped.status == RunStatus::timed_out);
   CHECK(stopped.reason == "the time limit of 1 s has passed while solutions were proven");
@@ -150,17 +150,17 @@ TEST_CASE("the time limit stops proofs unless it is for the solve alone") {
 }
 
 TEST_CASE("a strategy that stops by itself has given up") {
-  CHECK(run("stops", {.time_limit_s = 1000}).status == RunStatus::gave_up);
+  CHECK(run("stops", {{}, 1000}).status == RunStatus::gave_up);
 }
 
 TEST_CASE("a limit that was not reached changes nothing") {
-  const SolveRun result = run("good", {.time_limit_s = 1e30, .max_solutions = 2});
+  const SolveRun result = run("good", {{.max_solutions = 2}, 1e30});
   CHECK(result.status == RunStatus::complete);
   CHECK(result.solutions.size() == 2);
 }
 
 TEST_CASE("a list cut short is partial and says so") {
-  const SolveRun result = run("good", {.max_solutions = 1});
+  const SolveRun result = run("good", {{.max_solutions = 1}});
   CHECK(result.status == RunStatus::partial);
   CHECK(result.reason == "1 of the 2 solutions found are kept, as asked");
   CHECK(result.solutions.size() == 1);
@@ -182,6 +182,6 @@ TEST_CASE("counts that exceed the theoretical ones or differ from the exact one 
 
 TEST_CASE("what is left of all complex solutions when only real ones are kept are all real ones") {
   CHECK(run("all").claim == Claim::all_complex);
-  CHECK(run("all", {.only_real = true}).claim == Claim::all_real);
-  CHECK(run("good", {.only_real = true}).claim == Claim::on_path);
+  CHECK(run("all", {{.only_real = true}}).claim == Claim::all_real);
+  CHECK(run("good", {{.only_real = true}}).claim == Claim::on_path);
 }

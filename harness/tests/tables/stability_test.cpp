@@ -371,7 +371,7 @@ TEST_CASE("why not all solutions of a product are listed is said") {
   };
   CHECK(reason("mixed-lengths@1e-12", {}) ==
         "2 of the 8 solutions are listed; doubles do not tell all apart");
-  CHECK(reason("mixed-lengths@1e-4", {.max_solutions = 5}) ==
+  CHECK(reason("mixed-lengths@1e-4", {{.max_solutions = 5}}) ==
         "5 of the 8 solutions are listed; max_solutions lists more");
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solvers/reading/json_build.hpp"
+#include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
 namespace {
@@ -14,42 +14,34 @@ JsonValue decimal_value(double value, const std::string& text) {
   return result;
 }
 
-JsonValue vector_value(const Eigen::Vector3d& vector, int dimension,
-                       const std::array<std::string, 3>& texts = {}) {
-  std::vector<JsonValue> coordinates;
-  for (int i = 0; i < dimension; ++i)
-    coordinates.push_back(decimal_value(vector[i], texts[static_cast<std::size_t>(i)]));
-  return json_array(std::move(coordinates));
-}
-
-JsonValue line_value(const LinePosition& line) {
-  return json_object(
-      {{"point", vector_value(line.point, 3)}, {"direction", vector_value(line.direction, 3)}});
+/// Precondition: the point is fixed.
+JsonValue fixed_point_value(const ProblemStatement& problem, std::size_t point) {
+  JsonValue value = json_coordinates(*problem.fixed_points[point], problem.dimension);
+  if (problem.fixed_point_texts.empty()) return value;
+  for (std::size_t axis = 0; axis < value.elements.size(); ++axis)
+    value.elements[axis] = decimal_value(value.elements[axis].number, problem.fixed_point_texts[point][axis]);
+  return value;
 }
 
 JsonValue fixed_value(const ProblemStatement& problem) {
   JsonMembers members;
   for (std::size_t i = 0; i < problem.fixed_points.size(); ++i)
-    if (const auto& point = problem.fixed_points[i])
-      members.emplace_back(problem.points[i],
-                           vector_value(*point, problem.dimension,
-                                        problem.fixed_point_texts.empty() ? std::array<std::string, 3>{}
-                                                                          : problem.fixed_point_texts[i]));
+    if (problem.fixed_points[i]) members.emplace_back(problem.points[i], fixed_point_value(problem, i));
   for (std::size_t i = 0; i < problem.fixed_lines.size(); ++i)
-    if (const auto& line = problem.fixed_lines[i]) members.emplace_back(problem.lines[i], line_value(*line));
+    if (const auto& line = problem.fixed_lines[i])
+      members.emplace_back(problem.lines[i], json_line_position(*line));
   return json_object(std::move(members));
 }
 
 JsonValue constraints_value(const ProblemStatement& problem) {
-  std::vector<JsonValue> values;
-  for (const DistanceConstraint& constraint : problem.constraints)
-    values.push_back(json_object(
+  return json_array_of(problem.constraints, [&](const DistanceConstraint& constraint) {
+    return json_object(
         {{"id", json_text(constraint.id)},
          {"type", json_text("distance")},
          {"between", json_texts({problem.name(constraint.between[0]), problem.name(constraint.between[1])})},
          {constraint.is_squared ? "squared" : "length",
-          decimal_value(constraint.given.value, constraint.given.text)}}));
-  return json_array(std::move(values));
+          decimal_value(constraint.given.value, constraint.given.text)}});
+  });
 }
 
 JsonValue reference_value(const ProblemStatement& problem, const Reference& reference) {
@@ -66,14 +58,9 @@ JsonValue reference_value(const ProblemStatement& problem, const Reference& refe
 }
 
 JsonValue sketch_value(const ProblemStatement& problem) {
-  JsonMembers members;
-  for (std::size_t i = 0; i < problem.points.size(); ++i)
-    members.emplace_back(
-        problem.points[i],
-        vector_value(problem.sketch->points.col(static_cast<Eigen::Index>(i)), problem.dimension));
-  for (std::size_t i = 0; i < problem.lines.size(); ++i)
-    members.emplace_back(problem.lines[i], line_value(problem.sketch->lines[i]));
-  return json_object(std::move(members));
+  JsonValue positions = json_points(problem, *problem.sketch), lines = json_lines(problem, *problem.sketch);
+  for (auto& line : lines.members) positions.members.push_back(std::move(line));
+  return positions;
 }
 
 JsonValue interpolation_value(const ProblemStatement& problem) {
@@ -92,14 +79,11 @@ JsonValue radius_value(const ProblemStatement& problem, const PlanStep::Radius& 
 }
 
 JsonValue construction_value(const ProblemStatement& problem) {
-  std::vector<JsonValue> steps;
-  for (const PlanStep& step : problem.construction) {
-    std::vector<JsonValue> from;
-    for (const PlanStep::Radius& radius : step.from) from.push_back(radius_value(problem, radius));
-    steps.push_back(
-        json_object({{"place", json_text(problem.name(step.place))}, {"from", json_array(std::move(from))}}));
-  }
-  return json_array(std::move(steps));
+  const auto radius = [&](const PlanStep::Radius& r) { return radius_value(problem, r); };
+  return json_array_of(problem.construction, [&](const PlanStep& step) {
+    return json_object(
+        {{"place", json_text(problem.name(step.place))}, {"from", json_array_of(step.from, radius)}});
+  });
 }
 
 }  // namespace

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 
 #include "harness/results/result_io.hpp"
 #include "harness/results/verify.hpp"
 #include "solvers/answers/certify.hpp"
 #include "solvers/certificates/decimal_figure.hpp"
-#include "solvers/reading/json_build.hpp"
+#include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
 namespace {
@@ -16,25 +17,22 @@ namespace {
 constexpr std::string_view format_name = "gcsbench-reference/1";
 
 JsonValue vector_value(const DecimalVector& vector, int dimension, bool is_real) {
-  std::vector<JsonValue> coordinates;
-  for (int axis = 0; axis < dimension; ++axis) {
-    const DecimalNumber& number = vector[static_cast<std::size_t>(axis)];
-    coordinates.push_back(is_real ? json_text(number.re) : json_texts({number.re, number.im}));
-  }
-  return json_array(std::move(coordinates));
+  const auto number_value = [&](const DecimalNumber& number) {
+    return is_real ? json_text(number.re) : json_texts({number.re, number.im});
+  };
+  return json_array_of(std::span(vector).first(static_cast<std::size_t>(dimension)), number_value);
 }
 
 JsonValue solution_value(const ProblemStatement& problem, const DecimalFigure& figure, bool is_real) {
-  JsonMembers points, lines;
-  for (std::size_t i = 0; i < problem.points.size(); ++i)
-    points.emplace_back(problem.points[i], vector_value(figure.points[i], problem.dimension, is_real));
-  for (std::size_t i = 0; i < problem.lines.size(); ++i)
-    lines.emplace_back(problem.lines[i],
-                       json_object({{"point", vector_value(figure.lines[i].point, 3, is_real)},
-                                    {"direction", vector_value(figure.lines[i].direction, 3, is_real)}}));
+  const auto point_value = [&](const DecimalVector& point) {
+    return vector_value(point, problem.dimension, is_real);
+  };
+  const auto line_value = [&](const DecimalFigure::Line& line) {
+    return json_line(vector_value(line.point, 3, is_real), vector_value(line.direction, 3, is_real));
+  };
   return json_object({{"real", json_boolean(is_real)},
-                      {"points", json_object(std::move(points))},
-                      {"lines", json_object(std::move(lines))},
+                      {"points", json_object_of(problem.points, figure.points, point_value)},
+                      {"lines", json_object_of(problem.lines, figure.lines, line_value)},
                       {"error_bound", json_number(figure.error)},
                       {"unique_within", json_number(figure.unique)},
                       {"bits", json_number(figure.bits)}});

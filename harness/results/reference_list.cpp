@@ -14,7 +14,7 @@
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
-#include "solvers/reading/json_cursor.hpp"
+#include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/text_input.hpp"
 #include "solvers/tracking/path_report.hpp"
 
@@ -37,29 +37,18 @@ std::string decimal_text(const JsonCursor& cursor) {
   return text;
 }
 
-DecimalVector read_vector(const JsonCursor& cursor, int dimension, bool is_real) {
-  DecimalVector vector;
-  const auto entries = cursor.elements(static_cast<std::size_t>(dimension), "coordinates");
-  for (std::size_t axis = 0; axis < entries.size(); ++axis) {
-    if (is_real) {
-      vector[axis].re = decimal_text(entries[axis]);
-      continue;
-    }
-    const auto parts = entries[axis].elements(2, "numbers, re and im");
-    vector[axis] = {decimal_text(parts[0]), decimal_text(parts[1])};
-  }
-  return vector;
-}
-
 KnownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
-  const bool is_real = cursor.required("real").value().boolean;
+  const bool is_real = cursor.required("real").boolean();
+  const auto read_vector = [&](const JsonCursor& vector, int dimension) {
+    return read_coordinates<DecimalNumber>(vector, dimension, is_real, decimal_text);
+  };
   DecimalFigure exact;
   for (const std::string& name : problem.points)
-    exact.points.push_back(read_vector(cursor.required("points").required(name), problem.dimension, is_real));
+    exact.points.push_back(read_vector(cursor.required("points").required(name), problem.dimension));
   for (const std::string& name : problem.lines) {
     const JsonCursor line = cursor.required("lines").required(name);
-    exact.lines.push_back({read_vector(line.required("point"), 3, is_real),
-                           read_vector(line.required("direction"), 3, is_real)});
+    exact.lines.push_back(
+        {read_vector(line.required("point"), 3), read_vector(line.required("direction"), 3)});
   }
   exact.error = cursor.required("error_bound").number().value;
   Figure figure = figure_of(exact);
@@ -71,10 +60,10 @@ ReferenceList read_list(const JsonCursor& root, const ProblemStatement& problem,
   const JsonCursor origin = root.required("origin");
   const std::string claim = origin.required("claim").text();
   list.source = file;
-  list.has_all_complex = claim == word(Claim::all_complex) && !origin.required("only_real").value().boolean;
+  list.has_all_complex = claim == word(Claim::all_complex) && !origin.required("only_real").boolean();
   list.has_all_real = claim == word(Claim::all_complex) || claim == word(Claim::all_real);
   list.is_real_proven = claim == word(Claim::all_real) ||
-                        (list.has_all_real && root.required("proofs").required("complete").value().boolean);
+                        (list.has_all_real && root.required("proofs").required("complete").boolean());
   for (const JsonCursor& solution : root.required("solutions").elements())
     list.solutions.push_back(read_solution(solution, problem));
   return list;

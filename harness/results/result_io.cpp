@@ -3,72 +3,21 @@
 #include <utility>
 
 #include "harness/base/record_fields.hpp"
-#include "solvers/reading/json_build.hpp"
+#include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
 
 namespace {
 
-JsonValue vector_value(const Eigen::Vector3d& vector, int dimension) {
-  std::vector<JsonValue> coordinates;
-  for (int i = 0; i < dimension; ++i) coordinates.push_back(json_number(vector[i]));
-  return json_array(std::move(coordinates));
-}
-
-/// Every coordinate as [re, im].
-JsonValue vector_value(const Eigen::Vector3d& real, const Eigen::Vector3d& imaginary, int dimension) {
-  std::vector<JsonValue> coordinates;
-  for (int i = 0; i < dimension; ++i)
-    coordinates.push_back(json_array({json_number(real[i]), json_number(imaginary[i])}));
-  return json_array(std::move(coordinates));
-}
-
-JsonValue line_value(const LinePosition& line) {
-  return json_object(
-      {{"point", vector_value(line.point, 3)}, {"direction", vector_value(line.direction, 3)}});
-}
-
-JsonValue line_value(const LinePosition& real, const LinePosition& imaginary) {
-  return json_object({{"point", vector_value(real.point, imaginary.point, 3)},
-                      {"direction", vector_value(real.direction, imaginary.direction, 3)}});
-}
-
-JsonValue points_value(const ProblemStatement& problem, const Figure& figure) {
-  JsonMembers points;
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    const auto p = static_cast<Eigen::Index>(i);
-    points.emplace_back(problem.points[i],
-                        figure.is_real()
-                            ? vector_value(figure.points.col(p), problem.dimension)
-                            : vector_value(figure.points.col(p), figure.imaginary.col(p), problem.dimension));
-  }
-  return json_object(std::move(points));
-}
-
-JsonValue lines_value(const ProblemStatement& problem, const Figure& figure) {
-  JsonMembers lines;
-  for (std::size_t i = 0; i < problem.lines.size(); ++i)
-    lines.emplace_back(problem.lines[i], figure.is_real()
-                                             ? line_value(figure.lines[i])
-                                             : line_value(figure.lines[i], figure.imaginary_lines[i]));
-  return json_object(std::move(lines));
-}
-
 JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution& solution) {
-  return json_object({{"points", points_value(problem, solution.figure)},
-                      {"lines", lines_value(problem, solution.figure)},
+  return json_object({{"points", json_points(problem, solution.figure)},
+                      {"lines", json_lines(problem, solution.figure)},
                       {"real", json_boolean(solution.figure.is_real())},
                       {"multiplicity", json_number(solution.multiplicity)},
                       {"residual", json_number(solution.residual)},
                       {"condition", json_number(solution.condition)},
                       {"error_bound", json_or_null(solution.error_bound, json_number)},
                       {"certified", json_boolean(solution.certified)}});
-}
-
-JsonValue solutions_value(const ProblemStatement& problem, const std::vector<AssessedSolution>& solutions) {
-  std::vector<JsonValue> values;
-  for (const AssessedSolution& solution : solutions) values.push_back(solution_value(problem, solution));
-  return json_array(std::move(values));
 }
 
 /// Makes the members of an object of what a list of fields visits.
@@ -99,11 +48,10 @@ class MemberWriter {
 /// Null for a strategy that follows no path in the lengths.
 JsonValue path_value(const SolveRun& run) {
   if (run.claim != Claim::on_path && run.claim != Claim::on_path_of_core) return json_null();
-  std::vector<JsonValue> crossings;
-  for (const AssessedCrossing& crossing : run.crossings)
-    crossings.push_back(json_object({{"solution", json_or_null(crossing.solution, json_number)},
-                                     {"direction", json_number(crossing.direction)}}));
-  return json_array(std::move(crossings));
+  return json_array_of(run.crossings, [](const AssessedCrossing& crossing) {
+    return json_object({{"solution", json_or_null(crossing.solution, json_number)},
+                        {"direction", json_number(crossing.direction)}});
+  });
 }
 
 /// In lowest terms; null where it is not determined.
@@ -113,17 +61,14 @@ JsonValue exponent_value(const PathEnds& ends) {
   });
 }
 
-JsonValue ends_value(const std::vector<PathEnds>& all) {
-  std::vector<JsonValue> values;
-  for (const PathEnds& ends : all)
-    values.push_back(json_object(
-        {{"end", json_text(std::string(word(ends.end)))},
-         {"cause", json_text(ends.cause)},
-         {"winding_number", ends.winding_number > 0 ? json_number(ends.winding_number) : json_null()},
-         {"exponent", exponent_value(ends)},
-         {"proven", json_boolean(ends.proven)},
-         {"paths", json_count(ends.paths)}}));
-  return json_array(std::move(values));
+JsonValue ends_value(const PathEnds& ends) {
+  return json_object(
+      {{"end", json_text(std::string(word(ends.end)))},
+       {"cause", json_text(ends.cause)},
+       {"winding_number", ends.winding_number > 0 ? json_number(ends.winding_number) : json_null()},
+       {"exponent", exponent_value(ends)},
+       {"proven", json_boolean(ends.proven)},
+       {"paths", json_count(ends.paths)}});
 }
 
 JsonValue options_value(const OptionMap& options) {
@@ -132,11 +77,8 @@ JsonValue options_value(const OptionMap& options) {
   return json_object(std::move(members));
 }
 
-JsonValue failed_checks_value(const std::vector<FailedCheck>& checks) {
-  std::vector<JsonValue> values;
-  for (const FailedCheck& check : checks)
-    values.push_back(json_object({{"name", json_text(check.name)}, {"what", json_text(check.what)}}));
-  return json_array(std::move(values));
+JsonValue failed_check_value(const FailedCheck& check) {
+  return json_object({{"name", json_text(check.name)}, {"what", json_text(check.what)}});
 }
 
 JsonValue timing_value(const Timing& timing) {
@@ -158,6 +100,7 @@ JsonValue totals_value(const SolutionTotals& totals) {
 }
 
 JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
+  const auto solution = [&](const AssessedSolution& s) { return solution_value(instance.problem, s); };
   JsonMembers counts, statistics, origin;
   visit_counts(run.counts, MemberWriter(counts));
   visit_work(run.work, MemberWriter(statistics));
@@ -174,10 +117,10 @@ JsonMembers result_members(const Instance& instance, const SolveRun& run, const 
           {"counts", json_object(std::move(counts))},
           {"totals", json_or_null(run.totals, totals_value)},
           {"proofs", proofs_value(run.proofs)},
-          {"failed_checks", failed_checks_value(run.failed_checks)},
-          {"solutions", solutions_value(instance.problem, run.solutions)},
+          {"failed_checks", json_array_of(run.failed_checks, failed_check_value)},
+          {"solutions", json_array_of(run.solutions, solution)},
           {"path", path_value(run)},
-          {"ends", ends_value(run.ends)},
+          {"ends", json_array_of(run.ends, ends_value)},
           {"statistics", json_object(std::move(statistics))},
           {"timing", timing_value(run.timing)},
           {"environment", json_object(std::move(origin))}};

@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "harness/base/record_fields.hpp"
+#include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/instance_names.hpp"
-#include "solvers/reading/json_cursor.hpp"
 #include "solvers/reading/nearest_name.hpp"
 #include "solvers/reading/text_input.hpp"
 
@@ -19,14 +19,6 @@ namespace gcs {
 namespace {
 
 constexpr std::string_view format_name = "gcsbench-result/1";
-
-bool is_null(const JsonCursor& cursor) { return cursor.value().kind == JsonValue::Kind::null; }
-
-bool read_boolean(const JsonCursor& cursor) {
-  if (cursor.value().kind != JsonValue::Kind::boolean)
-    cursor.fail("this is neither true nor false", "give one of them");
-  return cursor.value().boolean;
-}
 
 void read_count(const JsonCursor& cursor, Natural& count) {
   const bool is_text = cursor.value().kind == JsonValue::Kind::string;
@@ -69,51 +61,7 @@ Named read_word(const JsonCursor& cursor, const std::array<Named, count>& all) {
 /// Nothing where there is none, or null.
 std::optional<Claim> read_claim(const JsonCursor& root) {
   const auto claim = root.optional("claim");
-  return claim && !is_null(*claim) ? std::optional(read_word(*claim, all_claims)) : std::nullopt;
-}
-
-/// A vector of numbers, or of pairs [re, im].
-struct Vectors {
-  Eigen::Vector3d real = Eigen::Vector3d::Zero();
-  Eigen::Vector3d imaginary = Eigen::Vector3d::Zero();
-};
-
-Vectors read_vector(const JsonCursor& cursor, int dimension, bool is_real) {
-  Vectors result;
-  if (is_real) {
-    result.real = cursor.coordinates(dimension);
-    return result;
-  }
-  const auto components =
-      cursor.elements(static_cast<std::size_t>(dimension), "complex coordinates [re, im]");
-  for (int i = 0; i < dimension; ++i) {
-    const auto parts = components[static_cast<std::size_t>(i)].elements(2, "numbers, re and im");
-    result.real[i] = parts[0].number().value;
-    result.imaginary[i] = parts[1].number().value;
-  }
-  return result;
-}
-
-void read_points(const JsonCursor& points, const ProblemStatement& problem, bool is_real, Figure& figure) {
-  const auto count = static_cast<Eigen::Index>(problem.points.size());
-  figure.points = Eigen::Matrix3Xd::Zero(3, count);
-  if (!is_real) figure.imaginary = Eigen::Matrix3Xd::Zero(3, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const JsonCursor position = points.required(problem.points[static_cast<std::size_t>(i)]);
-    const Vectors vectors = read_vector(position, problem.dimension, is_real);
-    figure.points.col(i) = vectors.real;
-    if (!is_real) figure.imaginary.col(i) = vectors.imaginary;
-  }
-}
-
-void read_lines(const JsonCursor& lines, const ProblemStatement& problem, bool is_real, Figure& figure) {
-  for (const std::string& name : problem.lines) {
-    const JsonCursor line = lines.required(name);
-    const Vectors point = read_vector(line.required("point"), 3, is_real),
-                  direction = read_vector(line.required("direction"), 3, is_real);
-    figure.lines.push_back({point.real, direction.real});
-    if (!is_real) figure.imaginary_lines.push_back({point.imaginary, direction.imaginary});
-  }
+  return claim && !claim->is_null() ? std::optional(read_word(*claim, all_claims)) : std::nullopt;
 }
 
 /// Whether the coordinates of the first point are numbers.
@@ -126,27 +74,26 @@ AssessedSolution read_solution(const JsonCursor& cursor, const ProblemStatement&
   AssessedSolution solution;
   const JsonCursor points = cursor.required("points");
   const auto real = cursor.optional("real");
-  const bool is_real = real ? read_boolean(*real) : has_real_points(points, problem);
-  read_points(points, problem, is_real, solution.figure);
-  if (!problem.lines.empty()) read_lines(cursor.required("lines"), problem, is_real, solution.figure);
+  const bool is_real = real ? real->boolean() : has_real_points(points, problem);
+  solution.figure = read_figure(cursor, problem, is_real);
   if (const auto multiplicity = cursor.optional("multiplicity"))
     solution.multiplicity = read_number(*multiplicity);
   const auto condition = cursor.optional("condition");
-  const bool has_condition = condition && !is_null(*condition);
+  const bool has_condition = condition && !condition->is_null();
   solution.condition = has_condition ? condition->number().value : std::numeric_limits<double>::infinity();
   const auto bound = cursor.optional("error_bound");
-  if (bound && !is_null(*bound)) solution.error_bound = bound->number().value;
-  if (const auto certified = cursor.optional("certified")) solution.certified = read_boolean(*certified);
+  if (bound && !bound->is_null()) solution.error_bound = bound->number().value;
+  if (const auto certified = cursor.optional("certified")) solution.certified = certified->boolean();
   return solution;
 }
 
 std::vector<AssessedCrossing> read_crossings(const JsonCursor& path, std::size_t solutions) {
   std::vector<AssessedCrossing> crossings;
-  if (is_null(path)) return crossings;
+  if (path.is_null()) return crossings;
   for (const JsonCursor& element : path.elements()) {
     AssessedCrossing crossing;
     const JsonCursor solution = element.required("solution"), direction = element.required("direction");
-    if (!is_null(solution)) {
+    if (!solution.is_null()) {
       crossing.solution = read_number(solution);
       if (static_cast<std::size_t>(*crossing.solution) >= solutions)
         solution.fail("there is no such solution", fmt::format("give a number below {}, or null", solutions));
@@ -161,7 +108,7 @@ std::vector<AssessedCrossing> read_crossings(const JsonCursor& path, std::size_t
 auto count_reader(const JsonCursor& cursor) {
   return [cursor](const std::string& name, auto& count) {
     const auto given = cursor.optional(name);
-    if (given && !is_null(*given)) read_count(*given, count.emplace());
+    if (given && !given->is_null()) read_count(*given, count.emplace());
   };
 }
 
@@ -197,7 +144,7 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   if (const auto path = root.optional("path"))
     result.listed.crossings = read_crossings(*path, result.listed.solutions.size());
   if (const auto counts = root.optional("counts")) visit_counts(result.listed.counts, count_reader(*counts));
-  if (const auto totals = root.optional("totals"); totals && !is_null(*totals))
+  if (const auto totals = root.optional("totals"); totals && !totals->is_null())
     visit_totals(result.listed.totals.emplace(), count_reader(*totals));
   return result;
 }

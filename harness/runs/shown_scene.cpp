@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "solvers/reading/json_build.hpp"
-#include "solvers/reading/json_cursor.hpp"
+#include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
 namespace {
@@ -14,45 +13,29 @@ constexpr std::string_view format_name = "gcsbench-scene/1";
 
 // ---- writing
 
-JsonValue vector_value(const Eigen::Vector3d& vector, int dimension) {
-  std::vector<JsonValue> coordinates;
-  for (int i = 0; i < dimension; ++i) coordinates.push_back(json_number(vector[i]));
-  return json_array(std::move(coordinates));
-}
-
 JsonValue solution_value(const ProblemStatement& problem, const ShownSolution& solution) {
-  JsonMembers points, lines;
-  for (std::size_t i = 0; i < problem.points.size(); ++i)
-    points.emplace_back(
-        problem.points[i],
-        vector_value(solution.figure.points.col(static_cast<Eigen::Index>(i)), problem.dimension));
-  for (std::size_t i = 0; i < problem.lines.size(); ++i) {
-    const LinePosition& line = solution.figure.lines[i];
-    lines.emplace_back(problem.lines[i], json_object({{"point", vector_value(line.point, 3)},
-                                                      {"direction", vector_value(line.direction, 3)}}));
-  }
   return json_object({{"multiplicity", json_number(solution.multiplicity)},
-                      {"points", json_object(std::move(points))},
-                      {"lines", json_object(std::move(lines))}});
+                      {"points", json_points(problem, solution.figure)},
+                      {"lines", json_lines(problem, solution.figure)}});
 }
 
 JsonValue crossing_value(const std::optional<MetSolution>& met) {
   return json_or_null(met, [](const MetSolution& m) {
-    std::vector<JsonValue> signs;
-    for (const int sign : m.signs) signs.push_back(json_number(sign));
-    return json_object({{"solution", json_number(m.solution)}, {"signs", json_array(std::move(signs))}});
+    return json_object(
+        {{"solution", json_number(m.solution)}, {"signs", json_array_of(m.signs, json_number)}});
   });
 }
 
+JsonValue place_value(const PlanPlace& place) {
+  return json_object({{"t", json_number(place.t)},
+                      {"length", json_number(place.length)},
+                      {"removed", json_texts(place.removed)}});
+}
+
 JsonValue trail_value(const PlanTrail& trail) {
-  std::vector<JsonValue> places;
-  for (const PlanPlace& place : trail.places)
-    places.push_back(json_object({{"t", json_number(place.t)},
-                                  {"length", json_number(place.length)},
-                                  {"removed", json_texts(place.removed)}}));
   return json_object({{"label", json_text(trail.label)},
                       {"cause", json_text(trail.cause)},
-                      {"places", json_array(std::move(places))}});
+                      {"places", json_array_of(trail.places, place_value)}});
 }
 
 template <typename List, typename Make>
@@ -63,12 +46,6 @@ std::string lines_of(const List& list, Make make) {
 }
 
 // ---- reading
-
-bool read_boolean(const JsonCursor& cursor) {
-  if (cursor.value().kind != JsonValue::Kind::boolean)
-    cursor.fail("this is neither true nor false", "give one of them");
-  return cursor.value().boolean;
-}
 
 /// A whole number from `low` to `high`.
 int read_whole(const JsonCursor& cursor, int low, int high) {
@@ -82,18 +59,15 @@ int read_whole(const JsonCursor& cursor, int low, int high) {
 ShownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
   ShownSolution solution;
   solution.multiplicity = read_whole(cursor.required("multiplicity"), 1, 1 << 20);
-  solution.figure.points.resize(3, static_cast<Eigen::Index>(problem.points.size()));
   const JsonCursor points = cursor.required("points"), lines = cursor.required("lines");
-  for (std::size_t i = 0; i < problem.points.size(); ++i)
-    solution.figure.points.col(static_cast<Eigen::Index>(i)) =
-        points.required(problem.points[i]).coordinates(problem.dimension);
+  solution.figure.points = read_points(points, problem, true).real();
   for (const std::string& name : problem.lines)
     solution.figure.lines.push_back(lines.required(name).line_position());
   return solution;
 }
 
 std::optional<MetSolution> read_crossing(const JsonCursor& cursor, std::size_t solutions) {
-  if (cursor.value().kind == JsonValue::Kind::null) return std::nullopt;
+  if (cursor.is_null()) return std::nullopt;
   MetSolution met;
   met.solution = read_whole(cursor.required("solution"), 0, static_cast<int>(solutions) - 1);
   const auto signs = cursor.required("signs").elements(3, "signs");
@@ -136,9 +110,9 @@ SceneRecord parse_scene_record(const std::string& text, const std::string& file)
   SceneRecord record;
   record.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
   record.source = root.required("source").text();
-  record.are_proven = read_boolean(root.required("proven"));
-  record.has_all_real = read_boolean(root.required("all_real"));
-  if (const auto proven = root.optional("all_real_proven")) record.is_real_proven = read_boolean(*proven);
+  record.are_proven = root.required("proven").boolean();
+  record.has_all_real = root.required("all_real").boolean();
+  if (const auto proven = root.optional("all_real_proven")) record.is_real_proven = proven->boolean();
   record.no_path = root.required("no_path").text();
   for (const JsonCursor& entry : root.required("solutions").elements())
     record.solutions.push_back(read_solution(entry, record.instance.problem));

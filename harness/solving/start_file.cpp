@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "harness/base/complex_rows.hpp"
-#include "solvers/reading/json_build.hpp"
-#include "solvers/reading/json_cursor.hpp"
+#include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/text_input.hpp"
 
 namespace gcs {
@@ -49,13 +48,6 @@ std::vector<std::string> equation_texts(const SquareSystem& system) {
   return texts;
 }
 
-JsonValue vector_value(const ComplexVectorX& x) {
-  std::vector<JsonValue> values;
-  for (const std::complex<double>& value : x)
-    values.push_back(json_array({json_number(value.real()), json_number(value.imag())}));
-  return json_array(std::move(values));
-}
-
 JsonValue end_value(SearchEnd end) {
   return json_text(std::string(end_words[static_cast<std::size_t>(end)]));
 }
@@ -78,7 +70,7 @@ JsonValue trace_value(const TraceTest& trace) {
 /// One solution a line.
 std::string solutions_text(const std::vector<ComplexVectorX>& solutions) {
   std::vector<std::string> lines;
-  for (const ComplexVectorX& x : solutions) lines.push_back(to_text(vector_value(x), -1));
+  for (const ComplexVectorX& x : solutions) lines.push_back(to_text(json_array_of(x, json_complex), -1));
   return fmt::format("[\n  {}\n ]", fmt::join(lines, ",\n  "));
 }
 
@@ -87,7 +79,8 @@ std::string file_text(const SquareSystem& system, const StartSystem& start) {
       "{{\"format\": \"{}\",\n \"equations\": {},\n \"search\": {},\n \"trace\": {},\n \"squares\": {},\n "
       "\"solutions\": {}}}\n",
       format_name, to_text(json_texts(equation_texts(system)), 2), to_text(search_value(start.generic), -1),
-      to_text(json_or_null(start.trace, trace_value), -1), to_text(vector_value(start.generic.squares), -1),
+      to_text(json_or_null(start.trace, trace_value), -1),
+      to_text(json_array_of(start.generic.squares, json_complex), -1),
       solutions_text(start.generic.solutions));
 }
 
@@ -102,14 +95,6 @@ void require_equations(const JsonCursor& equations, const SquareSystem& system) 
       given[e].fail(fmt::format("the equation is {}, and here {}", given[e].text(), wanted[e]), own);
   if (given.size() != wanted.size())
     equations.fail(fmt::format("there are {} equations, and here {}", given.size(), wanted.size()), own);
-}
-
-std::complex<double> read_complex(const JsonCursor& number) {
-  const std::vector<JsonValue>& parts = number.value().elements;
-  const auto is_number = [](const JsonValue& part) { return part.kind == JsonValue::Kind::number; };
-  if (parts.size() != 2 || !std::all_of(parts.begin(), parts.end(), is_number))
-    number.fail("this is no complex number", "give [re, im]");
-  return {parts[0].number, parts[1].number};
 }
 
 ComplexVectorX read_vector(const JsonCursor& vector, int size) {
@@ -153,7 +138,7 @@ GenericSolutions read_search(const JsonCursor& search) {
 }
 
 std::optional<TraceTest> read_trace(const JsonCursor& trace) {
-  if (trace.value().kind == JsonValue::Kind::null) return std::nullopt;
+  if (trace.is_null()) return std::nullopt;
   trace.allow_members({"end", "points", "solutions", "defect"});
   return TraceTest{read_end(trace.required("end")), read_count(trace.required("points")),
                    read_count(trace.required("solutions")), trace.required("defect").number().value};

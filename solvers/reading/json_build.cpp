@@ -50,6 +50,10 @@ JsonValue json_number(double value) {
   return result;
 }
 
+JsonValue json_complex(const std::complex<double>& value) {
+  return json_array({json_number(value.real()), json_number(value.imag())});
+}
+
 JsonValue json_count(const Natural& count) {
   const std::string text = count.decimal();
   if (count > Natural::power_of_two(53)) return json_text(text);
@@ -59,10 +63,6 @@ JsonValue json_count(const Natural& count) {
   return result;
 }
 
-JsonValue json_texts(const std::vector<std::string>& texts) {
-  std::vector<JsonValue> elements;
-  for (const std::string& text : texts) elements.push_back(json_text(text));
-  return json_array(std::move(elements));
-}
+JsonValue json_texts(const std::vector<std::string>& texts) { return json_array_of(texts, json_text); }
 
 }  // namespace gcs

@@ -90,6 +90,11 @@ std::vector<JsonCursor> JsonCursor::elements(std::size_t count, const std::strin
   return result;
 }
 
+bool JsonCursor::boolean() const {
+  if (value_->kind != JsonValue::Kind::boolean) fail("this is neither true nor false", "give one of them");
+  return value_->boolean;
+}
+
 std::string JsonCursor::text() const {
   expect(JsonValue::Kind::string);
   return value_->text;

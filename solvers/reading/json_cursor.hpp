@@ -30,6 +30,7 @@ class JsonCursor {
   [[noreturn]] void fail_unknown(const std::string& what, std::string_view name,
                                  const std::vector<std::string>& valid) const;
 
+  bool is_null() const { return value_->kind == JsonValue::Kind::null; }
   bool is_object() const { return value_->kind == JsonValue::Kind::object; }
   /// The value is an object without any other members than these.
   void allow_members(std::initializer_list<std::string_view> names) const;
@@ -43,6 +44,7 @@ class JsonCursor {
   /// The elements of an array of exactly `count`; `of_what` completes "needs exactly … ".
   std::vector<JsonCursor> elements(std::size_t count, const std::string& of_what) const;
 
+  bool boolean() const;
   std::string text() const;
   /// A text with at least one character and no control character.
   std::string name() const;

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "solvers/reading/json_build.hpp"
+#include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/text_input.hpp"
 
 namespace gcs {
@@ -25,13 +25,7 @@ JsonValue number_value(const GivenNumber& number) {
 }
 
 JsonValue numbers_value(std::initializer_list<GivenNumber> numbers) {
-  std::vector<JsonValue> values;
-  for (const GivenNumber& number : numbers) values.push_back(number_value(number));
-  return json_array(std::move(values));
-}
-
-JsonValue line_value(std::initializer_list<GivenNumber> point, std::initializer_list<GivenNumber> direction) {
-  return json_object({{"point", numbers_value(point)}, {"direction", numbers_value(direction)}});
+  return json_array_of(numbers, number_value);
 }
 
 JsonValue distance_value(const std::string& a, const std::string& b, const std::string& kind,
@@ -61,7 +55,7 @@ Problem& Problem::fix(const std::string& point, std::initializer_list<GivenNumbe
 
 Problem& Problem::fix(const std::string& line, std::initializer_list<GivenNumber> point,
                       std::initializer_list<GivenNumber> direction) {
-  fixed_.emplace_back(line, line_value(point, direction));
+  fixed_.emplace_back(line, json_line(numbers_value(point), numbers_value(direction)));
   return *this;
 }
 
@@ -72,7 +66,7 @@ Problem& Problem::sketch(const std::string& point, std::initializer_list<GivenNu
 
 Problem& Problem::sketch(const std::string& line, std::initializer_list<GivenNumber> point,
                          std::initializer_list<GivenNumber> direction) {
-  sketch_.emplace_back(line, line_value(point, direction));
+  sketch_.emplace_back(line, json_line(numbers_value(point), numbers_value(direction)));
   return *this;
 }
 

@@ -12,14 +12,7 @@ using namespace gcs;
 namespace {
 
 JsonValue json_rows(const std::vector<ComplexVectorX>& rows) {
-  std::vector<JsonValue> result;
-  for (const ComplexVectorX& row : rows) {
-    std::vector<JsonValue> values;
-    for (const std::complex<double>& value : row)
-      values.push_back(json_array({json_number(value.real()), json_number(value.imag())}));
-    result.push_back(json_array(std::move(values)));
-  }
-  return json_array(std::move(result));
+  return json_array_of(rows, [](const ComplexVectorX& row) { return json_array_of(row, json_complex); });
 }
 
 /// A finite double with any bits.

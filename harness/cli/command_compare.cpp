@@ -29,8 +29,8 @@ struct CompareArguments {
 ExitCode compare(const CompareArguments& arguments) {
   CompareSettings settings;
   settings.margin = arguments.margin_percent / 100;
-  const RunRecord before = load_run_record(arguments.before);
-  const RunRecord after = load_run_record(arguments.after);
+  const RunFile before = load_run_file(arguments.before);
+  const RunFile after = load_run_file(arguments.after);
   const Comparison comparison = compare_runs(before, after, settings);
   if (comparison.compared == 0)
     throw InputError(arguments.after.string(), "",

@@ -14,24 +14,24 @@ namespace gcs {
 namespace {
 
 /// All shipped instances in less than 15 minutes.
-constexpr MeasureLimits limits{
+constexpr TimingLimits limits{
     .budget_s = 240, .cell_limit_s = 10, .total_limit_s = 700, .skips_variants = true};
 
 /// Settings beside the defaults are experiments, whose failures are findings.
-bool has_flawed_default(const RunRecord& run) {
+bool has_flawed_default(const RunFile& run) {
   return std::any_of(run.cells.begin(), run.cells.end(), [](const CellRecord& cell) {
     return cell.spec.given.empty() && cell.status == RunStatus::complete && cell.is_flawed();
   });
 }
 
-bool has_answer(const RunRecord& run) {
+bool has_answer(const RunFile& run) {
   return std::any_of(run.cells.begin(), run.cells.end(),
                      [](const CellRecord& cell) { return cell.status == RunStatus::complete; });
 }
 
 ExitCode precision(TableRequest request, const Invocation& invocation) {
   request.tables = {std::string(precision_kind().name)};
-  const RunRecord run = measure_and_show(std::move(request), {}, invocation);
+  const RunFile run = measure_and_show(std::move(request), {}, invocation);
   if (interrupted()) return ExitCode::interrupted;
   if (has_flawed_default(run)) return ExitCode::check_failed;
   return has_answer(run) ? ExitCode::done : ExitCode::not_solved;

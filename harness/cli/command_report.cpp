@@ -62,13 +62,13 @@ std::vector<Drawing> drawings_of(const PageRun& run) {
 
 PageRun load_page_run(const std::filesystem::path& run, const Publications& publications) {
   const std::filesystem::path folder = folder_of_run(run);
-  RunRecord record = load_run_record(run);
+  RunFile record = load_run_file(run);
   TableSet tables = build_tables(record, publications);
   PageRun page{std::filesystem::absolute(folder).lexically_normal().filename().string(),
                std::move(record),
                std::move(tables),
                {}};
-  for (const MeasuredInstance& instance : page.record.instances)
+  for (const InstanceSummary& instance : page.record.instances)
     if (auto scene = load_scene(folder, instance.id)) page.scenes.emplace(instance.id, std::move(*scene));
   return page;
 }
@@ -77,7 +77,7 @@ PageRun load_page_run(const std::filesystem::path& run, const Publications& publ
 void require_same_instances(const std::vector<PageRun>& runs) {
   std::map<std::string, std::pair<std::string, std::string>> known;  // run and fingerprint by id
   for (const PageRun& run : runs)
-    for (const MeasuredInstance& instance : run.record.instances) {
+    for (const InstanceSummary& instance : run.record.instances) {
       const auto& [first, fingerprint] =
           known.try_emplace(instance.id, run.name, instance.fingerprint).first->second;
       if (fingerprint != instance.fingerprint)

@@ -19,7 +19,7 @@ namespace gcs {
 namespace {
 
 /// All families in less than 15 minutes.
-constexpr MeasureLimits limits{
+constexpr TimingLimits limits{
     .budget_s = 120, .cell_limit_s = 10, .total_limit_s = 700, .skips_variants = true};
 
 std::vector<std::string> family_names() {
@@ -41,7 +41,7 @@ std::vector<std::string> members_of(const std::vector<std::string>& names) {
 }
 
 /// A strategy that calls an answer complete, or infinitely many, which is not right.
-bool has_wrong_claim(const RunRecord& run) {
+bool has_wrong_claim(const RunFile& run) {
   return std::any_of(run.cells.begin(), run.cells.end(), [](const CellRecord& cell) {
     return (cell.status == RunStatus::complete && cell.is_flawed()) ||
            (cell.status == RunStatus::infinite && !is_ill_posed(cell.spec.instance));
@@ -52,7 +52,7 @@ ExitCode stability(TableRequest request, const std::vector<std::string>& names,
                    const Invocation& invocation) {
   request.tables = {std::string(stability_kind().name)};
   request.instances = members_of(names);
-  const RunRecord run = measure_and_show(std::move(request), {}, invocation);
+  const RunFile run = measure_and_show(std::move(request), {}, invocation);
   if (interrupted()) return ExitCode::interrupted;
   return has_wrong_claim(run) ? ExitCode::check_failed : ExitCode::done;
 }

@@ -31,8 +31,8 @@ void expand_names(std::vector<std::string>& names) {
 }
 
 /// An instance that is out of reach of every strategy that was asked for.
-bool any_out_of_reach(const RunRecord& run) {
-  return std::any_of(run.instances.begin(), run.instances.end(), [&](const MeasuredInstance& instance) {
+bool any_out_of_reach(const RunFile& run) {
+  return std::any_of(run.instances.begin(), run.instances.end(), [&](const InstanceSummary& instance) {
     bool measured = false;
     bool reached = false;
     for (const CellRecord& cell : run.cells) {
@@ -46,7 +46,7 @@ bool any_out_of_reach(const RunRecord& run) {
 
 /// The defaults of every strategy are held to the answer wherever they can do the instance; variants are
 /// experiments, whose failures are findings.
-ExitCode exit_code(const RunRecord& run) {
+ExitCode exit_code(const RunFile& run) {
   if (interrupted()) return ExitCode::interrupted;
   if (run.cells.empty()) return ExitCode::not_solved;  // all tables need what is off in this build
   const auto any_default = [&](auto holds) {

@@ -43,11 +43,11 @@ const char* const resume_help =
     "not measured again. More may be asked for than before, never less. A run of another commit, compiler,\n"
     "machine or seed, or of an instance whose content has changed, is refused with what differs.\n";
 
-RunRecord measure_and_show(TableRequest request, const Publications& publications,
-                           const Invocation& invocation) {
+RunFile measure_and_show(TableRequest request, const Publications& publications,
+                         const Invocation& invocation) {
   request.arguments = invocation.arguments;
   catch_interrupts();
-  RunRecord run = [&] {
+  RunFile run = [&] {
     ProgressLine progress(!invocation.quiet, request.logs_progress);
     return run_tables(request, publications, progress);
   }();

@@ -15,7 +15,7 @@ extern const char* const resume_help;
 
 /// Measures, writes the folder that the request names, if any, and prints the tables.
 /// Throws as run_tables does.
-RunRecord measure_and_show(TableRequest request, const Publications& publications,
-                           const Invocation& invocation);
+RunFile measure_and_show(TableRequest request, const Publications& publications,
+                         const Invocation& invocation);
 
 }  // namespace gcs

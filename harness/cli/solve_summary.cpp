@@ -135,7 +135,7 @@ std::string range(const std::vector<AssessedSolution>& solutions, Member member)
   return fmt::format("{:.2g} to {:.2g}", low, high);
 }
 
-std::string quality(const std::vector<AssessedSolution>& solutions) {
+std::string condition_and_residual(const std::vector<AssessedSolution>& solutions) {
   if (solutions.empty()) return "";
   const bool certified = std::all_of(solutions.begin(), solutions.end(),
                                      [](const AssessedSolution& s) { return s.error_bound.has_value(); });
@@ -234,8 +234,8 @@ std::string solve_summary(const Instance& instance, const SolveRun& run) {
   return headline(instance, run) + foreign_claim(run) +
          solution_counts(instance.problem, assessment.counts, run.claim) + path_counts(assessment.counts) +
          proofs_text(assessment) + growths(assessment.ends) + path_proofs(assessment.ends) +
-         crossings_table(assessment) + quality(assessment.solutions) + particulars(run.particulars) +
-         work(run) + time(run) + failed_checks(assessment.failed_checks);
+         crossings_table(assessment) + condition_and_residual(assessment.solutions) +
+         particulars(run.particulars) + work(run) + time(run) + failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

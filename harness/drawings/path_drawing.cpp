@@ -52,7 +52,7 @@ std::string name_of(const PathCoordinate& coordinate, const ProblemStatement& pr
                      problem.points[static_cast<std::size_t>(coordinate.point)]);
 }
 
-const PlanTrail* shown_trail(const SceneRecord& record) {
+const PlanTrail* shown_trail(const ShownScene& record) {
   const auto found = std::find_if(record.trails.begin(), record.trails.end(),
                                   [](const PlanTrail& trail) { return !trail.places.empty(); });
   return found == record.trails.end() ? nullptr : &*found;

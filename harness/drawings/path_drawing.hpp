@@ -26,7 +26,7 @@ std::size_t widest_coordinate(const StoredPath& path, const std::vector<PathCoor
 std::string name_of(const PathCoordinate& coordinate, const ProblemStatement& problem);
 
 /// The first trail that has places, or nullptr.
-const PlanTrail* shown_trail(const SceneRecord& record);
+const PlanTrail* shown_trail(const ShownScene& record);
 
 /// A place on the polyline: so much of the way from one corner to the next.
 struct PathPosition {

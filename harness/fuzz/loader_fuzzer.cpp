@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   gcs::read_or_refuse([&] { gcs::look_at(gcs::parse_instance(text, "fuzz", "")); });
   gcs::read_or_refuse([&] { gcs::parse_result(text, "fuzz"); });
-  gcs::read_or_refuse([&] { gcs::parse_run_record(text, "fuzz"); });
+  gcs::read_or_refuse([&] { gcs::parse_run_file(text, "fuzz"); });
   gcs::read_or_refuse([&] { gcs::parse_publication(text, "fuzz"); });
   return 0;
 }

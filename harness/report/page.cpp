@@ -25,7 +25,7 @@ struct PageInstance {
 std::vector<PageInstance> instances_of(const std::vector<PageRun>& runs) {
   std::vector<PageInstance> instances;
   for (const PageRun& run : runs)
-    for (const MeasuredInstance& measured : run.record.instances) {
+    for (const InstanceSummary& measured : run.record.instances) {
       if (!is_drawn(run.record, measured.id)) continue;
       auto known = std::find_if(instances.begin(), instances.end(),
                                 [&](const PageInstance& other) { return other.id == measured.id; });
@@ -82,7 +82,7 @@ const PageRun& run_for(const std::vector<PageRun>& runs, const std::string& id) 
   if (certified != runs.end()) return *certified;
   return *std::find_if(runs.begin(), runs.end(), [&](const PageRun& run) {
     return std::any_of(run.record.instances.begin(), run.record.instances.end(),
-                       [&](const MeasuredInstance& instance) { return instance.id == id; });
+                       [&](const InstanceSummary& instance) { return instance.id == id; });
   });
 }
 
@@ -91,9 +91,8 @@ std::string standing_table(const std::vector<PageRun>& runs, const std::vector<P
   std::string rows;
   for (const PageInstance& instance : instances) {
     const PageRun& run = run_for(runs, instance.id);
-    const auto measured =
-        std::find_if(run.record.instances.begin(), run.record.instances.end(),
-                     [&](const MeasuredInstance& other) { return other.id == instance.id; });
+    const auto measured = std::find_if(run.record.instances.begin(), run.record.instances.end(),
+                                       [&](const InstanceSummary& other) { return other.id == instance.id; });
     std::string own;
     for (const Verdict& one : verdicts(run.record, *measured, instance.scene, publications))
       own += verdict_row(one);
@@ -123,7 +122,7 @@ std::string fact(std::string_view name, const std::string& value) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html_escaped(value.empty() ? "unknown" : value));
 }
 
-std::string environment_html(const RunRecord& record) {
+std::string environment_html(const RunFile& record) {
   const Environment& environment = record.environment;
   return "<dl class=\"facts\">\n" + fact("measured", record.started) + fact("processor", environment.cpu) +
          fact("vector instructions", environment.instructions) + fact("compiler", environment.compiler) +
@@ -142,7 +141,7 @@ std::string drawings_html(const std::vector<Drawing>& drawings) {
 }
 
 /// Tables of errors are long, and the figures show what they say.
-bool has_long_tables(const RunRecord& record) {
+bool has_long_tables(const RunFile& record) {
   return std::any_of(record.tables.begin(), record.tables.end(), [](const RequestedTable& requested) {
     const TableKind* kind = find_table(requested.name);
     return kind != nullptr && kind->measures_accuracy;

@@ -13,7 +13,7 @@ namespace gcs {
 /// A run as a page shows it.
 struct PageRun {
   std::string name;  ///< of its folder
-  RunRecord record;
+  RunFile record;
   TableSet tables;
   std::map<std::string, StoredScene> scenes;  ///< by id of the instance; those that were stored
 };

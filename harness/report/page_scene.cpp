@@ -18,12 +18,12 @@ std::string fact(std::string_view name, const std::string& value) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, html_escaped(value));
 }
 
-std::string_view completeness(const SceneRecord& record) {
+std::string_view completeness(const ShownScene& record) {
   if (record.is_real_proven) return "that there are no more is proven";
   return record.has_all_real ? "that there are no more is found, not proven" : "there may be more";
 }
 
-std::string solutions_fact(const SceneRecord& record) {
+std::string solutions_fact(const ShownScene& record) {
   if (!can_be_drawn(record.instance.problem)) return "not stored: " + record.no_path;
   if (record.solutions.empty()) return record.is_real_proven ? "none, which is proven" : "none is known";
   return fmt::format("{}, {}({}); {}", record.solutions.size(), record.are_proven ? "each certified " : "",
@@ -113,7 +113,7 @@ std::string coordinates_html(const ProblemStatement& problem) {
       problem.dimension, now, listed);
 }
 
-std::string gallery_html(const SceneRecord& record) {
+std::string gallery_html(const ShownScene& record) {
   return fmt::format(
       "<div{}><h4>Real solutions</h4>\n<div class=\"gallery\" data-part=\"gallery\"></div>\n"
       "<p class=\"where\" data-part=\"more\"></p></div>\n",

@@ -20,7 +20,7 @@ struct Known {
 
 using Count = std::optional<Natural> Counts::*;
 
-std::vector<const CellRecord*> right_cells(const RunRecord& run, const std::string& id) {
+std::vector<const CellRecord*> right_cells(const RunFile& run, const std::string& id) {
   std::vector<const CellRecord*> cells;
   for (const CellRecord& cell : run.cells)
     if (cell.spec.instance == id && cell.is_right() && !cell.is_flawed()) cells.push_back(&cell);
@@ -94,7 +94,7 @@ std::optional<Known> real_solutions(const std::vector<const CellRecord*>& cells,
   const bool is_certified = std::any_of(cells.begin(), cells.end(),
                                         [](const CellRecord* cell) { return cell->proofs.has_value(); });
   if (is_certified || scene == nullptr || !scene->record.are_proven) return known;
-  const SceneRecord& record = scene->record;
+  const ShownScene& record = scene->record;
   return Known{record.solutions.size(), record.is_real_proven,
                fmt::format("each certified ({}); {}", record.source,
                            record.is_real_proven ? "that there are no more is proven"
@@ -129,7 +129,7 @@ const PrintedFigure* printed_figure(const Publications& publications, const std:
 
 /// How many printed solutions make one class; nothing for another convention. A fixed frame leaves two mirror
 /// images of points, and four where a line is its axis.
-std::optional<std::uint64_t> per_class(const PrintedFigure& figure, const MeasuredInstance& instance,
+std::optional<std::uint64_t> per_class(const PrintedFigure& figure, const InstanceSummary& instance,
                                        const StoredScene* scene) {
   if (figure.convention == "all signs") return instance.has_given_positions ? 1U : 1U << instance.dimension;
   if (figure.convention == "up to reflection" || figure.convention == "lines") return 1;
@@ -147,7 +147,7 @@ Standing standing_of(const PrintedFigure& figure, const std::optional<Known>& ou
 }
 
 std::optional<Verdict> verdict(const std::string& quantity, const std::string& row,
-                               const std::optional<Known>& ours, const MeasuredInstance& instance,
+                               const std::optional<Known>& ours, const InstanceSummary& instance,
                                const StoredScene* scene, const Publications& publications) {
   const PrintedFigure* figure =
       instance.is_shipped ? printed_figure(publications, row, instance.id) : nullptr;
@@ -181,8 +181,8 @@ std::string_view word(Standing standing) {
   return "open";
 }
 
-std::vector<Verdict> verdicts(const RunRecord& run, const MeasuredInstance& instance,
-                              const StoredScene* scene, const Publications& publications) {
+std::vector<Verdict> verdicts(const RunFile& run, const InstanceSummary& instance, const StoredScene* scene,
+                              const Publications& publications) {
   const auto cells = right_cells(run, instance.id);
   std::vector<Verdict> all;
   const auto add = [&](const std::string& quantity, const std::string& row,

@@ -26,7 +26,7 @@ struct Verdict {
 };
 
 /// Complex and real solutions, and those on S, as far as the run or the stored scene (may be null) know them.
-std::vector<Verdict> verdicts(const RunRecord& run, const MeasuredInstance& instance,
-                              const StoredScene* scene, const Publications& publications);
+std::vector<Verdict> verdicts(const RunFile& run, const InstanceSummary& instance, const StoredScene* scene,
+                              const Publications& publications);
 
 }  // namespace gcs

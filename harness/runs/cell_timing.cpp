@@ -26,7 +26,7 @@ constexpr std::chrono::seconds storing_interval{1};
 /// How much time is left for everything but references.
 class TimeBudget {
  public:
-  explicit TimeBudget(const MeasureSettings& settings)
+  explicit TimeBudget(const TimingSettings& settings)
       : start_(Clock::now()),
         total_s_(settings.limits.total_limit_s),
         cell_s_(settings.limits.cell_limit_s) {}
@@ -57,13 +57,13 @@ class TimeBudget {
 
 /// A cell on its way.
 struct Work {
-  const MeasureTask* task;
+  const CellTask* task;
   CellRecord record;
   int begun = 0;  ///< repetitions, those that were stopped included
 };
 
 /// True when the cell need not be solved again for its answer; `limit_s` is what a solve may take.
-bool is_decided(const MeasureTask& task, const CellRecord& cell, std::optional<double> limit_s) {
+bool is_decided(const CellTask& task, const CellRecord& cell, std::optional<double> limit_s) {
   if (task.keeps_solutions && cell.is_right() && cell.solutions.empty()) return false;
   if (cell.status == RunStatus::timed_out) return cell.limit_s && limit_s && *cell.limit_s >= *limit_s;
   return cell.status != RunStatus::interrupted;
@@ -118,7 +118,7 @@ class SolveEstimate final : public Monitor {
 };
 
 /// `limits`: what is asked for beside the settings.
-SolveRun solve_once(const MeasureTask& task, const MeasureSettings& settings, RunLimits limits,
+SolveRun solve_once(const CellTask& task, const TimingSettings& settings, RunLimits limits,
                     Monitor* monitor = nullptr) {
   limits.seed = settings.seed;
   limits.threads = settings.threads;
@@ -151,7 +151,7 @@ void take_proofs(const Assessment& assessment, CellRecord& record) {
   record.proofs = RecordedProofs{proofs.classes, proofs.real, proofs.are_complete(), proofs.decide_real()};
 }
 
-CellRecord record_of(const MeasureTask& task, const SolveRun& run, const AccuracyJudge* judge) {
+CellRecord record_of(const CellTask& task, const SolveRun& run, const AccuracyJudge* judge) {
   CellRecord record;
   static_cast<SolveOutcome&>(record) = run;
   record.spec = task.spec;
@@ -196,7 +196,7 @@ void set_estimate(const SolveEstimate& estimate, CellRecord& record) {
   record.reason += "; --full has no limit";
 }
 
-CellRecord warm_up(const MeasureTask& task, const AccuracyJudge* judge, const MeasureSettings& settings,
+CellRecord warm_up(const CellTask& task, const AccuracyJudge* judge, const TimingSettings& settings,
                    const TimeBudget& left, Monitor& progress) {
   if (left.none()) return not_run(task.spec, "the time for the whole measurement is used up");
   SolveEstimate estimate(progress);
@@ -223,7 +223,7 @@ std::string changed_answer(const CellRecord& first, const SolveRun& run) {
   return "";
 }
 
-void repeat(Work& work, const MeasureSettings& settings, const TimeBudget& left) {
+void repeat(Work& work, const TimingSettings& settings, const TimeBudget& left) {
   RunLimits limits;
   limits.checks_counts = false;  // they are those of the warm-up
   limits.time_limit_s = left.for_one_solve();
@@ -241,7 +241,7 @@ void repeat(Work& work, const MeasureSettings& settings, const TimeBudget& left)
 
 /// Cells that have no plan yet share the budget equally, cheapest first: what they cannot use goes to the
 /// dearer ones. Where a number was asked for, plans are raised to it.
-void plan_repetitions(std::vector<Work>& cells, const MeasureSettings& settings) {
+void plan_repetitions(std::vector<Work>& cells, const TimingSettings& settings) {
   std::vector<CellRecord*> open;
   for (Work& work : cells) {
     if (work.record.is_right() && (work.record.planned == 0 || settings.repetitions))
@@ -276,7 +276,7 @@ std::vector<CellRecord> records_of(const std::vector<Work>& cells) {
 }
 
 /// What an earlier session decided of the cell, or nullptr.
-const CellRecord* find_decided(const MeasureTask& task, const std::vector<CellRecord>& known,
+const CellRecord* find_decided(const CellTask& task, const std::vector<CellRecord>& known,
                                const TimeBudget& left) {
   const auto found = std::find_if(known.begin(), known.end(), [&](const CellRecord& cell) {
     return cell.spec == task.spec && is_decided(task, cell, left.cell_s());
@@ -284,11 +284,11 @@ const CellRecord* find_decided(const MeasureTask& task, const std::vector<CellRe
   return found == known.end() ? nullptr : &*found;
 }
 
-std::vector<Work> warm_up_all(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
+std::vector<Work> warm_up_all(std::span<const CellTask> tasks, const TimingSettings& settings,
                               const std::vector<CellRecord>& known, TimeBudget& left, Monitor& progress,
-                              const MeasureCheckpoint& checkpoint) {
+                              const CellCheckpoint& checkpoint) {
   std::vector<Work> cells;
-  for (const MeasureTask& task : tasks) {
+  for (const CellTask& task : tasks) {
     if (interrupted()) break;
     if (const CellRecord* earlier = find_decided(task, known, left)) {
       cells.push_back({&task, *earlier, static_cast<int>(earlier->repetitions.size())});
@@ -322,8 +322,8 @@ double cost_left_s(const std::vector<Work>& cells) {
   return cost;
 }
 
-void repeat_all(std::vector<Work>& cells, const MeasureSettings& settings, const TimeBudget& left,
-                Monitor& progress, const MeasureCheckpoint& checkpoint) {
+void repeat_all(std::vector<Work>& cells, const TimingSettings& settings, const TimeBudget& left,
+                Monitor& progress, const CellCheckpoint& checkpoint) {
   plan_repetitions(cells, settings);
   int rounds = 0;
   for (const Work& work : cells) rounds = std::max(rounds, work.record.planned);
@@ -363,9 +363,9 @@ std::vector<CellRecord> with_known(std::vector<CellRecord> records, const std::v
 
 }  // namespace
 
-std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
-                                const std::vector<CellRecord>& known, Monitor& progress,
-                                const MeasureCheckpoint& checkpoint) {
+std::vector<CellRecord> time_cells(std::span<const CellTask> tasks, const TimingSettings& settings,
+                                   const std::vector<CellRecord>& known, Monitor& progress,
+                                   const CellCheckpoint& checkpoint) {
   TimeBudget left(settings);
   const auto keep = [&](const std::vector<CellRecord>& cells) { checkpoint(with_known(cells, known)); };
   std::vector<Work> cells = warm_up_all(tasks, settings, known, left, progress, keep);

@@ -17,7 +17,7 @@
 namespace gcs {
 
 /// One cell to measure. `entry` and `scene` outlive the measurement.
-struct MeasureTask {
+struct CellTask {
   CellSpec spec;
   const StrategyEntry* entry = nullptr;
   const Scene* scene = nullptr;
@@ -28,32 +28,32 @@ struct MeasureTask {
 };
 
 /// How long a measurement may take.
-struct MeasureLimits {
+struct TimingLimits {
   double budget_s = 90;                        ///< for all repetitions of all cells together
   std::optional<double> cell_limit_s = 60;     ///< for one solve, not its proofs
   std::optional<double> total_limit_s = 1500;  ///< for everything; cells that are left are not run
   bool skips_variants = false;  ///< of a strategy whose default settings were too slow for the instance
 };
 
-struct MeasureSettings {
+struct TimingSettings {
   std::uint64_t seed = 1;
   int threads = 1;
   std::optional<int> repetitions;  ///< empty: as many as the budget allows, between 3 and 101
-  MeasureLimits limits;
+  TimingLimits limits;
   ExpectedCounts expected;
 };
 
 /// Receives the cells as they stand, to be stored: after every warm-up and, since storing may cost more than
 /// a repetition, when a second of repetitions has passed.
-using MeasureCheckpoint = std::function<void(const std::vector<CellRecord>& cells)>;
+using CellCheckpoint = std::function<void(const std::vector<CellRecord>& cells)>;
 
 /// Measures all tasks, in their order. `known` holds cells of an earlier session of the same program: what is
 /// decided is not solved again, repetitions that are there count, and only those that are missing are added.
 /// A solve that was stopped by its time limit is repeated when it may take longer now. What is known of cells
 /// whose turn has not come is stored and returned with the rest. After an interrupt (see stop_conditions.hpp)
 /// what is there is returned.
-std::vector<CellRecord> measure(std::span<const MeasureTask> tasks, const MeasureSettings& settings,
-                                const std::vector<CellRecord>& known, Monitor& progress,
-                                const MeasureCheckpoint& checkpoint);
+std::vector<CellRecord> time_cells(std::span<const CellTask> tasks, const TimingSettings& settings,
+                                   const std::vector<CellRecord>& known, Monitor& progress,
+                                   const CellCheckpoint& checkpoint);
 
 }  // namespace gcs

@@ -249,7 +249,7 @@ CellRecord cell_of(const Json& json) {
   return cell;
 }
 
-Json instance_json(const MeasuredInstance& instance) {
+Json instance_json(const InstanceSummary& instance) {
   Json json = Json::object();
   visit_instance(instance, Writer{json});
   json["lengths"] = Json::array();
@@ -266,8 +266,8 @@ Json instance_json(const MeasuredInstance& instance) {
   return json;
 }
 
-MeasuredInstance instance_of(const Json& json) {
-  MeasuredInstance instance;
+InstanceSummary instance_of(const Json& json) {
+  InstanceSummary instance;
   visit_instance(instance, Reader{json});
   for (const Json& entry : json.at("lengths")) visit_length(instance.lengths.emplace_back(), Reader{entry});
   instance.has_given_positions = json.value("given_positions", false);
@@ -280,7 +280,7 @@ MeasuredInstance instance_of(const Json& json) {
   return instance;
 }
 
-Json record_json(const RunRecord& record) {
+Json record_json(const RunFile& record) {
   Json json{{"format", format_name},      {"started", record.started}, {"sessions", Json::array()},
             {"seed", record.seed},        {"tables", Json::array()},   {"environment", Json::object()},
             {"instances", Json::array()}, {"curves", Json::array()},   {"cells", Json::array()}};
@@ -289,7 +289,7 @@ Json record_json(const RunRecord& record) {
   for (const RequestedTable& table : record.tables)
     visit_table(table, Writer{json["tables"].emplace_back(Json::object())});
   visit_environment(record.environment, Writer{json["environment"]});
-  for (const MeasuredInstance& instance : record.instances)
+  for (const InstanceSummary& instance : record.instances)
     json["instances"].push_back(instance_json(instance));
   for (const RecordedCurve& curve : record.curves)
     visit_curve(curve, Writer{json["curves"].emplace_back(Json::object())});
@@ -297,8 +297,8 @@ Json record_json(const RunRecord& record) {
   return json;
 }
 
-RunRecord record_of(const Json& json) {
-  RunRecord record;
+RunFile record_of(const Json& json) {
+  RunFile record;
   const Reader read{json};
   read("started", record.started);
   read("seed", record.seed);
@@ -334,18 +334,18 @@ std::optional<std::int64_t> CellRecord::particular(std::string_view name) const 
   return found == particulars.end() ? std::nullopt : std::optional(found->value);
 }
 
-const CellRecord* RunRecord::find(const CellSpec& spec) const {
+const CellRecord* RunFile::find(const CellSpec& spec) const {
   const auto found =
       std::find_if(cells.begin(), cells.end(), [&](const CellRecord& c) { return c.spec == spec; });
   return found == cells.end() ? nullptr : &*found;
 }
 
-std::string to_json_text(const RunRecord& record) {
+std::string to_json_text(const RunFile& record) {
   // Folders and arguments are bytes of any encoding.
   return record_json(record).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-RunRecord parse_run_record(const std::string& text, const std::string& file) {
+RunFile parse_run_file(const std::string& text, const std::string& file) {
   const auto refuse = [&](const std::string& what) {
     throw InputError(file, "", what, "give a run.json as `gcsbench tables --out` writes it");
   };
@@ -362,9 +362,9 @@ RunRecord parse_run_record(const std::string& text, const std::string& file) {
   return {};
 }
 
-RunRecord load_run_record(const std::filesystem::path& run) {
+RunFile load_run_file(const std::filesystem::path& run) {
   const std::string file = (std::filesystem::is_directory(run) ? run / "run.json" : run).string();
-  return parse_run_record(read_file(file, "give a run.json or the folder that holds it"), file);
+  return parse_run_file(read_file(file, "give a run.json or the folder that holds it"), file);
 }
 
 std::string label_of(const CellSpec& spec) {

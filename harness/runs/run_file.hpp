@@ -104,7 +104,7 @@ struct RecordedLimit {
 };
 
 /// An instance as far as tables speak of it.
-struct MeasuredInstance {
+struct InstanceSummary {
   std::string id;
   std::string origin;       ///< the file it came from
   std::string fingerprint;  ///< FNV-1a, 64 bits, of the file's values as JSON on one line
@@ -132,14 +132,14 @@ struct RecordedCurve {
   std::vector<double> gap;    ///< as many
 };
 
-struct RunRecord {
+struct RunFile {
   std::string started;  ///< UTC, ISO 8601; when the first session did
   Environment environment;
   std::uint64_t seed = 1;
-  std::vector<RunSession> sessions;         ///< in their order
-  std::vector<RequestedTable> tables;       ///< in the order asked for
-  std::vector<MeasuredInstance> instances;  ///< of all tables, in order
-  std::vector<RecordedCurve> curves;        ///< what figures show beside solutions
+  std::vector<RunSession> sessions;        ///< in their order
+  std::vector<RequestedTable> tables;      ///< in the order asked for
+  std::vector<InstanceSummary> instances;  ///< of all tables, in order
+  std::vector<RecordedCurve> curves;       ///< what figures show beside solutions
   std::vector<CellRecord> cells;
 
   /// The cell of that spec, or nullptr.
@@ -147,12 +147,12 @@ struct RunRecord {
 };
 
 /// The record as JSON, ending in a newline. Numbers read back as the same doubles.
-std::string to_json_text(const RunRecord& record);
+std::string to_json_text(const RunFile& record);
 
 /// Reads what to_json_text wrote. `file` is for messages. Throws InputError.
-RunRecord parse_run_record(const std::string& text, const std::string& file);
+RunFile parse_run_file(const std::string& text, const std::string& file);
 
 /// Reads a run: a run.json, or the folder that holds it. Throws InputError.
-RunRecord load_run_record(const std::filesystem::path& run);
+RunFile load_run_file(const std::filesystem::path& run);
 
 }  // namespace gcs

@@ -26,19 +26,19 @@ namespace {
 constexpr const char* remedy = "choose another --out, or leave --resume out to start again";
 
 /// What must not change while a run goes on, by names for a person.
-std::map<std::string, std::string> fixed_facts(const RunRecord& record) {
+std::map<std::string, std::string> fixed_facts(const RunFile& record) {
   std::map<std::string, std::string> facts;
   visit_environment(record.environment, [&](const std::string& name, const auto& value) {
     facts[name] = fmt::format("{}", value);
   });
   facts["seed"] = std::to_string(record.seed);
-  for (const MeasuredInstance& instance : record.instances)
+  for (const InstanceSummary& instance : record.instances)
     facts[fmt::format("content of instance '{}'", instance.id)] = instance.fingerprint;
   return facts;
 }
 
 /// "commit abc (now def), seed 1 (now 2)"
-std::string differences(const RunRecord& there, const RunRecord& here) {
+std::string differences(const RunFile& there, const RunFile& here) {
   const auto now = fixed_facts(here);
   std::string text;
   for (const auto& [name, value] : fixed_facts(there)) {
@@ -51,7 +51,7 @@ std::string differences(const RunRecord& there, const RunRecord& here) {
 
 /// Times of two builds or machines, or answers to two problems, must not meet in one run; nor may what was
 /// measured be dropped.
-void require_same_run(const RunRecord& there, const RunRecord& here, const std::vector<CellSpec>& asked,
+void require_same_run(const RunFile& there, const RunFile& here, const std::vector<CellSpec>& asked,
                       const std::string& file) {
   if (const std::string text = differences(there, here); !text.empty())
     throw InputError(file, "", "this run cannot be resumed; what differs: " + text, remedy);
@@ -83,14 +83,14 @@ RunFolder::RunFolder(const fs::path& folder) : file_(folder / "run.json") {
 
 RunFolder::~RunFolder() { close(descriptor_); }
 
-std::optional<RunRecord> RunFolder::resumed(const RunRecord& now, const std::vector<CellSpec>& asked) const {
+std::optional<RunFile> RunFolder::resumed(const RunFile& now, const std::vector<CellSpec>& asked) const {
   if (!fs::exists(file_)) return std::nullopt;
   const std::string file = file_.string();
-  RunRecord earlier = parse_run_record(read_file(file, remedy), file);
+  RunFile earlier = parse_run_file(read_file(file, remedy), file);
   require_same_run(earlier, now, asked, file);
   return earlier;
 }
 
-void RunFolder::store(const RunRecord& record) const { AtomicFile(file_).commit(to_json_text(record)); }
+void RunFolder::store(const RunFile& record) const { AtomicFile(file_).commit(to_json_text(record)); }
 
 }  // namespace gcs

@@ -22,10 +22,10 @@ class RunFolder {
   /// The run that is kept there, if any. Throws InputError when it cannot be read, or when it is not of
   /// `now`: another program, machine or seed, an instance with other content, or cells that `now` does not
   /// ask for.
-  std::optional<RunRecord> resumed(const RunRecord& now, const std::vector<CellSpec>& asked) const;
+  std::optional<RunFile> resumed(const RunFile& now, const std::vector<CellSpec>& asked) const;
 
   /// Keeps this record instead, all at once or not at all. Throws OutputError.
-  void store(const RunRecord& record) const;
+  void store(const RunFile& record) const;
 
  private:
   std::filesystem::path file_;

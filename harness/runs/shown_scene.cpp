@@ -90,7 +90,7 @@ PlanTrail read_trail(const JsonCursor& cursor) {
 
 }  // namespace
 
-std::string to_json_text(const SceneRecord& record) {
+std::string to_json_text(const ShownScene& record) {
   const ProblemStatement& problem = record.instance.problem;
   return fmt::format(
       "{{\"format\": \"{}\",\n \"instance\": {},\n \"source\": {},\n \"proven\": {},\n \"all_real\": {}, "
@@ -103,11 +103,11 @@ std::string to_json_text(const SceneRecord& record) {
       lines_of(record.trails, trail_value));
 }
 
-SceneRecord parse_scene_record(const std::string& text, const std::string& file) {
+ShownScene parse_shown_scene(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
   root.require_format(format_name);
-  SceneRecord record;
+  ShownScene record;
   record.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
   record.source = root.required("source").text();
   record.are_proven = root.required("proven").boolean();

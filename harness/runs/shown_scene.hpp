@@ -20,7 +20,7 @@ struct ShownSolution {
 
 /// A crossing of t = 1: the point of S is the mirror image of the solution by `signs`.
 struct MetSolution {
-  int solution = 0;  ///< index into SceneRecord::solutions
+  int solution = 0;  ///< index into ShownScene::solutions
   AxisSigns signs{1, 1, 1};
 };
 
@@ -38,7 +38,7 @@ struct PlanTrail {
   std::string cause;  ///< why there are no places; empty when there are
 };
 
-struct SceneRecord {
+struct ShownScene {
   Instance instance;
   std::vector<ShownSolution> solutions;               ///< real ones, one of each class
   std::string source;                                 ///< where the solutions come from, for a person
@@ -51,9 +51,9 @@ struct SceneRecord {
 };
 
 /// The record as JSON, ending in a newline.
-std::string to_json_text(const SceneRecord& record);
+std::string to_json_text(const ShownScene& record);
 
 /// Reads what to_json_text wrote. `file` is for messages. Throws InputError.
-SceneRecord parse_scene_record(const std::string& text, const std::string& file);
+ShownScene parse_shown_scene(const std::string& text, const std::string& file);
 
 }  // namespace gcs

@@ -37,7 +37,7 @@ constexpr double same_place = 1e-5;
 
 // ---- solutions
 
-void take_proven(const ReferenceList& list, SceneRecord& record) {
+void take_proven(const ReferenceList& list, ShownScene& record) {
   bool is_cut = false;
   for (const KnownSolution& known : list.solutions) {
     if (!known.figure.is_real()) continue;
@@ -52,7 +52,7 @@ void take_proven(const ReferenceList& list, SceneRecord& record) {
 }
 
 /// The real solutions of the strategy that lists most of them.
-void take_listed(const Scene& scene, Monitor& progress, SceneRecord& record) {
+void take_listed(const Scene& scene, Monitor& progress, ShownScene& record) {
   RunLimits limits;
   limits.time_limit_s = limit_s;
   limits.max_solutions = most_solutions;
@@ -70,7 +70,7 @@ void take_listed(const Scene& scene, Monitor& progress, SceneRecord& record) {
   }
 }
 
-void take_solutions(const Instance& instance, const Scene& scene, Monitor& progress, SceneRecord& record) {
+void take_solutions(const Instance& instance, const Scene& scene, Monitor& progress, ShownScene& record) {
   std::optional<ReferenceList> list;
   if (!why_not_certified(scene)) list = reference_for(instance, scene, limit_s, progress);
   if (list && (!list->solutions.empty() || list->is_real_proven))
@@ -155,8 +155,8 @@ bool changed_plans(const CellRecord& cell, const std::string& id) {
          cell.status == RunStatus::complete;
 }
 
-void take_trails(const RunRecord& run, const Scene& scene, const std::vector<ProvenArc>& arcs,
-                 SceneRecord& record) {
+void take_trails(const RunFile& run, const Scene& scene, const std::vector<ProvenArc>& arcs,
+                 ShownScene& record) {
   for (const CellRecord& cell : run.cells) {
     if (record.trails.size() == most_trails || interrupted()) return;
     if (changed_plans(cell, record.instance.id)) record.trails.push_back(make_trail(cell, scene, arcs));
@@ -164,7 +164,7 @@ void take_trails(const RunRecord& run, const Scene& scene, const std::vector<Pro
 }
 
 /// S and all that is known of places on it; or why it is not there.
-std::optional<std::string> take_path(const Scene& scene, const RunRecord& run, SceneRecord& record) {
+std::optional<std::string> take_path(const Scene& scene, const RunFile& run, ShownScene& record) {
   if (const auto reason = why_not_proven(scene)) {
     record.no_path = *reason;
     return std::nullopt;
@@ -210,7 +210,7 @@ bool can_be_drawn(const ProblemStatement& problem) {
   return problem.points.size() + problem.lines.size() <= most_drawn_entities;
 }
 
-MadeScene make_scene(const Instance& instance, const Scene& scene, const RunRecord& run, Monitor& progress) {
+MadeScene make_scene(const Instance& instance, const Scene& scene, const RunFile& run, Monitor& progress) {
   progress.progress("scene of " + instance.id, -1);
   MadeScene made;
   made.record.instance = instance;
@@ -236,19 +236,19 @@ void store_scene(const MadeScene& made, const std::filesystem::path& folder) {
   if (made.path) AtomicFile(path_file(folder, id)).commit(*made.path);
 }
 
-bool is_drawn(const RunRecord& run, const std::string& id) {
+bool is_drawn(const RunFile& run, const std::string& id) {
   const std::string family = id.substr(0, id.find('@'));
   if (family == id || find_family(family) == nullptr) return true;
   const auto first =
       std::find_if(run.instances.begin(), run.instances.end(),
-                   [&](const MeasuredInstance& instance) { return instance.id.starts_with(family + "@"); });
+                   [&](const InstanceSummary& instance) { return instance.id.starts_with(family + "@"); });
   return first != run.instances.end() && first->id == id;
 }
 
 std::optional<StoredScene> load_scene(const std::filesystem::path& folder, const std::string& id) {
   const std::string file = scene_file(folder, id).string(), path = path_file(folder, id).string();
   if (!std::filesystem::exists(file)) return std::nullopt;
-  StoredScene scene{parse_scene_record(read_file(file, "measure again"), file), std::nullopt};
+  StoredScene scene{parse_shown_scene(read_file(file, "measure again"), file), std::nullopt};
   if (scene.record.instance.id != id)
     throw InputError(file, "/instance/id", "the scene is of '" + scene.record.instance.id + "'",
                      "measure '" + id + "' again");

@@ -19,13 +19,13 @@ std::string limit_text(const std::optional<double>& seconds) {
   return seconds ? duration_text(*seconds) : "none";
 }
 
-std::string made_by(const RunRecord& run) {
+std::string made_by(const RunFile& run) {
   if (run.sessions.empty()) return "started " + run.started;
   return fmt::format("started {} by `{}`", run.started, fmt::join(run.sessions.front().arguments, " "));
 }
 
 /// What the run was made with, by names for a person.
-std::vector<std::pair<std::string, std::string>> setup_of(const RunRecord& run) {
+std::vector<std::pair<std::string, std::string>> setup_of(const RunFile& run) {
   std::vector<std::pair<std::string, std::string>> setup;
   visit_environment(run.environment, [&](const std::string& name, const auto& value) {
     setup.emplace_back(name, fmt::format("{}", value));
@@ -43,20 +43,20 @@ std::vector<std::pair<std::string, std::string>> setup_of(const RunRecord& run) 
   return setup;
 }
 
-const MeasuredInstance* find_instance(const RunRecord& run, const std::string& id) {
+const InstanceSummary* find_instance(const RunFile& run, const std::string& id) {
   const auto found = std::find_if(run.instances.begin(), run.instances.end(),
-                                  [&](const MeasuredInstance& instance) { return instance.id == id; });
+                                  [&](const InstanceSummary& instance) { return instance.id == id; });
   return found == run.instances.end() ? nullptr : &*found;
 }
 
-std::vector<Changed> changed_setup(const RunRecord& before, const RunRecord& after) {
+std::vector<Changed> changed_setup(const RunFile& before, const RunFile& after) {
   std::vector<Changed> changes;
   const auto now = setup_of(after);
   for (const auto& [name, then] : setup_of(before))
     for (const auto& [other, value] : now)
       if (name == other && then != value) changes.push_back({name, then, value});
-  for (const MeasuredInstance& then : before.instances) {
-    const MeasuredInstance* other = find_instance(after, then.id);
+  for (const InstanceSummary& then : before.instances) {
+    const InstanceSummary* other = find_instance(after, then.id);
     if (other == nullptr) continue;
     if (then.fingerprint != other->fingerprint)
       changes.push_back(
@@ -74,12 +74,12 @@ bool is_measured(const CellRecord& cell) {
 }
 
 /// The cell of that spec if it was measured.
-const CellRecord* find_measured(const RunRecord& run, const CellSpec& spec) {
+const CellRecord* find_measured(const RunFile& run, const CellSpec& spec) {
   const CellRecord* cell = run.find(spec);
   return cell != nullptr && is_measured(*cell) ? cell : nullptr;
 }
 
-std::vector<CellSpec> only_in_first(const RunRecord& first, const RunRecord& second) {
+std::vector<CellSpec> only_in_first(const RunFile& first, const RunFile& second) {
   std::vector<CellSpec> only;
   for (const CellRecord& cell : first.cells)
     if (is_measured(cell) && find_measured(second, cell.spec) == nullptr) only.push_back(cell.spec);
@@ -92,13 +92,13 @@ struct Pair {
   bool have_one_reference = false;
 };
 
-std::vector<Pair> pairs_of(const RunRecord& before, const RunRecord& after) {
+std::vector<Pair> pairs_of(const RunFile& before, const RunFile& after) {
   std::vector<Pair> pairs;
   for (const CellRecord& cell : before.cells) {
     const CellRecord* other = find_measured(after, cell.spec);
     if (!is_measured(cell) || other == nullptr) continue;
-    const MeasuredInstance* then = find_instance(before, cell.spec.instance);
-    const MeasuredInstance* now = find_instance(after, cell.spec.instance);
+    const InstanceSummary* then = find_instance(before, cell.spec.instance);
+    const InstanceSummary* now = find_instance(after, cell.spec.instance);
     if (then != nullptr && now != nullptr && then->fingerprint == now->fingerprint)
       pairs.push_back({cell, *other, then->reference == now->reference});
   }
@@ -174,7 +174,7 @@ std::vector<TimeChange> compare_times(const std::vector<Pair>& pairs, const Comp
   return changes;
 }
 
-bool was_busy(const RunRecord& run) {
+bool was_busy(const RunFile& run) {
   return std::any_of(run.sessions.begin(), run.sessions.end(), [](const RunSession& session) {
     return session.load_average && session.load_average->front() >= 1;
   });
@@ -194,7 +194,7 @@ bool Comparison::has_regressed() const {
          (is_same_machine && std::any_of(times.begin(), times.end(), is_slower));
 }
 
-Comparison compare_runs(const RunRecord& before, const RunRecord& after, const CompareSettings& settings) {
+Comparison compare_runs(const RunFile& before, const RunFile& after, const CompareSettings& settings) {
   Comparison comparison;
   comparison.settings = settings;
   comparison.before_made = made_by(before);

@@ -65,6 +65,6 @@ struct Comparison {
 
 /// Cells are those of one instance, strategy and options in both runs, measured in both. Instances whose
 /// content has changed are not compared, and said so in the setup.
-Comparison compare_runs(const RunRecord& before, const RunRecord& after, const CompareSettings& settings);
+Comparison compare_runs(const RunFile& before, const RunFile& after, const CompareSettings& settings);
 
 }  // namespace gcs

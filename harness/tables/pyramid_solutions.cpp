@@ -13,7 +13,7 @@ RecordedSolution mirrored(RecordedSolution solution, double x_sign, double y_sig
 
 }  // namespace
 
-const CellRecord* richest_cell(const RunRecord& run, const std::string& instance) {
+const CellRecord* richest_cell(const RunFile& run, const std::string& instance) {
   const CellRecord* richest = nullptr;
   for (const CellRecord& cell : run.cells) {
     if (cell.spec.instance != instance || !cell.is_right()) continue;

@@ -11,7 +11,7 @@ namespace gcs {
 inline constexpr const char* pyramid_instance = "hoffmann-yuan";
 
 /// Of the right answers on the instance the one with the most solutions, or nullptr.
-const CellRecord* richest_cell(const RunRecord& run, const std::string& instance);
+const CellRecord* richest_cell(const RunFile& run, const std::string& instance);
 
 /// The real solutions of the cell in the 'fixed frame', mirror images x → −x and y → −y apart; none when
 /// there is no cell.

@@ -90,20 +90,20 @@ void append_entries(Table& table, TableRow& row, const CellRecord* cell, const C
   row.cells.push_back(answer_entry(table, cell, work(&WorkCounters::plan_changes)));
 }
 
-Table build_paths(const RunRecord& run) {
+Table build_paths(const RunFile& run) {
   Table table;
   table.name = "ablation";
   table.caption = "Ablation: one option changed at a time";
   const std::vector<Study> studies = path_studies();
   const Variant& any = studies.front().variants.front();
-  for (const MeasuredInstance& instance : run.instances)
+  for (const InstanceSummary& instance : run.instances)
     if (any.is_for(instance.id))
       table.groups.push_back({instance.id, {"on S", "time", "rel.", "iterations", "plan changes"}});
   for (const Study& study : studies) {
     table.rows.push_back({study.heading, {}, {}});
     for (const Variant& variant : study.variants) {
       TableRow row{label_of(variant.on("")), {}, {}};
-      for (const MeasuredInstance& instance : run.instances)
+      for (const InstanceSummary& instance : run.instances)
         if (variant.is_for(instance.id))
           append_entries(table, row, run.find(variant.on(instance.id)),
                          run.find(study.variants.front().on(instance.id)));
@@ -129,7 +129,7 @@ std::optional<double> solutions(const CellRecord* cell) {
 }
 
 /// A row for each instance on which it was measured without.
-std::vector<TableRow> saving_rows(Table& table, const RunRecord& run, const Study& study) {
+std::vector<TableRow> saving_rows(Table& table, const RunFile& run, const Study& study) {
   std::vector<TableRow> rows;
   for (const std::string& id : study.variants.front().only_on) {
     const CellRecord* with = run.find(study.variants[0].on(id));
@@ -144,7 +144,7 @@ std::vector<TableRow> saving_rows(Table& table, const RunRecord& run, const Stud
   return rows;
 }
 
-Table build_savings(const RunRecord& run) {
+Table build_savings(const RunFile& run) {
   Table table;
   table.name = "savings";
   table.caption = "What is left out: with and without";
@@ -183,7 +183,7 @@ std::vector<Variant> ablation_variants() {
   return variants;
 }
 
-std::vector<Table> build_ablation(const RunRecord& run, const Publication&) {
+std::vector<Table> build_ablation(const RunFile& run, const Publication&) {
   std::vector<Table> tables{build_paths(run), build_savings(run)};
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   return tables;

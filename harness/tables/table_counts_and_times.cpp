@@ -26,10 +26,10 @@ std::vector<Variant> complex_variants() {
 
 class Builder {
  public:
-  Builder(const RunRecord& run, const Publication& paper) : run_(run), paper_(paper) {
+  Builder(const RunFile& run, const Publication& paper) : run_(run), paper_(paper) {
     table_.name = "table1";
     table_.caption = "Table 1: numbers of solutions and running times, published and ours";
-    for (const MeasuredInstance& instance : run.instances) {
+    for (const InstanceSummary& instance : run.instances) {
       table_.groups.push_back({instance.id, {"published", "ours", "ratio"}});
     }
   }
@@ -38,7 +38,7 @@ class Builder {
 
   void equations() {
     add_row("m (equations)", {"equations", ""},
-            [](const MeasuredInstance& instance, const PrintedFigure* figure) {
+            [](const InstanceSummary& instance, const PrintedFigure* figure) {
               const double ours = instance.equations;
               return std::pair{TableCell{number_text(ours), {}}, ratio_entry(ours, figure)};
             });
@@ -49,7 +49,7 @@ class Builder {
   template <class Copies>
   void all_solutions(const std::string& label, const PaperRow& paper_row,
                      std::optional<Natural> Counts::*count, const Copies& copies) {
-    add_row(label, paper_row, [&](const MeasuredInstance& instance, const PrintedFigure* figure) {
+    add_row(label, paper_row, [&](const InstanceSummary& instance, const PrintedFigure* figure) {
       const auto has_all = [&](const CellRecord& cell) {
         return cell.spec.instance == instance.id && cell.is_right() && cell.counts.*count;
       };
@@ -67,7 +67,7 @@ class Builder {
 
   /// How many complex solutions there can be.
   void complex_limit(const std::string& label) {
-    add_row(label, {label, ""}, [&](const MeasuredInstance& instance, const PrintedFigure*) {
+    add_row(label, {label, ""}, [&](const InstanceSummary& instance, const PrintedFigure*) {
       if (!instance.limit) return std::pair{TableCell{"not known", {}}, empty_entry()};
       const int note = table_.footnote(origin(*instance.limit));
       return std::pair{TableCell{instance.limit->all_signs, {note}}, empty_entry()};
@@ -76,7 +76,7 @@ class Builder {
 
   void solutions_on_path(const Variant& variant) {
     add_row("on S: " + label(variant), {"on path", ""},
-            [&](const MeasuredInstance& instance, const PrintedFigure* figure) {
+            [&](const InstanceSummary& instance, const PrintedFigure* figure) {
               const CellRecord* cell = run_.find(variant.on(instance.id));
               const bool complete = cell != nullptr && cell->status == RunStatus::complete;
               return std::pair{answer_entry(table_, cell, on_path(cell)),
@@ -86,7 +86,7 @@ class Builder {
 
   void times(const std::string& method, const Variant& variant) {
     add_row(method + ": " + label(variant), {"time_s", method},
-            [&](const MeasuredInstance& instance, const PrintedFigure* figure) {
+            [&](const InstanceSummary& instance, const PrintedFigure* figure) {
               const CellRecord* cell = run_.find(variant.on(instance.id));
               const auto time = total_time(cell);
               const auto median = time ? std::optional(time->median) : std::nullopt;
@@ -108,7 +108,7 @@ class Builder {
             std::string(spread_remark) + ". Published times: " + paper_.machine +
             "; ours: " + run_.environment.cpu + ".",
     };
-    for (const MeasuredInstance& instance : run_.instances) {
+    for (const InstanceSummary& instance : run_.instances) {
       const auto remark = paper_.instance_remarks.find(instance.id);
       if (remark != paper_.instance_remarks.end()) table_.remarks.push_back(remark->second);
     }
@@ -118,7 +118,7 @@ class Builder {
 
  private:
   /// Where no list is complete: what was not run for want of time.
-  std::pair<TableCell, TableCell> unanswered(const MeasuredInstance& instance) {
+  std::pair<TableCell, TableCell> unanswered(const InstanceSummary& instance) {
     const std::vector<Variant> variants = complex_variants();
     for (auto variant = variants.rbegin(); variant != variants.rend(); ++variant) {  // the fastest first
       const CellRecord* cell = run_.find(variant->on(instance.id));
@@ -153,7 +153,7 @@ class Builder {
   template <typename MakeOurs>
   void add_row(const std::string& label, const PaperRow& paper_row, MakeOurs make_ours) {
     TableRow row{label, {}, {}};
-    for (const MeasuredInstance& instance : run_.instances) {
+    for (const InstanceSummary& instance : run_.instances) {
       const PrintedFigure* figure = paper_.find(place, paper_row.row, instance.id, paper_row.by);
       TableCell published = printed_entry(table_, figure);
       auto [ours, ratio] = make_ours(instance, figure);
@@ -162,7 +162,7 @@ class Builder {
     table_.rows.push_back(std::move(row));
   }
 
-  const RunRecord& run_;
+  const RunFile& run_;
   const Publication& paper_;
   Table table_;
 };
@@ -174,7 +174,7 @@ std::vector<Variant> path_variants() {
 const Variant algebraic{"cayley-menger", {}};
 
 /// Those that the run has measured, in its order.
-std::vector<std::string> external_programs(const RunRecord& run) {
+std::vector<std::string> external_programs(const RunFile& run) {
   std::vector<std::string> programs;
   for (const CellRecord& cell : run.cells)
     if (exec_command(cell.spec.strategy) &&
@@ -192,18 +192,18 @@ std::vector<Variant> table1_variants() {
   return variants;
 }
 
-std::vector<Table> build_table1(const RunRecord& run, const Publication& paper) {
+std::vector<Table> build_table1(const RunFile& run, const Publication& paper) {
   const std::vector<Variant> variants = path_variants();
   Builder builder(run, paper);
   builder.equations();
   builder.heading("Number of solutions");
   builder.all_solutions("complex", {"complex", "HOM4PS-2.0"}, &Counts::complex_up_to_reflection,
-                        [](const MeasuredInstance& instance) {
+                        [](const InstanceSummary& instance) {
                           return instance.has_given_positions ? 1 : 1 << instance.dimension;
                         });
   builder.complex_limit("complex, at most");
   builder.all_solutions("real (up to reflections)", {"real", ""}, &Counts::real_up_to_reflection,
-                        [](const MeasuredInstance&) { return 1; });
+                        [](const InstanceSummary&) { return 1; });
   for (const Variant& variant : variants) builder.solutions_on_path(variant);
   builder.heading("Running times");
   for (const Variant& variant : complex_variants()) builder.times("HOM4PS-2.0", variant);

@@ -34,7 +34,7 @@ TableCell verdict_entry(Table& table, const CellRecord& cell) {
 
 }  // namespace
 
-Table build_measurements(const RunRecord& run) {
+Table build_measurements(const RunFile& run) {
   Table table;
   table.name = "measurements";
   table.caption = "Every measurement";

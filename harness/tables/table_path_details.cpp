@@ -86,16 +86,16 @@ std::vector<Block> blocks() {
 
 class Builder {
  public:
-  Builder(const RunRecord& run, const Publication& paper) : run_(run), paper_(paper) {
+  Builder(const RunFile& run, const Publication& paper) : run_(run), paper_(paper) {
     table_.name = "table2";
     table_.caption = "Table 2: tracking S without and with a construction plan, published and ours";
-    for (const MeasuredInstance& instance : run.instances) {
+    for (const InstanceSummary& instance : run.instances) {
       table_.groups.push_back({instance.id, {columns[0].title, columns[1].title}});
     }
   }
 
   void equations() {
-    add_row("m (equations)", [](const MeasuredInstance& instance, int) {
+    add_row("m (equations)", [](const InstanceSummary& instance, int) {
       return TableCell{number_text(instance.equations), {}};
     });
   }
@@ -131,11 +131,11 @@ class Builder {
     return !quantity.of_plans_only || block.variants[1].has_value();
   }
 
-  const CellRecord* cell(const Block& block, const MeasuredInstance& instance, int column) const {
+  const CellRecord* cell(const Block& block, const InstanceSummary& instance, int column) const {
     return block.variants[column] ? run_.find(block.variants[column]->on(instance.id)) : nullptr;
   }
 
-  const PrintedFigure* printed(const Quantity& quantity, const MeasuredInstance& instance, int column) const {
+  const PrintedFigure* printed(const Quantity& quantity, const InstanceSummary& instance, int column) const {
     return paper_.find(place, quantity.row, instance.id, columns[column].method);
   }
 
@@ -144,7 +144,7 @@ class Builder {
   }
 
   void add_published(const Block& block, const Quantity& quantity) {
-    add_row(std::string(quantity.label) + ": published", [&](const MeasuredInstance& instance, int column) {
+    add_row(std::string(quantity.label) + ": published", [&](const InstanceSummary& instance, int column) {
       return block.variants[column] ? printed_entry(table_, printed(quantity, instance, column))
                                     : empty_entry();
     });
@@ -152,7 +152,7 @@ class Builder {
 
   void add_ours(const Block& block, const Quantity& quantity) {
     const std::string label = std::string(quantity.label) + (block.beside_published ? ": ours" : "");
-    add_row(label, [&](const MeasuredInstance& instance, int column) {
+    add_row(label, [&](const InstanceSummary& instance, int column) {
       return is_shown(block, quantity, column) ? entry(quantity, cell(block, instance, column))
                                                : empty_entry();
     });
@@ -165,7 +165,7 @@ class Builder {
   }
 
   void add_ratio(const Block& block, const Quantity& quantity) {
-    add_row(std::string(quantity.label) + ": ratio", [&](const MeasuredInstance& instance, int column) {
+    add_row(std::string(quantity.label) + ": ratio", [&](const InstanceSummary& instance, int column) {
       const CellRecord* found = cell(block, instance, column);
       if (found == nullptr || !is_shown(block, quantity, column)) return empty_entry();
       return ratio_entry(found->status == RunStatus::complete ? quantity.of(*found) : std::nullopt,
@@ -177,13 +177,13 @@ class Builder {
   template <typename Make>
   void add_row(const std::string& label, Make make) {
     TableRow row{label, {}, {}};
-    for (const MeasuredInstance& instance : run_.instances) {
+    for (const InstanceSummary& instance : run_.instances) {
       for (int column = 0; column < 2; ++column) row.cells.push_back(make(instance, column));
     }
     table_.rows.push_back(std::move(row));
   }
 
-  const RunRecord& run_;
+  const RunFile& run_;
   const Publication& paper_;
   Table table_;
 };
@@ -200,7 +200,7 @@ std::vector<Variant> table2_variants() {
   return variants;
 }
 
-std::vector<Table> build_table2(const RunRecord& run, const Publication& paper) {
+std::vector<Table> build_table2(const RunFile& run, const Publication& paper) {
   Builder builder(run, paper);
   builder.equations();
   for (const Block& block : blocks()) builder.add_block(block);

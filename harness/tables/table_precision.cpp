@@ -34,7 +34,7 @@ Job job_of(const CellRecord& cell) {
 
 bool is_flawless(const Accuracy& accuracy) { return accuracy.missed == 0U && accuracy.spurious == 0; }
 
-std::vector<const CellRecord*> cells_of(const RunRecord& run, const std::string& instance) {
+std::vector<const CellRecord*> cells_of(const RunFile& run, const std::string& instance) {
   std::vector<const CellRecord*> cells;
   for (const CellRecord& cell : run.cells)
     if (cell.spec.instance == instance && cell.status != RunStatus::unsupported) cells.push_back(&cell);
@@ -67,7 +67,7 @@ TableRow precision_row(Table& table, const CellRecord& cell) {
   return row;
 }
 
-Table build_instance(const RunRecord& run, const MeasuredInstance& instance) {
+Table build_instance(const RunFile& run, const InstanceSummary& instance) {
   Table table;
   table.name = "precision-" + instance.id;
   table.caption = "Error against run time: " + instance.id;
@@ -93,7 +93,7 @@ Table build_instance(const RunRecord& run, const MeasuredInstance& instance) {
 // ---- plots
 
 /// Numbers of the strategies in the order of the run, for the same style in every plot.
-std::map<std::string, int> styles_of(const RunRecord& run) {
+std::map<std::string, int> styles_of(const RunFile& run) {
   std::map<std::string, int> styles;
   for (const CellRecord& cell : run.cells)
     if (cell.status != RunStatus::unsupported)
@@ -157,7 +157,7 @@ std::array<double, 2> range_of(const std::vector<PlotSeries>& series, std::size_
   return range;
 }
 
-std::optional<Drawing> draw_instance(const RunRecord& run, const MeasuredInstance& instance) {
+std::optional<Drawing> draw_instance(const RunFile& run, const InstanceSummary& instance) {
   Plot plot;
   plot.description =
       "Error against run time on " + instance.id +
@@ -187,9 +187,9 @@ std::optional<double> best_time(const std::vector<const CellRecord*>& cells, con
 }
 
 /// By strategy, of each instance that any of them solves, the decimal logarithm of its time over the best.
-std::map<std::string, std::vector<double>> ratios_of(const RunRecord& run, Job job, int& problems) {
+std::map<std::string, std::vector<double>> ratios_of(const RunFile& run, Job job, int& problems) {
   std::map<std::string, std::vector<double>> ratios;
-  for (const MeasuredInstance& instance : run.instances) {
+  for (const InstanceSummary& instance : run.instances) {
     const auto cells = cells_of(run, instance.id);
     std::map<std::string, double> times;
     for (const CellRecord* cell : cells)
@@ -204,7 +204,7 @@ std::map<std::string, std::vector<double>> ratios_of(const RunRecord& run, Job j
 }
 
 /// A performance profile (Dolan, Moré 2002).
-std::optional<Drawing> draw_profile(const RunRecord& run, Job job, const std::string& name,
+std::optional<Drawing> draw_profile(const RunFile& run, Job job, const std::string& name,
                                     const std::string& what) {
   int problems = 0;
   auto ratios = ratios_of(run, job, problems);
@@ -245,18 +245,18 @@ std::vector<Variant> precision_variants(std::span<const StrategyEntry> strategie
   return variants;
 }
 
-std::vector<Table> build_precision(const RunRecord& run, const Publication&) {
+std::vector<Table> build_precision(const RunFile& run, const Publication&) {
   std::vector<Table> tables;
-  for (const MeasuredInstance& instance : run.instances) tables.push_back(build_instance(run, instance));
+  for (const InstanceSummary& instance : run.instances) tables.push_back(build_instance(run, instance));
   return tables;
 }
 
-std::vector<Drawing> draw_precision(const RunRecord& run) {
+std::vector<Drawing> draw_precision(const RunFile& run) {
   std::vector<Drawing> drawings;
   const auto add = [&](std::optional<Drawing> drawing) {
     if (drawing) drawings.push_back(std::move(*drawing));
   };
-  for (const MeasuredInstance& instance : run.instances) add(draw_instance(run, instance));
+  for (const InstanceSummary& instance : run.instances) add(draw_instance(run, instance));
   add(draw_profile(run, Job::path, "precision-profile-path", "all solutions on S"));
   add(draw_profile(run, Job::all, "precision-profile-all", "all real solutions, or the complex ones too,"));
   return drawings;

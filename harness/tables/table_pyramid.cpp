@@ -37,12 +37,12 @@ const std::vector<std::string>& octahedra() {
 
 Variant algebraic() { return {"cayley-menger", {}, octahedra()}; }
 
-bool shows(const RunRecord& run, const std::string& id) {
+bool shows(const RunFile& run, const std::string& id) {
   return std::any_of(run.instances.begin(), run.instances.end(),
-                     [&](const MeasuredInstance& instance) { return instance.id == id; });
+                     [&](const InstanceSummary& instance) { return instance.id == id; });
 }
 
-std::string times_remark(const RunRecord& run) {
+std::string times_remark(const RunFile& run) {
   return fmt::format(
       "Times: preparing and solving once on one thread, median of interleaved repetitions; {}. {}.",
       spread_remark, run.environment.cpu);
@@ -58,7 +58,7 @@ const PrintedFigure* printed_length(const Publication& paper, const GivenLength&
   return found == paper.figures.end() ? nullptr : &*found;
 }
 
-Table build_lengths(const MeasuredInstance& instance, const Publication& paper) {
+Table build_lengths(const InstanceSummary& instance, const Publication& paper) {
   Table table;
   table.name = "hoffmann-yuan-lengths";
   table.caption = "Hoffmann, Yuan, Table 1: the lengths of 5p1L";
@@ -84,7 +84,7 @@ TableCell particular_entry(Table& table, const CellRecord* cell, std::string_vie
   return answer_entry(table, cell, count ? std::optional(static_cast<double>(*count)) : std::nullopt);
 }
 
-Table build_scans(const RunRecord& run, const Publication& paper) {
+Table build_scans(const RunFile& run, const Publication& paper) {
   Table table;
   table.name = "hoffmann-yuan-scans";
   table.caption = "Hoffmann, Yuan, section 4.4: coarse and refined solutions of 5p1L by the scan over θ";
@@ -111,7 +111,7 @@ Table build_scans(const RunRecord& run, const Publication& paper) {
 }
 
 /// A row of the table of 6p: a count of classes, of which the fixed frame has two mirror images each.
-void add_octahedron_count(Table& table, const RunRecord& run, const Publication& paper,
+void add_octahedron_count(Table& table, const RunFile& run, const Publication& paper,
                           const std::string& label, std::optional<Natural> Counts::*count,
                           const std::string& note) {
   TableRow row{label, {printed_entry(table, paper.find("section 4.1", label, "6p", ""))}, {}};
@@ -126,7 +126,7 @@ void add_octahedron_count(Table& table, const RunRecord& run, const Publication&
   table.rows.push_back(std::move(row));
 }
 
-Table build_octahedra(const RunRecord& run, const Publication& paper) {
+Table build_octahedra(const RunFile& run, const Publication& paper) {
   Table table;
   table.name = "hoffmann-yuan-6p";
   table.caption = "Hoffmann, Yuan, section 4.1: the octahedral problem 6p";
@@ -208,9 +208,9 @@ std::vector<Variant> pyramid_variants() {
   return variants;
 }
 
-std::vector<Table> build_pyramid(const RunRecord& run, const Publication& paper) {
+std::vector<Table> build_pyramid(const RunFile& run, const Publication& paper) {
   std::vector<Table> tables;
-  for (const MeasuredInstance& instance : run.instances)
+  for (const InstanceSummary& instance : run.instances)
     if (instance.id == pyramid_instance)
       tables = {build_lengths(instance, paper), build_pyramid_solutions(run, paper), build_scans(run, paper)};
   const bool any_octahedron = std::any_of(octahedra().begin(), octahedra().end(),
@@ -219,7 +219,7 @@ std::vector<Table> build_pyramid(const RunRecord& run, const Publication& paper)
   return tables;
 }
 
-std::vector<Drawing> draw_pyramid(const RunRecord& run) {
+std::vector<Drawing> draw_pyramid(const RunFile& run) {
   std::vector<Drawing> drawings;
   for (const RecordedCurve& curve : run.curves) {
     if (!shows(run, curve.instance) || curve.gap.empty()) continue;

@@ -91,7 +91,7 @@ std::string explanation(const PrintedSolution& printed, const RecordedSolution& 
 
 class Builder {
  public:
-  explicit Builder(const RunRecord& run) : cell_(richest_cell(run, pyramid_instance)) {
+  explicit Builder(const RunFile& run) : cell_(richest_cell(run, pyramid_instance)) {
     ours_ = fixed_frame_solutions(cell_);
     table_.name = "hoffmann-yuan-solutions";
     table_.caption = "Hoffmann, Yuan, Table 2: the solutions of 5p1L as published, against ours";
@@ -147,7 +147,7 @@ class Builder {
 
 }  // namespace
 
-Table build_pyramid_solutions(const RunRecord& run, const Publication& paper) {
+Table build_pyramid_solutions(const RunFile& run, const Publication& paper) {
   Builder builder(run);
   for (const PrintedSolution& solution : paper.solutions)
     if (solution.place == "table 2" && solution.instance == pyramid_instance) builder.add(solution);

@@ -37,7 +37,7 @@ TableCell published_entry(const Publication& paper, const std::string& instance)
 
 }  // namespace
 
-Table build_ratios(const RunRecord& run, const Publication& paper) {
+Table build_ratios(const RunFile& run, const Publication& paper) {
   const Variant full_paper{"full-space", {{"mode", "paper"}}};
   const Variant full_paper_small{"full-space", {{"mode", "paper"}, {"step_max", "0.05"}}};
   const Variant full_fast{"full-space", {}};
@@ -53,15 +53,15 @@ Table build_ratios(const RunRecord& run, const Publication& paper) {
   Table table;
   table.name = "ratios";
   table.caption = "Speed-ups: how many times faster the first strategy is than the second";
-  for (const MeasuredInstance& instance : run.instances) table.groups.push_back({instance.id, {""}});
+  for (const InstanceSummary& instance : run.instances) table.groups.push_back({instance.id, {""}});
   TableRow published{"published: Algorithm 1 against tracking S", {}, {}};
-  for (const MeasuredInstance& instance : run.instances) {
+  for (const InstanceSummary& instance : run.instances) {
     published.cells.push_back(published_entry(paper, instance.id));
   }
   table.rows.push_back(std::move(published));
   for (const auto& [slow, fast] : pairs) {
     TableRow row{fmt::format("{} against {}", label_of(fast.on("")), label_of(slow.on(""))), {}, {}};
-    for (const MeasuredInstance& instance : run.instances) {
+    for (const InstanceSummary& instance : run.instances) {
       row.cells.push_back(
           speed_up_entry(table, run.find(slow.on(instance.id)), run.find(fast.on(instance.id))));
     }

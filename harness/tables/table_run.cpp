@@ -97,9 +97,9 @@ bool is_selected(const TableRequest& request, const Variant& variant) {
 }
 
 /// Adds the cell, unless another table has it already.
-void add_task(std::vector<MeasureTask>& tasks, MeasureTask task) {
+void add_task(std::vector<CellTask>& tasks, CellTask task) {
   const auto known = std::find_if(tasks.begin(), tasks.end(),
-                                  [&](const MeasureTask& other) { return other.spec == task.spec; });
+                                  [&](const CellTask& other) { return other.spec == task.spec; });
   if (known == tasks.end())
     tasks.push_back(std::move(task));
   else
@@ -114,35 +114,35 @@ std::deque<StrategyEntry> programs_of(const TableRequest& request) {
   return programs;
 }
 
-struct Measured {
+struct Column {
   Variant variant;
   const StrategyEntry* entry;
 };
 
 /// What of a table is asked for, external programs last.
-std::vector<Measured> measured_in(const TableKind& kind, const TableRequest& request,
-                                  const std::deque<StrategyEntry>& programs) {
-  std::vector<Measured> measured;
+std::vector<Column> columns_in(const TableKind& kind, const TableRequest& request,
+                               const std::deque<StrategyEntry>& programs) {
+  std::vector<Column> columns;
   for (const Variant& variant : kind.variants())
-    if (is_selected(request, variant)) measured.push_back({variant, &find_strategy(variant.strategy)});
+    if (is_selected(request, variant)) columns.push_back({variant, &find_strategy(variant.strategy)});
   for (const StrategyEntry& program : programs)
-    measured.push_back({{std::string(program.name), {}}, &program});
-  return measured;
+    columns.push_back({{std::string(program.name), {}}, &program});
+  return columns;
 }
 
 /// In the order of the tables; those that this version cannot measure are left out. What is measured on one
 /// instance stands together, so that a run that is stopped has needed few references.
-std::vector<MeasureTask> tasks_of(const TableRequest& request, LoadedInstances& loaded,
-                                  const std::deque<StrategyEntry>& programs) {
-  std::vector<MeasureTask> tasks;
+std::vector<CellTask> tasks_of(const TableRequest& request, LoadedInstances& loaded,
+                               const std::deque<StrategyEntry>& programs) {
+  std::vector<CellTask> tasks;
   for (const std::string& name : request.tables) {
     const TableKind& kind = table_named(name);
     if (why_unavailable(kind)) continue;
-    const std::vector<Measured> measured = measured_in(kind, request, programs);
+    const std::vector<Column> columns = columns_in(kind, request, programs);
     for (const std::string& id : ids_for(kind, request, loaded))
-      for (const auto& [variant, entry] : measured) {
+      for (const auto& [variant, entry] : columns) {
         if (!variant.is_for(id)) continue;
-        MeasureTask task{variant.on(id), entry, &loaded.scene(id), kind.shows_solutions};
+        CellTask task{variant.on(id), entry, &loaded.scene(id), kind.shows_solutions};
         if (kind.measures_accuracy)
           task.judge = [judge = &loaded.judges[loaded.number(id)]](Monitor& monitor) {
             return judge->judge(monitor);
@@ -165,7 +165,7 @@ bool is_corrected(const PublishedFigure& figure, const Publications& publication
 }
 
 /// Published counts on the path that are not known to be wrong. What another file publishes is shown only.
-ExpectedCounts expected_counts(const LoadedInstances& loaded, const std::vector<MeasuredInstance>& measured,
+ExpectedCounts expected_counts(const LoadedInstances& loaded, const std::vector<InstanceSummary>& measured,
                                const Publications& publications) {
   ExpectedCounts expected;
   for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -230,7 +230,7 @@ std::vector<RecordedCurve> curves_of(const TableRequest& request, const LoadedIn
   return curves;
 }
 
-RunSession new_session(const TableRequest& request, const MeasureSettings& settings) {
+RunSession new_session(const TableRequest& request, const TimingSettings& settings) {
   RunSession session = start_session(request.arguments);
   session.repetitions = settings.repetitions;
   session.budget_s = settings.limits.budget_s;
@@ -239,23 +239,23 @@ RunSession new_session(const TableRequest& request, const MeasureSettings& setti
   return session;
 }
 
-MeasuredInstance measured(const Instance& instance, const Scene& scene) {
+InstanceSummary summary_of(const Instance& instance, const Scene& scene) {
   const ProblemStatement& problem = instance.problem;
-  MeasuredInstance record{instance.id,
-                          instance.origin,
-                          fingerprint(instance.document),
-                          static_cast<int>(problem.constraints.size()),
-                          problem.dimension,
-                          given_lengths(problem),
-                          complex_limit(problem),
-                          scene.is_anchored()};
+  InstanceSummary record{instance.id,
+                         instance.origin,
+                         fingerprint(instance.document),
+                         static_cast<int>(problem.constraints.size()),
+                         problem.dimension,
+                         given_lengths(problem),
+                         complex_limit(problem),
+                         scene.is_anchored()};
   record.is_shipped = is_shipped(instance);
   return record;
 }
 
-RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
-                     const MeasureSettings& settings) {
-  RunRecord record;
+RunFile new_record(const TableRequest& request, const LoadedInstances& loaded,
+                   const TimingSettings& settings) {
+  RunFile record;
   record.sessions = {new_session(request, settings)};
   record.started = record.sessions.front().started;
   record.environment = capture_environment(settings.threads);
@@ -263,36 +263,36 @@ RunRecord new_record(const TableRequest& request, const LoadedInstances& loaded,
   for (const std::string& name : request.tables)
     record.tables.push_back({name, ids_for(table_named(name), request, loaded)});
   for (const Instance& instance : loaded.instances)
-    record.instances.push_back(measured(instance, loaded.scene(instance.id)));
+    record.instances.push_back(summary_of(instance, loaded.scene(instance.id)));
   record.curves = curves_of(request, loaded);
   return record;
 }
 
 /// What the earlier sessions of the run left. Returns its cells.
-std::vector<CellRecord> go_on_from(RunRecord earlier, RunRecord& record) {
+std::vector<CellRecord> go_on_from(RunFile earlier, RunFile& record) {
   record.started = earlier.started;
   record.sessions.insert(record.sessions.begin(), earlier.sessions.begin(), earlier.sessions.end());
-  for (MeasuredInstance& now : record.instances)
-    for (const MeasuredInstance& then : earlier.instances)
+  for (InstanceSummary& now : record.instances)
+    for (const InstanceSummary& then : earlier.instances)
       if (now.id == then.id) now.reference = then.reference;
   return std::move(earlier.cells);
 }
 
-std::vector<CellSpec> specs_of(const std::vector<MeasureTask>& tasks) {
+std::vector<CellSpec> specs_of(const std::vector<CellTask>& tasks) {
   std::vector<CellSpec> specs;
-  for (const MeasureTask& task : tasks) specs.push_back(task.spec);
+  for (const CellTask& task : tasks) specs.push_back(task.spec);
   return specs;
 }
 
 /// Those that have been found by now.
-void note_references(const LoadedInstances& loaded, RunRecord& record) {
+void note_references(const LoadedInstances& loaded, RunFile& record) {
   for (std::size_t i = 0; i < loaded.judges.size(); ++i)
     if (const std::string& reference = loaded.judges[i].reference(); !reference.empty())
       record.instances[i].reference = reference;
 }
 
-MeasureSettings settings_of(const TableRequest& request) {
-  MeasureSettings settings;
+TimingSettings settings_of(const TableRequest& request) {
+  TimingSettings settings;
   settings.repetitions = request.repetitions;
   settings.limits = request.limits;
   if (request.full) {
@@ -304,7 +304,7 @@ MeasureSettings settings_of(const TableRequest& request) {
 }
 
 /// What the page shows of the instances beside the measurements.
-void store_scenes(const LoadedInstances& loaded, const RunRecord& record, const std::filesystem::path& folder,
+void store_scenes(const LoadedInstances& loaded, const RunFile& record, const std::filesystem::path& folder,
                   Monitor& progress) {
   for (const Instance& instance : loaded.instances) {
     if (!is_drawn(record, instance.id)) continue;
@@ -320,7 +320,7 @@ void require_known_strategies(const TableRequest& request) {
 }
 
 /// Throws UsageError where no table shows anything of what was asked for.
-void require_tasks(const TableRequest& request, const std::vector<MeasureTask>& tasks) {
+void require_tasks(const TableRequest& request, const std::vector<CellTask>& tasks) {
   if (!tasks.empty()) return;
   std::set<std::string> strategies, instances;
   for (const std::string& name : request.tables) {
@@ -338,22 +338,22 @@ void require_tasks(const TableRequest& request, const std::vector<MeasureTask>& 
 
 }  // namespace
 
-RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress) {
+RunFile run_tables(const TableRequest& request, const Publications& publications, Monitor& progress) {
   require_known_strategies(request);
   if (request.resume && !request.out)
     throw UsageError("--resume needs --out: the folder of the run to go on with");
   const std::deque<StrategyEntry> programs = programs_of(request);
   LoadedInstances loaded = load_all(instances_to_load(request), table_named(request.tables.front()).load);
   add_judges(request, loaded);
-  const std::vector<MeasureTask> tasks = tasks_of(request, loaded, programs);
+  const std::vector<CellTask> tasks = tasks_of(request, loaded, programs);
   require_tasks(request, tasks);
-  MeasureSettings settings = settings_of(request);
-  RunRecord record = new_record(request, loaded, settings);
+  TimingSettings settings = settings_of(request);
+  RunFile record = new_record(request, loaded, settings);
   settings.expected = expected_counts(loaded, record.instances, publications);
 
   std::optional<RunFolder> folder;
   if (request.out) folder.emplace(*request.out);
-  std::optional<RunRecord> earlier;
+  std::optional<RunFile> earlier;
   if (request.resume) earlier = folder->resumed(record, specs_of(tasks));
   std::vector<CellRecord> known;
   if (earlier) known = go_on_from(std::move(*earlier), record);
@@ -363,7 +363,7 @@ RunRecord run_tables(const TableRequest& request, const Publications& publicatio
     note_references(loaded, record);
     if (folder) folder->store(record);
   };
-  store(measure(tasks, settings, known, progress, store));
+  store(time_cells(tasks, settings, known, progress, store));
   if (request.out) store_scenes(loaded, record, *request.out, progress);
   return record;
 }

@@ -18,7 +18,7 @@ struct TableRequest {
   std::vector<std::string> instances;   ///< as load_instance takes them; default: the tables' own
   std::vector<std::string> strategies;  ///< default: all that the tables show
   std::optional<int> repetitions;
-  MeasureLimits limits;
+  TimingLimits limits;
   bool full = false;                         ///< without limits of time
   std::optional<std::filesystem::path> out;  ///< folder in which run.json is kept up to date
   bool logs_progress = false;                ///< in lines, where standard error is no terminal
@@ -28,6 +28,6 @@ struct TableRequest {
 
 /// Measures on one thread. Throws InputError for an instance that cannot be read, or a run that cannot be
 /// resumed (see RunFolder); UsageError for names that are unknown or given twice; OutputError.
-RunRecord run_tables(const TableRequest& request, const Publications& publications, Monitor& progress);
+RunFile run_tables(const TableRequest& request, const Publications& publications, Monitor& progress);
 
 }  // namespace gcs

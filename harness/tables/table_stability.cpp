@@ -38,19 +38,19 @@ Outcome outcome_of(const CellRecord& cell) {
 }
 
 /// The families that the run has members of.
-std::vector<const InstanceFamily*> families_of(const RunRecord& run) {
+std::vector<const InstanceFamily*> families_of(const RunFile& run) {
   std::vector<const InstanceFamily*> shown;
   for (const InstanceFamily& family : families()) {
     const std::string first = family.members().front();
     if (std::any_of(run.instances.begin(), run.instances.end(),
-                    [&](const MeasuredInstance& instance) { return instance.id == first; }))
+                    [&](const InstanceSummary& instance) { return instance.id == first; }))
       shown.push_back(&family);
   }
   return shown;
 }
 
 /// Those that can do the tame member, in the order of the run.
-std::vector<std::string> strategies_of(const RunRecord& run, const InstanceFamily& family) {
+std::vector<std::string> strategies_of(const RunFile& run, const InstanceFamily& family) {
   std::vector<std::string> strategies;
   for (const CellRecord& cell : run.cells)
     if (cell.spec.instance == family.members().front() && cell.status != RunStatus::unsupported)
@@ -58,7 +58,7 @@ std::vector<std::string> strategies_of(const RunRecord& run, const InstanceFamil
   return strategies;
 }
 
-std::vector<const CellRecord*> cells_of(const RunRecord& run, const InstanceFamily& family,
+std::vector<const CellRecord*> cells_of(const RunFile& run, const InstanceFamily& family,
                                         const std::string& strategy) {
   std::vector<const CellRecord*> cells;
   for (const std::string& id : family.members()) cells.push_back(run.find({id, strategy, {}}));
@@ -88,7 +88,7 @@ TableCell relative_time_entry(const CellRecord* cell, const CellRecord* tame) {
   return time && tame_time ? TableCell{number_text(time->median / tame_time->median), {}} : empty_entry();
 }
 
-Table build_family(const RunRecord& run, const InstanceFamily& family) {
+Table build_family(const RunFile& run, const InstanceFamily& family) {
   Table table;
   table.name = fmt::format("stability-{}", family.name);
   table.caption = fmt::format("{}: {}", family.name, family.summary);
@@ -124,7 +124,7 @@ Table build_family(const RunRecord& run, const InstanceFamily& family) {
   return table;
 }
 
-Table build_refusals(const RunRecord& run) {
+Table build_refusals(const RunFile& run) {
   Table table;
   table.name = "stability-refusals";
   table.caption = "Answers by strategy and family: wrong, refused, of all";
@@ -160,14 +160,14 @@ Table build_refusals(const RunRecord& run) {
 
 }  // namespace
 
-std::vector<Table> build_stability(const RunRecord& run, const Publication&) {
+std::vector<Table> build_stability(const RunFile& run, const Publication&) {
   std::vector<Table> tables;
   for (const InstanceFamily* family : families_of(run)) tables.push_back(build_family(run, *family));
   tables.push_back(build_refusals(run));
   return tables;
 }
 
-std::vector<Drawing> draw_stability(const RunRecord& run) {
+std::vector<Drawing> draw_stability(const RunFile& run) {
   HeatMap map;
   map.description =
       "For each family and strategy, from the tame member on the left to the most extreme one: how the error "

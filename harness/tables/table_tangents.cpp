@@ -69,15 +69,15 @@ const std::vector<std::string>& tangents_instances() {
 
 std::vector<Variant> tangents_variants() { return {solver}; }
 
-std::vector<Table> build_tangents(const RunRecord& run, const Publication& paper) {
+std::vector<Table> build_tangents(const RunFile& run, const Publication& paper) {
   Table table;
   table.name = "tangents";
   table.caption = "4p1L: lines at given distances from four points, published and ours";
-  for (const MeasuredInstance& instance : run.instances)
+  for (const InstanceSummary& instance : run.instances)
     table.groups.push_back({instance.id, {"published", "ours"}});
   for (const Quantity& quantity : quantities) {
     TableRow row{quantity.label, {}, {}};
-    for (const MeasuredInstance& instance : run.instances) {
+    for (const InstanceSummary& instance : run.instances) {
       const CellRecord* cell = run.find(solver.on(instance.id));
       row.cells.push_back(printed_entry(table, printed(paper, quantity.row, instance.id)));
       row.cells.push_back(answer_entry(table, cell, cell == nullptr ? std::nullopt : quantity.of(*cell)));
@@ -85,7 +85,7 @@ std::vector<Table> build_tangents(const RunRecord& run, const Publication& paper
     table.rows.push_back(std::move(row));
   }
   TableRow times{"time", {}, {}};
-  for (const MeasuredInstance& instance : run.instances) {
+  for (const InstanceSummary& instance : run.instances) {
     times.cells.push_back(printed_entry(table, printed(paper, "time_s", instance.id)));
     times.cells.push_back(time_entry(table, run.find(solver.on(instance.id))));
   }

@@ -19,9 +19,9 @@ constexpr bool shows_solutions = true;
 constexpr bool measures_accuracy = true;
 
 /// The run as far as one table speaks of it.
-RunRecord part_of(const RunRecord& run, const RequestedTable& table) {
-  RunRecord part = run;
-  std::erase_if(part.instances, [&](const MeasuredInstance& instance) {
+RunFile part_of(const RunFile& run, const RequestedTable& table) {
+  RunFile part = run;
+  std::erase_if(part.instances, [&](const InstanceSummary& instance) {
     return std::find(table.instances.begin(), table.instances.end(), instance.id) == table.instances.end();
   });
   return part;
@@ -56,7 +56,7 @@ std::vector<Variant> all_defaults() {
 
 std::vector<Variant> all_precision_variants() { return precision_variants(all_strategies()); }
 
-void append(TableSet& set, const TableKind& kind, const RunRecord& part, const Publication& paper) {
+void append(TableSet& set, const TableKind& kind, const RunFile& part, const Publication& paper) {
   for (Table& table : kind.build(part, paper)) set.tables.push_back(std::move(table));
   if (kind.draw == nullptr) return;
   for (Drawing& drawing : kind.draw(part)) set.drawings.push_back(std::move(drawing));
@@ -64,9 +64,9 @@ void append(TableSet& set, const TableKind& kind, const RunRecord& part, const P
 
 /// What they print of the instances that the run has measured, of which other contents may have been given
 /// the same ids.
-Publications publications_on(const RunRecord& run, Publications publications) {
+Publications publications_on(const RunFile& run, Publications publications) {
   const auto is_of_another = [&](const auto& printed) {
-    return std::ranges::any_of(run.instances, [&](const MeasuredInstance& instance) {
+    return std::ranges::any_of(run.instances, [&](const InstanceSummary& instance) {
       return instance.id == printed.instance && !instance.is_shipped;
     });
   };
@@ -78,8 +78,8 @@ Publications publications_on(const RunRecord& run, Publications publications) {
 }
 
 /// Why nothing published stands beside an instance of which papers print something.
-void note_altered(const RunRecord& run, const Publications& publications, std::vector<std::string>& lines) {
-  for (const MeasuredInstance& instance : run.instances) {
+void note_altered(const RunFile& run, const Publications& publications, std::vector<std::string>& lines) {
+  for (const InstanceSummary& instance : run.instances) {
     const bool is_printed = std::ranges::any_of(publications, [&](const auto& entry) {
       return std::ranges::any_of(entry.second.figures,
                                  [&](const PrintedFigure& figure) { return figure.instance == instance.id; });
@@ -179,7 +179,7 @@ const std::vector<std::string>& paper_instances() {
   return ids;
 }
 
-TableSet build_tables(const RunRecord& run, const Publications& all) {
+TableSet build_tables(const RunFile& run, const Publications& all) {
   const Publications publications = publications_on(run, all);
   TableSet set;
   for (const RequestedTable& table : run.tables) {

@@ -38,8 +38,8 @@ struct TableKind {
   bool has_free_columns = true;  ///< may show other instances than `instances`
   bool shows_solutions = false;  ///< not only how many there are: its cells keep them
   std::vector<Variant> (*variants)() = nullptr;
-  std::vector<Table> (*build)(const RunRecord& run, const Publication& paper) = nullptr;
-  std::vector<Drawing> (*draw)(const RunRecord& run) = nullptr;  ///< null: no figure
+  std::vector<Table> (*build)(const RunFile& run, const Publication& paper) = nullptr;
+  std::vector<Drawing> (*draw)(const RunFile& run) = nullptr;  ///< null: no figure
   bool measures_accuracy = false;  ///< answers are held against references, and not certified
   Instance (*load)(const std::string& argument) = load_instance;
 };
@@ -77,48 +77,48 @@ struct TableSet {
 };
 
 /// Builds what the run asked for, without solving.
-TableSet build_tables(const RunRecord& run, const Publications& publications);
+TableSet build_tables(const RunFile& run, const Publications& publications);
 
 std::vector<Variant> table1_variants();
-std::vector<Table> build_table1(const RunRecord& run, const Publication& paper);
+std::vector<Table> build_table1(const RunFile& run, const Publication& paper);
 
 std::vector<Variant> table2_variants();
 /// Table 2, and the ratios between the strategies that follow from it.
-std::vector<Table> build_table2(const RunRecord& run, const Publication& paper);
-Table build_ratios(const RunRecord& run, const Publication& paper);
+std::vector<Table> build_table2(const RunFile& run, const Publication& paper);
+Table build_ratios(const RunFile& run, const Publication& paper);
 
 /// Those of the papers, and some of which a part can be left out.
 const std::vector<std::string>& ablation_instances();
 std::vector<Variant> ablation_variants();
-std::vector<Table> build_ablation(const RunRecord& run, const Publication& paper);
+std::vector<Table> build_ablation(const RunFile& run, const Publication& paper);
 
 /// 5p1L and, of 6p, the octahedra.
 const std::vector<std::string>& pyramid_instances();
 std::vector<Variant> pyramid_variants();
 /// The lengths, the solutions, the scans and the octahedra of Hoffmann and Yuan.
-std::vector<Table> build_pyramid(const RunRecord& run, const Publication& paper);
+std::vector<Table> build_pyramid(const RunFile& run, const Publication& paper);
 /// Their 24 solutions beside ours.
-Table build_pyramid_solutions(const RunRecord& run, const Publication& paper);
+Table build_pyramid_solutions(const RunFile& run, const Publication& paper);
 /// Their Fig. 7: d34(θ) over all branches, the given d34 and the solutions.
-std::vector<Drawing> draw_pyramid(const RunRecord& run);
+std::vector<Drawing> draw_pyramid(const RunFile& run);
 
 /// Every strategy with its defaults, with each of its accuracy settings, and refined to more digits.
 std::vector<Variant> precision_variants(std::span<const StrategyEntry> strategies);
 /// One table for each instance: errors, solutions missed and spurious, times and work.
-std::vector<Table> build_precision(const RunRecord& run, const Publication& paper);
+std::vector<Table> build_precision(const RunFile& run, const Publication& paper);
 /// Error against time, one plot for each instance, and performance profiles over all.
-std::vector<Drawing> draw_precision(const RunRecord& run);
+std::vector<Drawing> draw_precision(const RunFile& run);
 
 /// One table for each family, and how often a strategy refused.
-std::vector<Table> build_stability(const RunRecord& run, const Publication& paper);
+std::vector<Table> build_stability(const RunFile& run, const Publication& paper);
 /// A heat map of all families.
-std::vector<Drawing> draw_stability(const RunRecord& run);
+std::vector<Drawing> draw_stability(const RunFile& run);
 
 const std::vector<std::string>& tangents_instances();
 std::vector<Variant> tangents_variants();
-std::vector<Table> build_tangents(const RunRecord& run, const Publication& paper);
+std::vector<Table> build_tangents(const RunFile& run, const Publication& paper);
 
 /// Every cell of the run with its repetitions, whatever the tables show of it.
-Table build_measurements(const RunRecord& run);
+Table build_measurements(const RunFile& run);
 
 }  // namespace gcs

@@ -61,9 +61,9 @@ std::vector<Figure> representatives(const std::vector<Judged>& judged) {
 }
 
 std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged) {
-  std::vector<SolutionQuality> qualities;
-  for (const Judged& candidate : judged) qualities.push_back({candidate.condition, candidate.error});
-  return solution_classes(scene, representatives(judged), qualities).class_of;
+  std::vector<SolutionAccuracy> accuracies;
+  for (const Judged& candidate : judged) accuracies.push_back({candidate.condition, candidate.error});
+  return solution_classes(scene, representatives(judged), accuracies).class_of;
 }
 
 /// Appends the coordinates in units of `grain` of the scene's size, cut to integers so that rounding does not

@@ -81,7 +81,7 @@ class Search {
   explicit Search(const QuadraticSystem& system) : system_(system, bits), mirror_(system.mirror) {}
 
   /// Adds what is next to a point, up to `wanted` solutions.
-  void visit(const NearlySingular& point, int wanted, SettledSolutions& settled) const {
+  void visit(const NearlySingular& point, int wanted, NearSolutions& settled) const {
     std::vector<Certificate> found;
     std::optional<MultipleSolution> multiple;
     int multiple_ends = 0;
@@ -160,16 +160,16 @@ class Search {
 
 }  // namespace
 
-int SettledSolutions::count() const {
+int NearSolutions::count() const {
   int sum = static_cast<int>(simple.size());
   for (const MultipleSolution& solution : multiple) sum += solution.multiplicity;
   return sum;
 }
 
-SettledSolutions settle(const QuadraticSystem& system, const std::vector<NearlySingular>& points,
-                        int expected, const std::stop_token& stop) {
+NearSolutions solutions_near(const QuadraticSystem& system, const std::vector<NearlySingular>& points,
+                             int expected, const std::stop_token& stop) {
   const Search search(system);
-  SettledSolutions settled;
+  NearSolutions settled;
   for (const bool all : {false, true}) {
     if (all && settled.count() >= expected) break;
     settled = {};

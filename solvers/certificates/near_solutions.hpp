@@ -30,7 +30,7 @@ struct MultipleSolution {
   int multiplicity = 0;  ///< of all points together that lead to it
 };
 
-struct SettledSolutions {
+struct NearSolutions {
   /// Proven to exist, each alone in its enclosure, to be different from each other, mirror images too, and to
   /// be real or not to be.
   std::vector<Certificate> simple;
@@ -44,7 +44,7 @@ struct SettledSolutions {
 
 /// The solutions next to these points, at most as many as they should be; where these are fewer than
 /// `expected`, all that are found. Precondition: unknowns are of order 1, coefficients real.
-SettledSolutions settle(const QuadraticSystem& system, const std::vector<NearlySingular>& points,
-                        int expected, const std::stop_token& stop);
+NearSolutions solutions_near(const QuadraticSystem& system, const std::vector<NearlySingular>& points,
+                             int expected, const std::stop_token& stop);
 
 }  // namespace gcs

@@ -54,29 +54,30 @@ class Figures {
 
 bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates) {
   std::vector<Figure> representatives;
-  std::vector<SolutionQuality> qualities;
+  std::vector<SolutionAccuracy> accuracies;
   for (const Candidate& candidate : candidates) {
     representatives.push_back(scene.representative(candidate.figure));
-    qualities.push_back({jacobian_condition(scene, representatives.back()), candidate.error});
+    accuracies.push_back({jacobian_condition(scene, representatives.back()), candidate.error});
   }
-  return solution_classes(scene, representatives, qualities).first.size() == candidates.size();
+  return solution_classes(scene, representatives, accuracies).first.size() == candidates.size();
 }
 
-int SettledCandidates::count() const {
+int ResolvedCandidates::count() const {
   int sum = 0;
   for (const Candidate& candidate : list) sum += candidate.multiplicity;
   return sum;
 }
 
-SettledCandidates settled(const Scene& scene, const std::vector<Candidate>& nearly_singular,
-                          const std::vector<Candidate>& listed, int expected, const std::stop_token& stop) {
-  SettledCandidates result;
+ResolvedCandidates resolve_nearly_singular(const Scene& scene, const std::vector<Candidate>& nearly_singular,
+                                           const std::vector<Candidate>& listed, int expected,
+                                           const std::stop_token& stop) {
+  ResolvedCandidates result;
   if (nearly_singular.empty()) return result;
   const SceneEquations equations(scene);
   std::vector<NearlySingular> points;
   for (const Candidate& candidate : nearly_singular)
     points.push_back({equations.coordinates(candidate.figure), candidate.multiplicity});
-  const SettledSolutions solutions = settle(equations.system(), points, expected, stop);
+  const NearSolutions solutions = solutions_near(equations.system(), points, expected, stop);
   const Figures figures(scene, equations);
   for (const Certificate& simple : solutions.simple) result.list.push_back(figures.simple(simple));
   std::vector<Candidate> all = listed;

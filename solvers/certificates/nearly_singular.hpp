@@ -10,7 +10,7 @@
 
 namespace gcs {
 
-struct SettledCandidates {
+struct ResolvedCandidates {
   /// Simple ones, proven to be solutions, to be different and to be real or not, with their errors, and
   /// multiple ones.
   std::vector<Candidate> list;
@@ -24,8 +24,9 @@ struct SettledCandidates {
 /// all that are found next to them where these are fewer than `expected`. Fewer come back where it is not
 /// found out what they are. `listed`: other, simple solutions. Precondition: certificates reach the scene
 /// (scene_equations.hpp), whose lines, if any, are free beside given points.
-SettledCandidates settled(const Scene& scene, const std::vector<Candidate>& nearly_singular,
-                          const std::vector<Candidate>& listed, int expected, const std::stop_token& stop);
+ResolvedCandidates resolve_nearly_singular(const Scene& scene, const std::vector<Candidate>& nearly_singular,
+                                           const std::vector<Candidate>& listed, int expected,
+                                           const std::stop_token& stop);
 
 /// Whether doubles tell these candidates apart, as an assessment does it.
 bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates);

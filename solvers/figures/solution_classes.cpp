@@ -27,9 +27,9 @@ constexpr double largest_regular_condition = 3e6;
 /// Two candidates of the same class within proven errors: a distance moves by both ends', and the frame's
 /// rounding is left. Places are known as well as that, or as the condition of a regular solution tells.
 ClassTolerance tolerance_of(const Scene& scene, const Figure& representative,
-                            const SolutionQuality& quality) {
-  const double condition = effective_condition(scene, representative, quality.condition);
-  const double proven = std::max(64 * unit_roundoff, 4 * quality.error / scene.size());
+                            const SolutionAccuracy& accuracy) {
+  const double condition = effective_condition(scene, representative, accuracy.condition);
+  const double proven = std::max(64 * unit_roundoff, 4 * accuracy.error / scene.size());
   const double found = merging_tolerance(condition);
   ClassTolerance tolerance{std::min(proven, found)};
   if (std::isfinite(proven)) tolerance.places = proven;
@@ -44,10 +44,10 @@ double merging_tolerance(double condition) {
 }
 
 ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
-                                   std::span<const SolutionQuality> qualities) {
+                                   std::span<const SolutionAccuracy> accuracies) {
   std::vector<ClassTolerance> tolerances;
   for (std::size_t i = 0; i < representatives.size(); ++i)
-    tolerances.push_back(tolerance_of(scene, representatives[i], qualities[i]));
+    tolerances.push_back(tolerance_of(scene, representatives[i], accuracies[i]));
   return reflection_classes(scene, representatives, tolerances);
 }
 

@@ -14,7 +14,7 @@ namespace gcs {
 /// come near, nor coarser than 1e-5, where different solutions would be merged.
 double merging_tolerance(double condition);
 
-struct SolutionQuality {
+struct SolutionAccuracy {
   double condition = 0;                                    ///< see jacobian_condition
   double error = std::numeric_limits<double>::infinity();  ///< see Candidate::error
 };
@@ -22,6 +22,6 @@ struct SolutionQuality {
 /// Solutions up to a rigid motion and a reflection. Every one has its own tolerance: one coarse tolerance for
 /// all would merge well-conditioned neighbours. Proven errors tell apart what condition numbers do not.
 ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
-                                   std::span<const SolutionQuality> qualities);
+                                   std::span<const SolutionAccuracy> accuracies);
 
 }  // namespace gcs

@@ -165,11 +165,11 @@ class ComplexReporter {
   }
 
   /// What the file's own numbers make of the place at which so many paths met, if certificates reach it.
-  std::optional<SettledSolutions> settled_near(const ComplexVectorX& x, int paths) {
+  std::optional<NearSolutions> settled_near(const ComplexVectorX& x, int paths) {
     if (paths < 2 || why_not_certified(scene_)) return std::nullopt;
     const SceneEquations equations(scene_);
     if (equations.coordinates(complex_figure(system_, x)) != x) return std::nullopt;
-    return settle(equations.system(), {{x, paths}}, paths, {});
+    return solutions_near(equations.system(), {{x, paths}}, paths, {});
   }
 
   void add_simple(const std::vector<Certificate>& solutions) {

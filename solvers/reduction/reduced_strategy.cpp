@@ -84,15 +84,15 @@ PartSolution part_solution(const Scene& whole, const PartScene& part_scene, cons
 std::vector<PartSolution> part_solutions(const Scene& whole, const PartScene& part_scene, const Part& part,
                                          const SolveReport& report) {
   std::vector<Figure> figures;
-  std::vector<SolutionQuality> qualities;
+  std::vector<SolutionAccuracy> accuracies;
   for (const Candidate& candidate : report.candidates) {
     figures.push_back(part_scene.scene.representative(candidate.figure));
-    qualities.push_back({jacobian_condition(part_scene.scene, figures.back()), candidate.error});
+    accuracies.push_back({jacobian_condition(part_scene.scene, figures.back()), candidate.error});
   }
-  const ReflectionClasses classes = solution_classes(part_scene.scene, figures, qualities);
+  const ReflectionClasses classes = solution_classes(part_scene.scene, figures, accuracies);
   std::vector<PartSolution> solutions;
   for (const int first : classes.first)
-    solutions.push_back(part_solution(whole, part_scene, part, figures[first], qualities[first].condition,
+    solutions.push_back(part_solution(whole, part_scene, part, figures[first], accuracies[first].condition,
                                       report.candidates[first].multiplicity));
   return solutions;
 }

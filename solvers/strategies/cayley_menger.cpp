@@ -195,7 +195,8 @@ class Reporter {
       candidates.push_back({complex_figure(points), solutions});
       expected += solutions;
     }
-    SettledCandidates found = settled(scene_, candidates, report_.candidates, expected, request_.stop);
+    ResolvedCandidates found =
+        resolve_nearly_singular(scene_, candidates, report_.candidates, expected, request_.stop);
     for (Candidate& candidate : found.list) list(std::move(candidate));
     if (!found.are_told_apart) note(std::string(too_near));
   }

@@ -82,7 +82,7 @@ struct End {
   bool is_solution = false;
   bool is_singular = false;
   Figure figure;
-  SolutionQuality quality;
+  SolutionAccuracy accuracy;
   WorkCounters work;
 };
 
@@ -105,7 +105,7 @@ class NewtonMultistartStrategy final : public Strategy {
         request.monitor->progress("random starts", static_cast<double>(started) / most_starts_);
       const int next = std::min(started + batch, most_starts_);
       for (End& end : ends_of(request, started, next)) tally.take(std::move(end));
-      tally.classes = solution_classes(request.scene, tally.figures, tally.qualities);
+      tally.classes = solution_classes(request.scene, tally.figures, tally.accuracies);
       started = next;
     } while (started < most_starts_ && !request.stop.stop_requested() && tally.expects(unseen_));
     return report(request, started, tally);
@@ -115,7 +115,7 @@ class NewtonMultistartStrategy final : public Strategy {
   /// The ends at solutions so far, and their classes.
   struct Tally {
     std::vector<Figure> figures;
-    std::vector<SolutionQuality> qualities;
+    std::vector<SolutionAccuracy> accuracies;
     ReflectionClasses classes;
     int singular = 0;  ///< ends
     WorkCounters work;
@@ -125,7 +125,7 @@ class NewtonMultistartStrategy final : public Strategy {
       singular += end.is_singular ? 1 : 0;
       if (!end.is_solution) return;
       figures.push_back(std::move(end.figure));
-      qualities.push_back(end.quality);
+      accuracies.push_back(end.accuracy);
     }
 
     /// How many classes are unseen, by Boender and Rinnooy Kan; nothing where the ends are too few to tell.
@@ -176,9 +176,9 @@ class NewtonMultistartStrategy final : public Strategy {
     end.figure = request.scene.representative(equations.system.figure(x));
     if (!refinement.converged || relative_residual(request.scene, end.figure) > double_root_residual)
       return end;
-    end.quality.condition = jacobian_condition(request.scene, end.figure);
-    const double rounding = end.quality.condition * unit_roundoff * x.cwiseAbs().maxCoeff();
-    end.is_solution = end.quality.condition <= singular_condition &&
+    end.accuracy.condition = jacobian_condition(request.scene, end.figure);
+    const double rounding = end.accuracy.condition * unit_roundoff * x.cwiseAbs().maxCoeff();
+    end.is_solution = end.accuracy.condition <= singular_condition &&
                       refinement.last_correction <= settled_correction * rounding;
     end.is_singular = !end.is_solution;
     return end;

@@ -101,7 +101,7 @@ int accounted_for(const SolveReport& report, int at_infinity) {
 
 /// False where lines lie too near each other to be told apart.
 bool list_lines(const SolveRequest& request, const FourSpheres& spheres, const LocalSpheres& local,
-                const CommonTangents& tangents, SolveReport& report) {
+                const FoundTangents& tangents, SolveReport& report) {
   const Scene& scene = request.scene;
   const bool are_missing = tangents.accounted_for() != tangent_count;
   std::vector<Candidate> doubtful;
@@ -113,13 +113,14 @@ bool list_lines(const SolveRequest& request, const FourSpheres& spheres, const L
     (is_doubtful(scene, found, candidate, are_missing) ? doubtful : report.candidates).push_back(candidate);
   }
   const int expected = tangent_count - accounted_for(report, tangents.at_infinity);
-  SettledCandidates found = settled(scene, doubtful, report.candidates, expected, request.stop);
+  ResolvedCandidates found =
+      resolve_nearly_singular(scene, doubtful, report.candidates, expected, request.stop);
   std::ranges::move(found.list, std::back_inserter(report.candidates));
   return found.are_told_apart;
 }
 
 void report_lines(const SolveRequest& request, const FourSpheres& spheres, const LocalSpheres& local,
-                  const CommonTangents& tangents, SolveReport& report) {
+                  const FoundTangents& tangents, SolveReport& report) {
   const Scene& scene = request.scene;
   report.generic = tangent_count;
   report.at_infinity = tangents.at_infinity;

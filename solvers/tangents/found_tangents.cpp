@@ -45,25 +45,25 @@ std::optional<FoundTangent> multiple_tangent(const FourSpheres& spheres, const C
   return found;
 }
 
-void CommonTangents::add_simple(const ComplexTangent& line) {
+void FoundTangents::add_simple(const ComplexTangent& line) {
   const bool is_real = is_nearly_real(line);
   lines.push_back({is_real ? real_part(line) : line, is_real, 1});
   if (!is_real) lines.push_back({conjugate(line), false, 1});
 }
 
-int CommonTangents::accounted_for() const {
+int FoundTangents::accounted_for() const {
   int sum = at_infinity;
   for (const FoundTangent& found : lines) sum += found.multiplicity;
   return sum;
 }
 
-bool CommonTangents::are_all_simple() const { return lines.size() == tangent_count; }
+bool FoundTangents::are_all_simple() const { return lines.size() == tangent_count; }
 
-bool CommonTangents::tell_more_than(const CommonTangents& other) const {
+bool FoundTangents::tell_more_than(const FoundTangents& other) const {
   return std::pair(accounted_for(), lines.size()) > std::pair(other.accounted_for(), other.lines.size());
 }
 
-std::optional<std::size_t> CommonTangents::find(const ComplexTangent& line) const {
+std::optional<std::size_t> FoundTangents::find(const ComplexTangent& line) const {
   const auto found = std::find_if(lines.begin(), lines.end(), [&](const FoundTangent& other) {
     return difference(line, other.line) <= same_line;
   });

@@ -43,7 +43,7 @@ struct FoundTangent {
 std::optional<FoundTangent> multiple_tangent(const FourSpheres& spheres, const ComplexTangent& line,
                                              bool is_real, int multiplicity);
 
-struct CommonTangents {
+struct FoundTangents {
   std::vector<FoundTangent> lines;
   int at_infinity = 0;  ///< isotropic directions, with multiplicities
 
@@ -55,7 +55,7 @@ struct CommonTangents {
   bool are_all_simple() const;
   /// More are accounted for, or as many as more different lines: rounding takes lines that are near to each
   /// other, or to infinity, for a multiple one, but makes no simple ones of it.
-  bool tell_more_than(const CommonTangents& other) const;
+  bool tell_more_than(const FoundTangents& other) const;
   /// The number of this line in `lines`, or nothing.
   std::optional<std::size_t> find(const ComplexTangent& line) const;
 };

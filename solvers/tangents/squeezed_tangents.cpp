@@ -85,7 +85,7 @@ class Squeeze {
     return take_end(line) && is_regular;
   }
 
-  CommonTangents found;
+  FoundTangents found;
 
  private:
   bool follow(const Stop& from, const Stop& to, ScaledLine& line) {
@@ -114,7 +114,7 @@ class Squeeze {
 
 }  // namespace
 
-SqueezedTangents squeezed_tangents(const FourSpheres& spheres, const Strip& strip, const CommonTangents& wide,
+SqueezedTangents squeezed_tangents(const FourSpheres& spheres, const Strip& strip, const FoundTangents& wide,
                                    std::mt19937_64& random, WorkCounters& work) {
   Squeeze squeeze(spheres, strip, work);
   squeeze.found.at_infinity = wide.at_infinity;

@@ -18,13 +18,13 @@
 namespace gcs {
 
 struct SqueezedTangents {
-  CommonTangents found;
+  FoundTangents found;
   std::vector<bool> has_end;  ///< of each line of the widened spheres: whether its path has a regular end
 };
 
 /// `wide`: the tangents of strip.widened_spheres(). Multiple ones are not followed, and multiple ends count
 /// as none. Deterministic but for `random`. Precondition: lengths are of order 1. Adds to `work`.
-SqueezedTangents squeezed_tangents(const FourSpheres& spheres, const Strip& strip, const CommonTangents& wide,
+SqueezedTangents squeezed_tangents(const FourSpheres& spheres, const Strip& strip, const FoundTangents& wide,
                                    std::mt19937_64& random, WorkCounters& work);
 
 }  // namespace gcs

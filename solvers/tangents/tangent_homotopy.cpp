@@ -63,8 +63,8 @@ class EndCollector {
   const std::optional<ComplexTangent>& line_of_path(std::size_t path) const { return line_of_path_[path]; }
 
   /// Of a singular line with a single end it is not known what it is: none of multiplicity 0 is kept.
-  CommonTangents lines() const {
-    CommonTangents result;
+  FoundTangents lines() const {
+    FoundTangents result;
     for (std::size_t i = 0; i < found_.lines.size(); ++i) {
       FoundTangent line = found_.lines[i];
       line.multiplicity = singular_ends_[i] == 0 ? 1 : singular_ends_[i] / 2;
@@ -111,7 +111,7 @@ class EndCollector {
   const FourSpheres& spheres_;
   const TangentHomotopy& homotopy_;
   WorkCounters& work_;
-  CommonTangents found_;
+  FoundTangents found_;
   std::vector<int> singular_ends_;  ///< of each line
   std::vector<std::optional<ComplexTangent>> line_of_path_;
   int to_infinity_ = 0;
@@ -188,7 +188,7 @@ namespace {
 /// What is left of the paths to the lines of the widened spheres when these are squeezed.
 void squeeze(const FourSpheres& spheres, const Strip& strip, const EndCollector& ends,
              std::mt19937_64& random, FollowedTangents& followed, WorkCounters& work) {
-  const CommonTangents wide = std::move(followed.found);
+  const FoundTangents wide = std::move(followed.found);
   SqueezedTangents squeezed = squeezed_tangents(spheres, strip, wide, random, work);
   followed.found = std::move(squeezed.found);
   for (std::size_t i = 0; i < followed.paths.size(); ++i) {

@@ -58,7 +58,7 @@ class TangentHomotopy {
 };
 
 struct FollowedTangents {
-  CommonTangents found;
+  FoundTangents found;
   std::vector<PathRecord> paths;  ///< one for each start; `stopped` those that a stop left out
 };
 

@@ -36,7 +36,7 @@ class Attempt {
           WorkCounters& work)
       : spheres_(spheres), equations_(equations), algebra_(algebra), work_(work) {}
 
-  CommonTangents run() {
+  FoundTangents run() {
     mixed_ = std::cos(mix_angle) * algebra_.times_x() + std::sin(mix_angle) * algebra_.times_y();
     const Eigen::EigenSolver<AlgebraMatrix> solver(mixed_);
     if (solver.info() != Eigen::Success) return {};
@@ -143,7 +143,7 @@ class Attempt {
     const Eigen::Vector3cd u(mean(algebra_.times_x()), mean(algebra_.times_y()), 1);
     const Eigen::ComplexEigenSolver<Restriction> solver(restricted(times_tau_, subspace), false);
     const std::span<const Complex> taus(solver.eigenvalues().data(), size);
-    const CommonTangents before = found_;
+    const FoundTangents before = found_;
     for (const EigenvalueCluster& cluster : clusters_of(taus, tolerance)) {
       if (may_be_one(taus, cluster) &&
           take_multiple(u, mean_of(taus, cluster), static_cast<int>(cluster.size()), with_conjugate))
@@ -186,7 +186,7 @@ class Attempt {
   /// Two simple lines, or with their conjugates four, that are so close together that only the mean of their
   /// eigenvalues is right to rounding.
   bool take_pair(const Line& mean, bool is_real, bool with_conjugate) {
-    const CommonTangents before = found_;
+    const FoundTangents before = found_;
     for (const Line& start : split(spheres_, is_real ? real_part(mean) : mean)) {
       if (take_near(start, is_real && is_nearly_real(start), with_conjugate)) continue;
       found_ = before;
@@ -220,21 +220,21 @@ class Attempt {
   WorkCounters& work_;
   AlgebraMatrix mixed_;
   AlgebraMatrix times_tau_;
-  CommonTangents found_;
+  FoundTangents found_;
   Complex eigenvalue_;                ///< of the solution at hand
   std::vector<Complex> eigenvalues_;  ///< of the simple lines found
   std::vector<Complex> doubtful_;     ///< of those that another eigenvalue leads to as well
   std::vector<Complex> left_;         ///< of solutions that are not simple
 };
 
-CommonTangents tangents_by_eigenvalues(const FourSpheres& spheres, WorkCounters& work) {
-  CommonTangents best;
+FoundTangents tangents_by_eigenvalues(const FourSpheres& spheres, WorkCounters& work) {
+  FoundTangents best;
   for (const auto& turn : turns) {
     const TangentEquations equations(spheres, rotation(turn));
     const auto algebra = TangentAlgebra::of(equations);
     ++work.factorisations;
     if (!algebra) continue;
-    CommonTangents found = Attempt(spheres, equations, *algebra, work).run();
+    FoundTangents found = Attempt(spheres, equations, *algebra, work).run();
     if (found.accounted_for() > best.accounted_for()) best = std::move(found);
     if (best.accounted_for() == tangent_count) return best;
   }
@@ -242,9 +242,9 @@ CommonTangents tangents_by_eigenvalues(const FourSpheres& spheres, WorkCounters&
 }
 
 /// The simple lines that are so in isotropic coordinates too, each once.
-CommonTangents confirmed(const FourSpheres& spheres, const Strip& strip, const CommonTangents& tangents,
-                         WorkCounters& work) {
-  CommonTangents result;
+FoundTangents confirmed(const FourSpheres& spheres, const Strip& strip, const FoundTangents& tangents,
+                        WorkCounters& work) {
+  FoundTangents result;
   for (const FoundTangent& found : tangents.lines) {
     if (found.multiplicity > 1) continue;
     const auto line = refined_in_strip(spheres, strip, ScaledLine::of(strip, found.line), work);
@@ -253,7 +253,7 @@ CommonTangents confirmed(const FourSpheres& spheres, const Strip& strip, const C
   return result;
 }
 
-CommonTangents tangents_by_squeezing(const FourSpheres& spheres, const Strip& strip, WorkCounters& work) {
+FoundTangents tangents_by_squeezing(const FourSpheres& spheres, const Strip& strip, WorkCounters& work) {
   constexpr std::uint64_t seed = 1;  // any will do
   if (strip.widening() == 1) return {};
   std::mt19937_64 random(seed);
@@ -264,14 +264,14 @@ CommonTangents tangents_by_squeezing(const FourSpheres& spheres, const Strip& st
 
 }  // namespace
 
-CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
+FoundTangents common_tangents(const FourSpheres& spheres, WorkCounters& work) {
   const double width = relative_width(spheres);
-  CommonTangents best = tangents_by_eigenvalues(spheres, work);
+  FoundTangents best = tangents_by_eigenvalues(spheres, work);
   if (width >= deceptive && best.are_all_simple()) return best;
   const Strip strip(spheres);
   if (width < deceptive) best = confirmed(spheres, strip, best, work);
   if (best.are_all_simple()) return best;
-  CommonTangents squeezed = tangents_by_squeezing(spheres, strip, work);
+  FoundTangents squeezed = tangents_by_squeezing(spheres, strip, work);
   if (squeezed.tell_more_than(best)) best = std::move(squeezed);
   return best;
 }

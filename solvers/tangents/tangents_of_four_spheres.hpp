@@ -11,6 +11,6 @@ namespace gcs {
 /// are found to be simple: of the spheres with their centres moved apart, if they can be, from which the
 /// lines are followed back (squeezed_tangents.hpp); of the two, what tells more. Complex lines come with
 /// their conjugates. Precondition: the centres are not collinear; distances are of order 1. Adds to `work`.
-CommonTangents common_tangents(const FourSpheres& spheres, WorkCounters& work);
+FoundTangents common_tangents(const FourSpheres& spheres, WorkCounters& work);
 
 }  // namespace gcs

@@ -17,7 +17,7 @@ using namespace gcs;
 namespace {
 
 PageRun toy_page_run() {
-  RunRecord record = toy::run_record();
+  RunFile record = toy::run_record();
   TableSet tables = build_tables(record, load_publications());
   PageRun run{"toy & co", std::move(record), std::move(tables), {}};
   run.scenes.emplace("octahedron", stored_scene(load_instance("octahedron")));
@@ -82,7 +82,7 @@ TEST_CASE("a page shows every instance of every run once, and needs nothing else
   runs.push_back(toy_page_run());
   runs.push_back(toy_page_run());
   const std::string page = page_html(runs, load_publications());
-  for (const MeasuredInstance& instance : runs[0].record.instances)
+  for (const InstanceSummary& instance : runs[0].record.instances)
     CHECK(occurrences(page, "id=\"scene-" + instance.id + "\"") == 1);
   CHECK(page.find("Nothing is stored of this instance") != std::string::npos);
   CHECK(page.find("toy &amp; co") != std::string::npos);
@@ -110,11 +110,11 @@ TEST_CASE("figures of a scene are its graph and its path") {
 }
 
 TEST_CASE("a printed number is refuted, proven or open as ours is") {
-  RunRecord run = toy::run_record();
+  RunFile run = toy::run_record();
   Publications papers = load_publications();
   for (auto& [name, paper] : papers)
     for (PrintedFigure& figure : paper.figures) figure.chosen.clear();
-  const MeasuredInstance& octahedron = run.instances[0];
+  const InstanceSummary& octahedron = run.instances[0];
   auto all = verdicts(run, octahedron, nullptr, papers);
   CHECK(verdict_on(all, "complex").printed_standing == Standing::refuted);
   CHECK(verdict_on(all, "complex").our_standing == Standing::open);
@@ -138,7 +138,7 @@ TEST_CASE("a printed number is refuted, proven or open as ours is") {
 }
 
 TEST_CASE("what an instance was chosen for proves nothing of the paper's") {
-  RunRecord run = toy::run_record();
+  RunFile run = toy::run_record();
   for (CellRecord& cell : run.cells)
     if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{8, 4, true, true};
   const Verdict real = verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "real");
@@ -148,8 +148,8 @@ TEST_CASE("what an instance was chosen for proves nothing of the paper's") {
 }
 
 TEST_CASE("a number that does not come out is open, and not refuted") {
-  RunRecord run = toy::run_record();
-  MeasuredInstance icosahedron = run.instances[0];
+  RunFile run = toy::run_record();
+  InstanceSummary icosahedron = run.instances[0];
   icosahedron.id = "icosahedron";
   const Verdict on_path = verdict_on(verdicts(run, icosahedron, nullptr, load_publications()), "on S");
   CHECK(on_path.printed_standing == Standing::open);
@@ -157,7 +157,7 @@ TEST_CASE("a number that does not come out is open, and not refuted") {
 }
 
 TEST_CASE("a scan of ours proves that no real solution is missing, and a program's claim does not") {
-  RunRecord run = toy::run_record();
+  RunFile run = toy::run_record();
   CellRecord& cell = run.cells.front();
   cell.status = RunStatus::complete;
   cell.difference.clear();
@@ -174,7 +174,7 @@ TEST_CASE("a scan of ours proves that no real solution is missing, and a program
 }
 
 TEST_CASE("solutions in clusters are all with multiplicities, and their number is not proven") {
-  RunRecord run = toy::run_record();
+  RunFile run = toy::run_record();
   for (CellRecord& cell : run.cells)
     if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{0, 0, true, false};
   const Verdict complex =
@@ -185,7 +185,7 @@ TEST_CASE("solutions in clusters are all with multiplicities, and their number i
 }
 
 TEST_CASE("papers say nothing of another instance by the same name") {
-  RunRecord run = toy::run_record();
+  RunFile run = toy::run_record();
   run.instances[0].is_shipped = false;
   for (const Verdict& one : verdicts(run, run.instances[0], nullptr, load_publications())) {
     CHECK(one.printed.empty());

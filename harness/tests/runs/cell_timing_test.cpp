@@ -58,12 +58,12 @@ class Silence final : public Monitor {
 
 /// Measures one cell for each answer; "" is the default.
 std::vector<CellRecord> measure_answers(const std::vector<std::string>& answers,
-                                        const MeasureSettings& settings,
+                                        const TimingSettings& settings,
                                         const std::vector<CellRecord>& known = {},
                                         bool keeps_solutions = false) {
   const Scene scene(toy::instance().problem);
   const StrategyEntry entry = toy_entry("toy");
-  std::vector<MeasureTask> tasks;
+  std::vector<CellTask> tasks;
   for (const std::string& answer : answers) {
     const OptionMap given = answer.empty() ? OptionMap{} : OptionMap{{"answer", answer}};
     tasks.push_back({{"toy", "toy", given}, &entry, &scene, keeps_solutions});
@@ -71,11 +71,11 @@ std::vector<CellRecord> measure_answers(const std::vector<std::string>& answers,
   Silence silence;
   solve_log.clear();
   checkpoints.clear();
-  return measure(tasks, settings, known, silence, [](const auto& cells) { checkpoints.push_back(cells); });
+  return time_cells(tasks, settings, known, silence, [](const auto& cells) { checkpoints.push_back(cells); });
 }
 
-MeasureSettings repetitions(int count) {
-  MeasureSettings settings;
+TimingSettings repetitions(int count) {
+  TimingSettings settings;
   settings.repetitions = count;
   return settings;
 }
@@ -156,7 +156,7 @@ TEST_CASE("repetitions are interleaved, and no cell always follows the same one"
 }
 
 TEST_CASE("the number of repetitions follows the budget within its bounds") {
-  MeasureSettings settings;
+  TimingSettings settings;
   settings.limits.budget_s = 0;
   CHECK(measure_answers({""}, settings).front().repetitions.size() == 3);
   settings.limits.budget_s = 1e6;
@@ -164,7 +164,7 @@ TEST_CASE("the number of repetitions follows the budget within its bounds") {
 }
 
 TEST_CASE("cells are not run when the time for everything is used up") {
-  MeasureSettings settings;
+  TimingSettings settings;
   settings.limits.total_limit_s = 0;
   const auto cells = measure_answers({""}, settings);
   CHECK(cells.front().status == RunStatus::timed_out);
@@ -218,7 +218,7 @@ TEST_CASE("what was too slow is solved again only when it may take longer") {
   auto known = measure_answers({"none"}, repetitions(3));
   known.front().status = RunStatus::timed_out;
   known.front().limit_s = 10;
-  MeasureSettings settings = repetitions(3);
+  TimingSettings settings = repetitions(3);
   const auto solves = [&](std::optional<double> cell_limit_s) {
     settings.limits.cell_limit_s = cell_limit_s;
     measure_answers({"none"}, settings, known);

@@ -11,9 +11,9 @@
 using namespace gcs;
 
 TEST_CASE("a record reads back as what was written") {
-  const RunRecord record = toy::run_record();
+  const RunFile record = toy::run_record();
   const std::string text = to_json_text(record);
-  const RunRecord again = parse_run_record(text, "run.json");
+  const RunFile again = parse_run_file(text, "run.json");
   CHECK(to_json_text(again) == text);
 
   REQUIRE(again.cells.size() == record.cells.size());
@@ -37,12 +37,12 @@ TEST_CASE("a record reads back as what was written") {
 }
 
 TEST_CASE("infinite numbers read back, and bytes that are no text do no harm") {
-  RunRecord record = toy::run_record();
+  RunFile record = toy::run_record();
   constexpr double infinite = std::numeric_limits<double>::infinity();
   record.cells[0].residual = infinite;
   record.cells[0].accuracy = Accuracy{1, 0, 0, 1e-16, 1e-16, infinite, 1};
   record.sessions[0].folder = "/r\xe9sultats";
-  const RunRecord again = parse_run_record(to_json_text(record), "run.json");
+  const RunFile again = parse_run_file(to_json_text(record), "run.json");
   CHECK(again.cells[0].residual == infinite);
   CHECK(again.cells[0].accuracy->largest_condition == infinite);
   CHECK(again.cells[0].accuracy->largest_error == 1e-16);
@@ -50,12 +50,12 @@ TEST_CASE("infinite numbers read back, and bytes that are no text do no harm") {
 }
 
 TEST_CASE("particulars, solutions, curves and whether positions are given read back") {
-  RunRecord record = toy::run_record();
+  RunFile record = toy::run_record();
   record.instances.back().has_given_positions = true;
   record.cells.front().particulars = {{"coarse_solutions", 224}, {"a_first_by_order_not_by_name", 1}};
   record.cells.front().solutions = {{true, 4, {{"p1", {0.1, -2, 3}}}}, {false, 1, {}}};
   record.curves = {{"hoffmann-yuan", 9.15, {0, 1}, {0.1 / 3, 9}}};
-  const RunRecord again = parse_run_record(to_json_text(record), "run.json");
+  const RunFile again = parse_run_file(to_json_text(record), "run.json");
   const CellRecord& cell = again.cells.front();
   CHECK(cell.particulars == record.cells.front().particulars);
   CHECK(cell.particular("coarse_solutions") == 224);
@@ -74,21 +74,21 @@ TEST_CASE("particulars, solutions, curves and whether positions are given read b
 }
 
 TEST_CASE("the ring of a bound reads back, and a run from before rings has none") {
-  RunRecord record = toy::run_record();
+  RunFile record = toy::run_record();
   std::vector<std::vector<std::string>>& ring = record.instances.front().limit->bound.ring;
   ring = {{"p1", "p2", "p3"}, {"p2", "p3", "p4", "p5"}};
   nlohmann::json json = nlohmann::json::parse(to_json_text(record));
-  CHECK(parse_run_record(json.dump(), "run.json").instances.front().limit->bound.ring == ring);
+  CHECK(parse_run_file(json.dump(), "run.json").instances.front().limit->bound.ring == ring);
   json["instances"][0]["complex_limit"].erase("ring");
-  CHECK(parse_run_record(json.dump(), "run.json").instances.front().limit->bound.ring.empty());
+  CHECK(parse_run_file(json.dump(), "run.json").instances.front().limit->bound.ring.empty());
 }
 
 TEST_CASE("sessions and plans read back, and a run from before them has none") {
-  RunRecord record = toy::run_record();
+  RunFile record = toy::run_record();
   record.cells.front().planned = 7;
   record.cells.front().warm_up_s = 0.1;
   record.cells.front().limit_s = 0.3;
-  const RunRecord again = parse_run_record(to_json_text(record), "run.json");
+  const RunFile again = parse_run_file(to_json_text(record), "run.json");
   REQUIRE(again.sessions.size() == 2);
   for (std::size_t i = 0; i < 2; ++i) {
     const RunSession &now = again.sessions[i], &then = record.sessions[i];
@@ -109,14 +109,14 @@ TEST_CASE("sessions and plans read back, and a run from before them has none") {
   json.erase("sessions");
   for (nlohmann::json& cell : json["cells"])
     for (const char* name : {"planned", "warm_up_s", "limit_s"}) cell.erase(name);
-  const RunRecord old = parse_run_record(json.dump(), "run.json");
+  const RunFile old = parse_run_file(json.dump(), "run.json");
   CHECK(old.sessions.empty());
   CHECK(old.cells.front().planned == 0);
   CHECK_FALSE(old.cells.front().limit_s);
 }
 
 TEST_CASE("a cell is found by instance, strategy and options") {
-  const RunRecord record = toy::run_record();
+  const RunFile record = toy::run_record();
   CHECK(record.find({"octahedron", "rcp", {}}) != nullptr);
   CHECK(record.find({"octahedron", "rcp", {{"mode", "paper"}}}) != nullptr);
   CHECK(record.find({"octahedron", "rcp", {{"mode", "other"}}}) == nullptr);
@@ -126,7 +126,7 @@ TEST_CASE("a cell is found by instance, strategy and options") {
 TEST_CASE("what is no run is refused with the file's name") {
   const auto message = [](const std::string& text) -> std::string {
     try {
-      parse_run_record(text, "FILE");
+      parse_run_file(text, "FILE");
     } catch (const InputError& error) {
       return error.what();
     }
@@ -139,5 +139,5 @@ TEST_CASE("what is no run is refused with the file's name") {
   std::string text = to_json_text(toy::run_record());
   text.replace(text.find("\"complete\""), 10, "\"finished\"");
   CHECK_THAT(message(text), Catch::Contains("finished"));
-  CHECK_THROWS_AS(load_run_record(std::filesystem::path("no") / "such" / "run.json"), InputError);
+  CHECK_THROWS_AS(load_run_file(std::filesystem::path("no") / "such" / "run.json"), InputError);
 }

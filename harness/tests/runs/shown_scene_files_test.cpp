@@ -138,12 +138,12 @@ TEST_CASE("a stored scene is written as it was read") {
   for (const std::string id : {"k33", "hoffmann-yuan"}) {
     const StoredScene scene = stored_scene(load_instance(id));
     const std::string text = to_json_text(scene.record);
-    CHECK(to_json_text(parse_scene_record(text, "scene.json")) == text);
+    CHECK(to_json_text(parse_shown_scene(text, "scene.json")) == text);
   }
 }
 
 TEST_CASE("of a family the first member in the run is drawn") {
-  RunRecord run;
+  RunFile run;
   for (const std::string id :
        {"octahedron", "flat-triangle@1e-4", "flat-triangle@1e-8", "somebodys@1", "somebodys@2"})
     run.instances.push_back({id, "", "", 1, 2});

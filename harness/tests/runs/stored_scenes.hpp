@@ -12,8 +12,8 @@ class SilentMonitor final : public Monitor {
 };
 
 /// A run that has followed S with a plan.
-inline RunRecord run_with_plans(const std::string& id) {
-  RunRecord run;
+inline RunFile run_with_plans(const std::string& id) {
+  RunFile run;
   CellRecord cell;
   cell.spec = {id, "rcp", {{"mode", "paper"}}};
   cell.status = RunStatus::complete;

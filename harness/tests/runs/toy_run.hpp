@@ -61,9 +61,9 @@ inline CellRecord timed_out(CellSpec spec) {
 
 /// Right answers on the octahedron; on the icosahedron one wrong answer, one that was not ready in time, and
 /// cells that were not measured.
-inline RunRecord run_record() {
+inline RunFile run_record() {
   const OptionMap paper{{"mode", "paper"}};
-  RunRecord record;
+  RunFile record;
   record.started = "2026-01-02T03:04:05Z";
   record.sessions = {
       {record.started, {"gcsbench", "tables", "--full"}, "/tmp", {}, {}, 90, {}, {}},

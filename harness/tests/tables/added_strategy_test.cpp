@@ -93,7 +93,7 @@ struct NoMonitor final : Monitor {
   void progress(std::string_view, double) override {}
 };
 
-RunRecord measured(const std::string& table, const std::vector<std::string>& instances) {
+RunFile measured(const std::string& table, const std::vector<std::string>& instances) {
   TableRequest request;
   request.tables = {table};
   request.instances = instances;
@@ -103,7 +103,7 @@ RunRecord measured(const std::string& table, const std::vector<std::string>& ins
 }
 
 /// The settings with which the newcomer was measured, as their options in words.
-std::set<std::string> settings(const RunRecord& run) {
+std::set<std::string> settings(const RunFile& run) {
   std::set<std::string> found;
   for (const CellRecord& cell : run.cells)
     if (cell.spec.strategy == "newcomer") found.insert(label_of(cell.spec));
@@ -129,7 +129,7 @@ TEST_CASE("the table of strategies is this program's") {
 }
 
 TEST_CASE("an added strategy is measured and shown by precision") {
-  const RunRecord run = measured("precision", {"octahedron"});
+  const RunFile run = measured("precision", {"octahedron"});
   const std::set<std::string> found = settings(run);
   CHECK(found.count("newcomer") == 1);
   CHECK(found.count("newcomer starts=1") == 1);
@@ -137,7 +137,7 @@ TEST_CASE("an added strategy is measured and shown by precision") {
 }
 
 TEST_CASE("an added strategy is measured and shown by stability") {
-  const RunRecord run = measured("stability", find_family("near-miss")->members());
+  const RunFile run = measured("stability", find_family("near-miss")->members());
   CHECK(settings(run) == std::set<std::string>{"newcomer"});
   CHECK(shows(build_tables(run, load_publications()), "newcomer"));
 }

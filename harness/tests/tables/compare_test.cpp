@@ -17,7 +17,7 @@ namespace {
 
 constexpr double confidence = 0.95, margin = 0.1;
 
-Comparison compared(const RunRecord& before, const RunRecord& after) {
+Comparison compared(const RunFile& before, const RunFile& after) {
   return compare_runs(before, after, {confidence, margin});
 }
 
@@ -33,13 +33,13 @@ CellRecord timed_cell(int number, double median_s, int repetitions, std::mt19937
   return record;
 }
 
-RunRecord run_of(std::vector<CellRecord> cells) {
-  RunRecord run = toy::run_record();
+RunFile run_of(std::vector<CellRecord> cells) {
+  RunFile run = toy::run_record();
   run.cells = std::move(cells);
   return run;
 }
 
-RunRecord run_of_cells(int cells, double median_s, int repetitions, std::uint64_t seed) {
+RunFile run_of_cells(int cells, double median_s, int repetitions, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<CellRecord> records;
   for (int i = 0; i < cells; ++i) records.push_back(timed_cell(i, median_s, repetitions, random));
@@ -54,8 +54,8 @@ std::ptrdiff_t count(const Comparison& comparison, Pace pace) {
 /// The verdict on the only answer that `change` makes differ.
 template <typename Change>
 ChangeVerdict verdict_on(Change change) {
-  const RunRecord before = run_of({toy::cell({"octahedron", "rcp", {}}, 4, 33, 1e-3)});
-  RunRecord after = before;
+  const RunFile before = run_of({toy::cell({"octahedron", "rcp", {}}, 4, 33, 1e-3)});
+  RunFile after = before;
   change(after.cells.front());
   const Comparison there = compared(before, after);
   const Comparison back = compared(after, before);
@@ -70,7 +70,7 @@ ChangeVerdict verdict_on(Change change) {
 }  // namespace
 
 TEST_CASE("a run has not changed from itself") {
-  const RunRecord run = toy::run_record();
+  const RunFile run = toy::run_record();
   const Comparison comparison = compared(run, run);
   CHECK(comparison.setup.empty());
   CHECK(comparison.answers.empty());
@@ -116,9 +116,9 @@ TEST_CASE("proofs, claims and accuracy are compared") {
 }
 
 TEST_CASE("an answer that is right now is no regression for being fewer") {
-  RunRecord before = run_of({toy::cell({"octahedron", "rcp", {}}, 5, 33, 1e-3)});
+  RunFile before = run_of({toy::cell({"octahedron", "rcp", {}}, 5, 33, 1e-3)});
   before.cells[0].difference = "Found 5 on S instead of 4 (+1).";
-  const RunRecord after = run_of({toy::cell({"octahedron", "rcp", {}}, 4, 33, 1e-3)});
+  const RunFile after = run_of({toy::cell({"octahedron", "rcp", {}}, 4, 33, 1e-3)});
   const Comparison comparison = compared(before, after);
   REQUIRE(comparison.answers.size() == 2);
   CHECK(comparison.answers[0].verdict == ChangeVerdict::better);
@@ -127,9 +127,9 @@ TEST_CASE("an answer that is right now is no regression for being fewer") {
 }
 
 TEST_CASE("accuracies against different references are not compared") {
-  RunRecord before = run_of({toy::cell({"octahedron", "rcp", {}}, 4, 33, 1e-3)});
+  RunFile before = run_of({toy::cell({"octahedron", "rcp", {}}, 4, 33, 1e-3)});
   before.cells[0].accuracy = Accuracy{20, 0, 0, 1e-16, 1e-16, 10, 0.1};
-  RunRecord after = before;
+  RunFile after = before;
   after.cells[0].accuracy->met = 18;
   CHECK(compared(before, after).has_regressed());
   after.instances[0].reference = "18 solutions, proven in this run";
@@ -137,20 +137,20 @@ TEST_CASE("accuracies against different references are not compared") {
 }
 
 TEST_CASE("errors that the condition explains may differ") {
-  RunRecord before = run_of({toy::cell({"octahedron", "rcp", {}}, 4, 33, 1e-3)});
+  RunFile before = run_of({toy::cell({"octahedron", "rcp", {}}, 4, 33, 1e-3)});
   before.cells[0].accuracy = Accuracy{4, 0, 0, 1e-16, 1e-16, 10, 0.1};
-  RunRecord after = before;
+  RunFile after = before;
   after.cells[0].accuracy->largest_error = 9e-15;
   after.cells[0].accuracy->largest_quotient = 9;
   CHECK(compared(before, after).answers.empty());
 }
 
 TEST_CASE("work that differs is named with both numbers") {
-  const RunRecord before = toy::run_record();
-  RunRecord after = before;
+  const RunFile before = toy::run_record();
+  RunFile after = before;
   after.cells[0].work.iterations = 32;
   after.cells[0].particulars = {{"candidates", 7}};
-  RunRecord with_fewer = after;
+  RunFile with_fewer = after;
   with_fewer.cells[0].particulars = {{"candidates", 5}};
   const Comparison comparison = compared(before, after);
   REQUIRE(comparison.work.size() == 1);
@@ -162,8 +162,8 @@ TEST_CASE("work that differs is named with both numbers") {
 }
 
 TEST_CASE("cells of one run alone, and those left out for want of time, are not compared") {
-  const RunRecord before = toy::run_record();
-  RunRecord after = before;
+  const RunFile before = toy::run_record();
+  RunFile after = before;
   CellRecord& left_out = after.cells[5];
   left_out.status = RunStatus::timed_out;
   left_out.reason = "not run";
@@ -177,8 +177,8 @@ TEST_CASE("cells of one run alone, and those left out for want of time, are not 
 }
 
 TEST_CASE("instances with other content are not compared, and said so") {
-  const RunRecord before = toy::run_record();
-  RunRecord after = before;
+  const RunFile before = toy::run_record();
+  RunFile after = before;
   after.instances[0].fingerprint = "another";
   after.cells[0].counts.on_path = 3;
   const Comparison comparison = compared(before, after);
@@ -189,8 +189,8 @@ TEST_CASE("instances with other content are not compared, and said so") {
 }
 
 TEST_CASE("what a run was made with is compared") {
-  const RunRecord before = toy::run_record();
-  RunRecord after = before;
+  const RunFile before = toy::run_record();
+  RunFile after = before;
   after.environment.commit = "9876fed";
   after.environment.flags = "-O2";
   after.sessions.back().cell_limit_s.reset();
@@ -260,8 +260,8 @@ TEST_CASE("of many cells that have not changed hardly ever one is called slower"
   constexpr int cells = 200, repetitions = 25;
   int called = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const RunRecord before = run_of_cells(cells, 1e-3, repetitions, 2 * seed);
-    const RunRecord after = run_of_cells(cells, 1e-3, repetitions, 2 * seed + 1);
+    const RunFile before = run_of_cells(cells, 1e-3, repetitions, 2 * seed);
+    const RunFile after = run_of_cells(cells, 1e-3, repetitions, 2 * seed + 1);
     const Comparison comparison = compare_runs(before, after, {confidence, 0});
     REQUIRE(comparison.times.size() == cells);
     called += comparison.has_regressed() ? 1 : 0;
@@ -270,7 +270,7 @@ TEST_CASE("of many cells that have not changed hardly ever one is called slower"
 }
 
 TEST_CASE("times that have grown by more than the margin are slower, and by less are not") {
-  const RunRecord before = run_of_cells(10, 1e-3, 101, 1);
+  const RunFile before = run_of_cells(10, 1e-3, 101, 1);
   const auto with_times = [](double median_s) { return run_of_cells(10, median_s, 101, 2); };
   CHECK(count(compared(before, with_times(1.5e-3)), Pace::slower) == 10);
   CHECK(compared(before, with_times(1.5e-3)).has_regressed());
@@ -281,8 +281,8 @@ TEST_CASE("times that have grown by more than the margin are slower, and by less
 }
 
 TEST_CASE("on another processor a slower time is no regression") {
-  const RunRecord before = run_of_cells(3, 1e-3, 101, 1);
-  RunRecord after = run_of_cells(3, 2e-3, 101, 2);
+  const RunFile before = run_of_cells(3, 1e-3, 101, 1);
+  RunFile after = run_of_cells(3, 2e-3, 101, 2);
   REQUIRE(compared(before, after).has_regressed());
   after.environment.cpu = "another";
   CHECK(count(compared(before, after), Pace::slower) == 3);
@@ -290,8 +290,8 @@ TEST_CASE("on another processor a slower time is no regression") {
 }
 
 TEST_CASE("what waits for the machine and takes no more of its time is not slower") {
-  const RunRecord before = run_of_cells(3, 1e-3, 101, 1);
-  RunRecord after = run_of_cells(3, 2e-3, 101, 2);
+  const RunFile before = run_of_cells(3, 1e-3, 101, 1);
+  RunFile after = run_of_cells(3, 2e-3, 101, 2);
   for (CellRecord& cell : after.cells)
     for (Repetition& repetition : cell.repetitions) repetition.cpu_s /= 2;
   CHECK(count(compared(before, after), Pace::undecided) == 3);
@@ -308,8 +308,8 @@ TEST_CASE("three repetitions tell nothing of times") {
 
 TEST_CASE("the tables of a comparison are the approved ones", "[approved]") {
   std::mt19937_64 random(3);
-  RunRecord before = toy::run_record();
-  RunRecord after = before;
+  RunFile before = toy::run_record();
+  RunFile after = before;
   after.started = "2026-01-03T03:04:05Z";
   after.sessions.front().load_average = {{3.5, 2, 1}};
   after.environment.commit = "9876fed";

@@ -144,7 +144,7 @@ TEST_CASE("precision measures every strategy that can do the instance with all o
   request.instances = {"k33"};
   request.repetitions = 3;
   NoMonitor monitor;
-  const RunRecord run = run_tables(request, {}, monitor);
+  const RunFile run = run_tables(request, {}, monitor);
   std::set<std::string> measured;
   for (const CellRecord& cell : run.cells) {
     if (cell.status == RunStatus::unsupported) continue;
@@ -166,7 +166,7 @@ TEST_CASE("precision measures every strategy that can do the instance with all o
     CHECK(run.find({"k33", strategy, {}})->accuracy->missed == 0u);
   }
 
-  const RunRecord stored = parse_run_record(to_json_text(run), "run.json");
+  const RunFile stored = parse_run_file(to_json_text(run), "run.json");
   const TableSet set = build_tables(stored, {});
   REQUIRE(set.tables.size() == 1);
   CHECK(set.tables.front().name == "precision-k33");

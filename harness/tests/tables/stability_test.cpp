@@ -30,7 +30,7 @@ std::size_t real_solutions(const ReferenceList& list) {
                                                 [](const KnownSolution& s) { return s.figure.is_real(); }));
 }
 
-RunRecord measured(const std::vector<std::string>& members, const std::vector<std::string>& strategies = {}) {
+RunFile measured(const std::vector<std::string>& members, const std::vector<std::string>& strategies = {}) {
   TableRequest request;
   request.strategies = strategies;
   request.tables = {"stability"};
@@ -55,7 +55,7 @@ bool has_nothing_to_find(const CellRecord& cell) {
          real_solutions(reference_of(cell.spec.instance)) == 0;
 }
 
-void check_right(const RunRecord& run) {
+void check_right(const RunFile& run) {
   for (const CellRecord& cell : run.cells)
     if (cell.status != RunStatus::unsupported && !has_nothing_to_find(cell)) check_right(cell);
 }
@@ -423,8 +423,8 @@ TEST_CASE("centres that are collinear to rounding only are not called collinear"
 }
 
 TEST_CASE("what is shown of a stored run is what is shown of the run") {
-  const RunRecord run = measured(find_family("near-miss")->members());
-  const RunRecord stored = parse_run_record(to_json_text(run), "run.json");
+  const RunFile run = measured(find_family("near-miss")->members());
+  const RunFile stored = parse_run_file(to_json_text(run), "run.json");
   const TableSet set = build_tables(stored, {});
   REQUIRE(set.tables.size() == 2);
   CHECK(set.tables[0].name == "stability-near-miss");

@@ -43,8 +43,8 @@ CellRecord scan_cell(double offset) {
   return cell;
 }
 
-RunRecord pyramid_run(double offset) {
-  RunRecord run;
+RunFile pyramid_run(double offset) {
+  RunFile run;
   run.environment = {"Toy CPU", "GNU 12", "-O3", "0123abc", 1};
   run.instances = {{"hoffmann-yuan",
                     "hoffmann-yuan.json",
@@ -61,8 +61,8 @@ RunRecord pyramid_run(double offset) {
   return run;
 }
 
-RunRecord tangents_run() {
-  RunRecord run;
+RunFile tangents_run() {
+  RunFile run;
   run.environment.cpu = "Toy CPU";
   run.instances = {{"tangents-durand", "tangents-durand.json", "03ff", 4, 3},
                    {"tangents-fourfold", "tangents-fourfold.json", "04ff", 4, 3}};
@@ -130,7 +130,7 @@ TEST_CASE("what differs by more than the rounding of two decimals says so in eve
 }
 
 TEST_CASE("without a measurement the published solutions stand alone") {
-  RunRecord run = pyramid_run(0);
+  RunFile run = pyramid_run(0);
   run.cells.clear();
   const Table table = build_pyramid_solutions(run, paper());
   REQUIRE(table.rows.size() == 24);
@@ -157,12 +157,12 @@ TEST_CASE("the misprint breaks a distance of the paper's Table 1 and its correct
 }
 
 TEST_CASE("the figure is drawn from the stored run alone", "[approved]") {
-  const RunRecord run = pyramid_run(0.004);
+  const RunFile run = pyramid_run(0.004);
   const std::vector<Drawing> drawings = draw_pyramid(run);
   REQUIRE(drawings.size() == 1);
   CHECK(drawings.front().name == "hoffmann-yuan-curve");
   check_approved("hoffmann-yuan-curve.svg", drawings.front().svg);
-  const RunRecord stored = parse_run_record(to_json_text(run), "run.json");
+  const RunFile stored = parse_run_file(to_json_text(run), "run.json");
   CHECK(draw_pyramid(stored).front().svg == drawings.front().svg);
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("what is measured proves that the 24 solutions of the paper are all") 
   request.tables = {"hoffmann-yuan"};
   request.instances = {"hoffmann-yuan"};
   request.repetitions = 1;
-  const RunRecord run = run_tables(request, load_publications(), monitor);
+  const RunFile run = run_tables(request, load_publications(), monitor);
   const StoredScene scene = stored_scene(load_instance("hoffmann-yuan"));
   const std::vector<Verdict> all = verdicts(run, run.instances.front(), &scene, load_publications());
   const auto real =

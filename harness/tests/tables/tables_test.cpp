@@ -31,8 +31,8 @@ TEST_CASE("the tables of a run are the approved ones", "[approved]") {
 }
 
 TEST_CASE("tables do not depend on whether the run was stored") {
-  const RunRecord run = toy::run_record();
-  const RunRecord stored = parse_run_record(to_json_text(run), "run.json");
+  const RunFile run = toy::run_record();
+  const RunFile stored = parse_run_file(to_json_text(run), "run.json");
   const Publications papers = load_publications();
   CHECK(shown_on_terminal(build_tables(stored, papers)) == shown_on_terminal(build_tables(run, papers)));
 }

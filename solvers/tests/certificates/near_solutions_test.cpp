@@ -7,7 +7,7 @@ using namespace gcs;
 namespace {
 
 /// x² = square and y² = 1, from (0, 1), next to which two solutions should be.
-SettledSolutions near_zero(const std::string& square) {
+NearSolutions near_zero(const std::string& square) {
   const auto squared = [](int unknown) {
     const LinearForm form{{{unknown}}, {}};
     return FormProduct{form, form};
@@ -15,11 +15,11 @@ SettledSolutions near_zero(const std::string& square) {
   ExactNumber given;
   given.decimal = square;
   const QuadraticSystem system{2, {{{squared(0)}, given}, {{squared(1)}, exactly(1)}}, {-1, -1}};
-  return settle(system, {{{0, 1}, 2}}, 2, {});
+  return solutions_near(system, {{{0, 1}, 2}}, 2, {});
 }
 
 void check_two(const std::string& square, Certificate::Realness realness, double apart) {
-  const SettledSolutions settled = near_zero(square);
+  const NearSolutions settled = near_zero(square);
   INFO(square);
   CHECK(settled.multiple.empty());
   REQUIRE(settled.simple.size() == 2);
@@ -37,7 +37,7 @@ TEST_CASE("two solutions next to a singular point are proven to be two, and real
 }
 
 TEST_CASE("a double solution is settled as one") {
-  const SettledSolutions settled = near_zero("0");
+  const NearSolutions settled = near_zero("0");
   CHECK(settled.simple.empty());
   REQUIRE(settled.multiple.size() == 1);
   CHECK(settled.multiple[0].multiplicity == 2);

@@ -41,9 +41,9 @@ std::vector<Figure> figures_of(const Scene& scene, const SolveReport& report) {
 }
 
 ReflectionClasses classes_of(const Scene& scene, const std::vector<Figure>& figures) {
-  std::vector<SolutionQuality> qualities;
-  for (const Figure& figure : figures) qualities.push_back({jacobian_condition(scene, figure)});
-  return solution_classes(scene, figures, qualities);
+  std::vector<SolutionAccuracy> accuracies;
+  for (const Figure& figure : figures) accuracies.push_back({jacobian_condition(scene, figure)});
+  return solution_classes(scene, figures, accuracies);
 }
 
 std::size_t real_ones(const SolveReport& report) {

@@ -110,7 +110,7 @@ TEST_CASE("tangents are zeros of the squeeze homotopy at both ends and after a r
     complex.squares[i] = spheres[static_cast<std::size_t>(i + 1)].square.value();
   }
   complex.first_square = spheres[0].square.value();
-  const CommonTangents tangents = common_tangents(spheres, work);
+  const FoundTangents tangents = common_tangents(spheres, work);
   REQUIRE(tangents.lines.size() == 12);
   for (const FoundTangent& tangent : tangents.lines) {
     for (const double b : {1.0, 4.0}) {

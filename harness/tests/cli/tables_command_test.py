@@ -73,11 +73,10 @@ class Tables(WithFolder):
                                            self.folder, "--repetitions", 100000),
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=SOURCE)
         file = self.folder / "run.json"
-        deadline = time.monotonic() + 60
-        while not file.exists() and time.monotonic() < deadline:
+        while not file.exists() and process.poll() is None:
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
-        output, _ = process.communicate(timeout=60)
+        output, _ = process.communicate()
         self.assertEqual(process.returncode, INTERRUPTED)
         self.assertTrue(output.startswith("### Table 1"))
         self.assertEqual(run("report", self.folder).returncode, DONE)

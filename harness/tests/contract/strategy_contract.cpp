@@ -13,7 +13,6 @@
 #include "harness/tests/contract/known_counts.hpp"
 #include "harness/tests/contract/report_agreement.hpp"
 #include "harness/tests/contract/report_difference.hpp"
-#include "harness/tests/sanitized.hpp"
 #include "solvers/answers/assess.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/complex_lines.hpp"
@@ -361,38 +360,47 @@ Violations check_stop(const Subject& subject, const Scene& scene) {
   return finder.take();
 }
 
-Violations check_restatement(const Subject& subject, const ProblemStatement& problem,
-                             const Restatement& restatement) {
+namespace {
+
+/// `report`: on the original scene; empty where the subject does not support it.
+Violations check_restatement(const Subject& subject, const Scene& scene,
+                             const std::optional<SolveReport>& report, const Restatement& restatement) {
   Finder finder;
-  const Scene scene(problem), restated(restatement.problem);
+  const Scene restated(restatement.problem);
   const Subject other_subject = in_unit(subject, restatement.unit_exponent);
-  const bool supported = supports(subject, scene);
-  finder.expect(supports(other_subject, restated) == supported, restatement.name, "support depends on it");
-  if (!supported || !supports(other_subject, restated)) return finder.take();
-  const SolveReport report = solve_anew(subject, scene);
+  const bool is_supported = supports(other_subject, restated);
+  finder.expect(is_supported == report.has_value(), restatement.name, "support depends on it");
+  if (!is_supported || !report) return finder.take();
   SolveReport other = solve_anew(other_subject, restated);
   if (restatement.is_exact) {
-    const auto difference = first_difference(report, other);
+    const auto difference = first_difference(*report, other);
     finder.expect(!difference, restatement.name, "reports another {}", difference.value_or(""));
   }
   for (Candidate& candidate : other.candidates) candidate.figure = restatement.original(candidate.figure);
-  finder.expect(report.status == other.status, restatement.name, "the status is {}, was {}",
-                static_cast<int>(other.status), static_cast<int>(report.status));
-  if (const auto found = contradiction(scene, report, other))
+  finder.expect(report->status == other.status, restatement.name, "the status is {}, was {}",
+                static_cast<int>(other.status), static_cast<int>(report->status));
+  if (const auto found = contradiction(scene, *report, other))
     finder.expect(false, restatement.name, "{}", *found);
   return finder.take();
 }
 
+}  // namespace
+
+std::vector<Restatement> restatements(const ProblemStatement& problem, std::mt19937_64& random) {
+  std::vector<Restatement> all{relabelled(problem, random), constraints_permuted(problem, random),
+                               mirrored(problem), ends_swapped(problem)};
+  for (const int exponent : {40, -40, -3, 5}) all.push_back(scaled(problem, exponent));
+  return all;
+}
+
 Violations check_restatements(const Subject& subject, const ProblemStatement& problem,
-                              std::mt19937_64& random) {
+                              const std::vector<Restatement>& restatements) {
   Finder finder;
-  finder.append(check_restatement(subject, problem, relabelled(problem, random)));
-  finder.append(check_restatement(subject, problem, constraints_permuted(problem, random)));
-  finder.append(check_restatement(subject, problem, mirrored(problem)));
-  finder.append(check_restatement(subject, problem, ends_swapped(problem)));
-  constexpr std::array exponents{40, -40, -3, 5};
-  for (int i = 0; i < repetitions(static_cast<int>(exponents.size())); ++i)
-    finder.append(check_restatement(subject, problem, scaled(problem, exponents[i])));
+  const Scene scene(problem);
+  std::optional<SolveReport> report;
+  if (supports(subject, scene)) report = solve_anew(subject, scene);
+  for (const Restatement& restatement : restatements)
+    finder.append(check_restatement(subject, scene, report, restatement));
   return finder.take();
 }
 

@@ -78,14 +78,13 @@ Violations check_reuse(const Subject& subject, const Scene& prepared, const Scen
 /// whole.
 Violations check_stop(const Subject& subject, const Scene& scene);
 
-/// The name of the restatement: the restated problem has the same solutions, in the same order along S; where
+/// Other names, orders, a mirror image and other units.
+std::vector<Restatement> restatements(const ProblemStatement& problem, std::mt19937_64& random);
+
+/// The name of a restatement: the restated problem has the same solutions, in the same order along S; where
 /// only the unit of length changes (that of options which are lengths too), the report is the same bit for
 /// bit.
-Violations check_restatement(const Subject& subject, const ProblemStatement& problem,
-                             const Restatement& restatement);
-
-/// check_restatement for all of them.
 Violations check_restatements(const Subject& subject, const ProblemStatement& problem,
-                              std::mt19937_64& random);
+                              const std::vector<Restatement>& restatements);
 
 }  // namespace gcs::contract

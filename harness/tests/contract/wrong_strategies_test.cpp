@@ -57,7 +57,8 @@ Checks caught_by_stop(const StrategyEntry& entry) { return names_of(check_stop({
 
 Checks caught_by_restatements(const StrategyEntry& entry) {
   std::mt19937_64 random(1);
-  return names_of(check_restatements({entry}, octahedron().problem(), random));
+  return names_of(
+      check_restatements({entry}, octahedron().problem(), restatements(octahedron().problem(), random)));
 }
 
 /// Removes everything found, which leaves nothing that could contradict itself.

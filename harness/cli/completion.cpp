@@ -2,8 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iterator>
-#include <string_view>
+#include <set>
 
 #include "harness/instances/families.hpp"
 #include "harness/instances/instance_lookup.hpp"
@@ -15,123 +14,74 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
-
-Words split(std::string_view text, char separator) {
-  Words parts;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(separator), text.size());
-    parts.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return parts;
-}
-
-Words strategy_names() {
+template <typename Entries>
+Words names_of(const Entries& entries) {
   Words names;
-  for (const StrategyEntry& entry : all_strategies()) names.emplace_back(entry.name);
+  for (const auto& entry : entries) names.emplace_back(entry.name);
   return names;
 }
 
-Words family_names() {
-  Words names;
-  for (const InstanceFamily& family : families()) names.emplace_back(family.name);
-  return names;
+Words joined(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
 }
 
 /// A family's members once its name stands, for they are many.
 Words instance_names(const std::string& current) {
   const InstanceFamily* family = find_family(current.substr(0, current.find('@')));
-  if (family != nullptr) return family->members();
-  Words names = shipped_instances();
-  append(names, family_names());
-  return names;
+  return family != nullptr ? family->members() : joined(shipped_instances(), names_of(families()));
 }
 
-const StrategyEntry* strategy_in(const Words& words) {
-  const auto option = std::find(words.begin(), words.end(), "--strategy");
-  if (option == words.end() || std::next(option) == words.end()) return nullptr;
-  const auto entries = all_strategies();
-  const auto entry = std::find_if(entries.begin(), entries.end(),
-                                  [&](const StrategyEntry& one) { return one.name == *std::next(option); });
-  return entry == entries.end() ? nullptr : &*entry;
-}
-
-/// "mode=", and once that stands "mode=fast" and so on where the values are words.
-Words settings(const StrategyEntry& entry, const std::string& current) {
+/// Of the strategy that was chosen: "mode=", and once that stands "mode=fast" and so on where values are words.
+Words settings(const Words& before, const std::string& current) {
   Words found;
-  for (const OptionSpec& option : entry.options) {
-    const std::string start = std::string(option.name) + "=";
-    const bool are_words = option.allowed.find(' ') == std::string_view::npos;
-    if (!current.starts_with(start)) {
-      found.push_back(start);
-    } else if (are_words) {
-      for (const std::string& value : split(option.allowed, '|')) found.push_back(start + value);
+  for (const StrategyEntry& entry : all_strategies()) {
+    const Words choice{"--strategy", std::string(entry.name)};
+    if (std::ranges::search(before, choice).empty()) continue;
+    for (const OptionSpec& option : entry.options) {
+      const std::string start = std::string(option.name) + "=";
+      if (!current.starts_with(start)) found.push_back(start);
+      if (!current.starts_with(start) || option.allowed.find(' ') != std::string::npos) continue;
+      for (const std::string& value : CLI::detail::split(option.allowed, '|')) found.push_back(start + value);
     }
   }
   return found;
 }
 
-/// The words of a check for membership, which the library shows as {a,b}.
-Words words_in_braces(const std::string& type) {
-  const std::size_t open = type.find('{');
-  const std::size_t close = type.find('}');
-  if (open == std::string::npos || close == std::string::npos) return {};
-  return split(std::string_view(type).substr(open + 1, close - open - 1), ',');
-}
-
 Words values_of(const CLI::Option& option, const Words& before, const std::string& current) {
-  const std::string name = option.get_name();
-  if (name == "--strategy" || name == "--strategies") return strategy_names();
+  const std::string name = option.get_name(), type = option.get_type_name();
+  if (name == "--strategy" || name == "--strategies") return names_of(all_strategies());
   if (name == "INSTANCE" || name == "--instances") return instance_names(current);
-  if (name == "FAMILY") return family_names();
-  if (name == "--set") {
-    const StrategyEntry* entry = strategy_in(before);
-    return entry == nullptr ? Words() : settings(*entry, current);
-  }
-  return words_in_braces(option.get_type_name());
+  if (name == "FAMILY") return names_of(families());
+  if (name == "--set") return settings(before, current);
+  // The library shows the words of a check for membership as {a,b}.
+  const std::size_t open = type.find('{'), close = type.find('}', open);
+  return close == std::string::npos ? Words()
+                                    : CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
 /// Where values are listed with commas, those before the last comma stand.
 Words listed_values_of(const CLI::Option& option, const Words& before, const std::string& current) {
-  const std::size_t comma = option.get_delimiter() == ',' ? current.rfind(',') : std::string::npos;
-  const std::size_t start = comma == std::string::npos ? 0 : comma + 1;
+  const std::size_t start = option.get_delimiter() == ',' ? current.rfind(',') + 1 : 0;
   Words values = values_of(option, before, current.substr(start));
   for (std::string& value : values) value.insert(0, current, 0, start);
   return values;
 }
 
-const CLI::App* command_in(const CLI::App& program, const Words& words) {
-  for (const CLI::App* command : program.get_subcommands({}))
-    if (std::find(words.begin(), words.end(), command->get_name()) != words.end()) return command;
-  return nullptr;
-}
-
-/// The option that awaits its value, or nullptr.
-const CLI::Option* awaiting(const CLI::App& command, const Words& before) {
-  for (const CLI::Option* option : command.get_options())
-    if (option->nonpositional() && option->get_items_expected_max() > 0 &&
-        option->get_name() == before.back())
-      return option;
-  return nullptr;
-}
-
 Words candidates(const CLI::App& program, const Words& before, const std::string& current) {
-  const CLI::App* command = command_in(program, before);
-  if (command == nullptr) {
-    Words words = command_names(program);
-    append(words, option_names(program));
-    return words;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    if (std::ranges::find(before, command->get_name()) == before.end()) continue;
+    Words words;
+    for (const CLI::Option* option : command->get_options()) {
+      const bool takes_value = option->nonpositional() && option->get_items_expected_max() > 0;
+      if (takes_value && option->get_name() == before.back())
+        return listed_values_of(*option, before, current);
+      if (option->get_positional()) words = joined(words, listed_values_of(*option, before, current));
+    }
+    if (!current.starts_with('-')) return words;
+    return joined(words, joined(option_names(*command), option_names(program)));
   }
-  if (const CLI::Option* option = awaiting(*command, before))
-    return listed_values_of(*option, before, current);
-  Words words;
-  for (const CLI::Option* option : command->get_options())
-    if (option->get_positional()) append(words, listed_values_of(*option, before, current));
-  if (!current.starts_with('-')) return words;
-  append(words, option_names(*command));
-  append(words, option_names(program));
-  return words;
+  return joined(command_names(program), option_names(program));
 }
 
 }  // namespace
@@ -152,12 +102,11 @@ Words command_names(const CLI::App& program) {
 
 std::vector<std::string> completions(const CLI::App& program, const std::vector<std::string>& words) {
   const std::string current = words.empty() ? "" : words.back();
-  const Words before(words.begin(), words.empty() ? words.end() : std::prev(words.end()));
-  Words found = candidates(program, before, current);
-  std::erase_if(found, [&](const std::string& word) { return !word.starts_with(current); });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+  const Words before(words.begin(), words.end() - (words.empty() ? 0 : 1));
+  std::set<std::string> found;
+  for (const std::string& word : candidates(program, before, current))
+    if (word.starts_with(current)) found.insert(word);
+  return {found.begin(), found.end()};
 }
 
 }  // namespace gcs

@@ -141,7 +141,7 @@ std::string condition_and_residual(const std::vector<AssessedSolution>& solution
                                      [](const AssessedSolution& s) { return s.error_bound.has_value(); });
   std::string text;
   if (certified)
-    text = summary_line("error", range(solutions, [](const AssessedSolution& s) { return *s.error_bound; }) +
+    text = summary_line("error", range(solutions, [](const AssessedSolution& s) { return *s.error(); }) +
                                      ", proven, in the file's unit of length");
   return text +
          summary_line("residual",

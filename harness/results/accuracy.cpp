@@ -23,8 +23,7 @@ constexpr double uncertainty = 10;
 constexpr int spare_digits = 10;
 
 DecimalFigure with_digits(const Scene& scene, const Figure& figure, int digits) {
-  auto exact =
-      decimal_figure(SceneEquations(scene), scene, scene.in_scene_unit(figure), digits + spare_digits);
+  auto exact = decimal_figure(SceneEquations(scene), scene, figure, digits + spare_digits);
   if (!exact) throw std::runtime_error("a solution of the reference is not proven to so many digits");
   return std::move(*exact);
 }
@@ -35,12 +34,12 @@ AccuracyJudge::AccuracyJudge(const Scene& scene, ReferenceList reference)
     : scene_(scene),
       reference_(std::move(reference)),
       images_(mirror_images(scene)),
-      size_(std::ldexp(scene.size(), scene.unit_exponent())),
-      reach_(reference_.solutions.size(), farthest * size_) {
+      reach_(reference_.solutions.size(), farthest * scene.size()) {
   for (std::size_t i = 0; i < reach_.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const double half =
-          least_distance(reference_.solutions[i].figure, reference_.solutions[j].figure, images_, size_) / 2;
+      const double half = least_distance(reference_.solutions[i].figure, reference_.solutions[j].figure,
+                                         images_, scene.size()) /
+                          2;
       reach_[i] = std::min(reach_[i], half);
       reach_[j] = std::min(reach_[j], half);
     }
@@ -50,13 +49,14 @@ AccuracyJudge::AccuracyJudge(const Scene& scene, ReferenceList reference)
 AccuracyJudge::Match AccuracyJudge::match(const AssessedSolution& solution,
                                           const std::vector<bool>& met) const {
   const double blur =
-      std::min(farthest, uncertainty * std::max(1.0, solution.condition) * unit_roundoff) * size_;
+      std::min(farthest, uncertainty * std::max(1.0, solution.condition) * unit_roundoff) * scene_.size();
   Match best;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < reach_.size(); ++i)
     for (const AxisSigns& signs : images_) {
       if (met[i]) continue;
-      const double distance = largest_distance(solution.figure, reference_.solutions[i].figure, signs, size_);
+      const double distance =
+          largest_distance(solution.figure, reference_.solutions[i].figure, signs, scene_.size());
       if (distance > std::max(reach_[i], blur) || distance >= nearest) continue;
       nearest = distance;
       best = {static_cast<int>(i), signs};
@@ -95,12 +95,13 @@ std::optional<std::uint64_t> AccuracyJudge::missed(const std::vector<bool>& met,
 double AccuracyJudge::error(const SolveRun& run, std::size_t solution, const Match& match, int digits) const {
   const KnownSolution& known = reference_.solutions[static_cast<std::size_t>(match.known)];
   const bool is_refined = !run.refined.empty() && run.refined[solution];
-  const double distance =
-      is_refined
-          ? largest_distance(*run.refined[solution], with_digits(scene_, known.figure, digits), match.signs,
-                             size_)
-          : largest_distance(decimals_of(run.solutions[solution].figure), known.exact, match.signs, size_);
-  return distance / size_;
+  const double size = std::ldexp(scene_.size(), scene_.unit_exponent());
+  const double distance = is_refined
+                              ? largest_distance(*run.refined[solution],
+                                                 with_digits(scene_, known.figure, digits), match.signs, size)
+                              : largest_distance(decimals_of(run.solutions[solution].placement()),
+                                                 known.exact, match.signs, size);
+  return distance / size;
 }
 
 Accuracy AccuracyJudge::judge(const SolveRun& run, int digits) const {

@@ -61,7 +61,6 @@ class AccuracyJudge {
   const Scene& scene_;
   ReferenceList reference_;
   std::vector<AxisSigns> images_;
-  double size_;                ///< of the scene, in the file's unit
   std::vector<double> reach_;  ///< a figure further from the solution than this is another one or none
 };
 

@@ -70,11 +70,11 @@ std::optional<std::string> failure(const CommandOutcome& outcome) {
   return std::nullopt;
 }
 
-/// In the scene's unit, every line with a direction of length 1.
-Candidate candidate_of(const Scene& scene, const AssessedSolution& solution) {
+/// Every line with a direction of length 1.
+Candidate candidate_of(const AssessedSolution& solution) {
   const Figure& given = solution.figure;
-  Figure figure = figure_of(complex_points(given), normalised(complex_lines(given)), given.is_real());
-  return {scene.in_scene_unit(figure), solution.multiplicity};
+  return {figure_of(complex_points(given), normalised(complex_lines(given)), given.is_real()),
+          solution.multiplicity};
 }
 
 /// The path that a program says to be closed. A result has one representative of each class, and S meets a
@@ -114,7 +114,7 @@ SolveReport report_of(const Scene& scene, const ProgramAnswer& answer) {
   SolveReport report;
   report.claim = answer.claim;
   for (const AssessedSolution& solution : answer.solutions)
-    report.candidates.push_back(candidate_of(scene, solution));
+    report.candidates.push_back(candidate_of(solution));
   if (answer.claim == Claim::on_path || answer.claim == Claim::on_path_of_core)
     take_path(scene, answer.crossings, report);
   take_status(answer, report);
@@ -138,8 +138,7 @@ class ExecStrategy final : public Strategy {
     try {
       const auto reason = failure(outcome);
       if (!reason)
-        return report_of(request.scene,
-                         parse_answer(outcome.output, request.scene.problem(), "the program's output"));
+        return report_of(request.scene, parse_answer(outcome.output, request.scene, "the program's output"));
       report.reason = *reason;
     } catch (const InputError& error) {
       report.reason = error.what();

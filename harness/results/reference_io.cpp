@@ -47,12 +47,11 @@ void require_proven(const StoredResult& result, const Verification& verification
 
 /// One text for each solution that is kept.
 std::vector<std::string> solution_texts(const StoredResult& result, const ReferenceSettings& settings) {
-  const Scene scene(result.instance.problem);
+  const Scene& scene = result.scene;
   const SceneEquations equations(scene);
   std::vector<Figure> kept;
   for (const AssessedSolution& solution : result.listed.solutions)
-    if (solution.figure.is_real() || !settings.only_real)
-      kept.push_back(scene.in_scene_unit(solution.figure));
+    if (solution.is_real() || !settings.only_real) kept.push_back(solution.figure);
   const auto figures = decimal_figures(equations, scene, kept, settings.digits, settings.threads);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < kept.size(); ++i)

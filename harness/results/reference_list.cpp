@@ -26,6 +26,11 @@ constexpr std::string_view format_name = "gcsbench-reference/1";
 /// Of a list that is made now.
 constexpr int digits = 40;
 
+KnownSolution known(const Scene& scene, DecimalFigure exact) {
+  Figure figure = scene.in_scene_unit(figure_of(exact));
+  return {std::move(exact), std::move(figure)};
+}
+
 // ---- the shipped lists
 
 std::string decimal_text(const JsonCursor& cursor) {
@@ -37,7 +42,8 @@ std::string decimal_text(const JsonCursor& cursor) {
   return text;
 }
 
-KnownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
+KnownSolution read_solution(const JsonCursor& cursor, const Scene& scene) {
+  const ProblemStatement& problem = scene.problem();
   const bool is_real = cursor.required("real").boolean();
   const auto read_vector = [&](const JsonCursor& vector, int dimension) {
     return read_coordinates<DecimalNumber>(vector, dimension, is_real, decimal_text);
@@ -51,11 +57,10 @@ KnownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& pr
         {read_vector(line.required("point"), 3), read_vector(line.required("direction"), 3)});
   }
   exact.error = cursor.required("error_bound").number().value;
-  Figure figure = figure_of(exact);
-  return {std::move(exact), std::move(figure)};
+  return known(scene, std::move(exact));
 }
 
-ReferenceList read_list(const JsonCursor& root, const ProblemStatement& problem, const std::string& file) {
+ReferenceList read_list(const JsonCursor& root, const Scene& scene, const std::string& file) {
   ReferenceList list;
   const JsonCursor origin = root.required("origin");
   const std::string claim = origin.required("claim").text();
@@ -65,7 +70,7 @@ ReferenceList read_list(const JsonCursor& root, const ProblemStatement& problem,
   list.is_real_proven = claim == word(Claim::all_real) ||
                         (list.has_all_real && root.required("proofs").required("complete").boolean());
   for (const JsonCursor& solution : root.required("solutions").elements())
-    list.solutions.push_back(read_solution(solution, problem));
+    list.solutions.push_back(read_solution(solution, scene));
   return list;
 }
 
@@ -82,10 +87,10 @@ class ListMaker {
   /// Every solution that is proven next to one that the run lists.
   void take(const SolveRun& run) {
     for (const AssessedSolution& solution : run.solutions) {
-      const Figure figure = scene_.in_scene_unit(solution.figure);
-      take_next_to(figure);
-      if ((solution.multiplicity > 1 || solution.condition > ill_conditioned) && !is_surrounded(figure))
-        take_around(figure);
+      take_next_to(solution.figure);
+      if ((solution.multiplicity > 1 || solution.condition > ill_conditioned) &&
+          !is_surrounded(solution.figure))
+        take_around(solution.figure);
     }
     const bool is_complete = run.status == RunStatus::complete && run.failed_checks.empty();
     list_.has_all_real = list_.has_all_real || (is_complete && run.claim == Claim::all_real);
@@ -109,8 +114,10 @@ class ListMaker {
   static constexpr double ill_conditioned = 1e4;
 
   void take_next_to(const Figure& figure) {
-    const auto exact = decimal_figure(equations_, scene_, figure, digits);
-    if (exact && is_new(*exact)) list_.solutions.push_back({*exact, figure_of(*exact)});
+    auto exact = decimal_figure(equations_, scene_, figure, digits);
+    if (!exact) return;
+    KnownSolution found = known(scene_, std::move(*exact));
+    if (is_new(found)) list_.solutions.push_back(std::move(found));
   }
 
   /// As far as doubles tell, another strategy has listed it.
@@ -149,13 +156,13 @@ class ListMaker {
   }
 
   /// Further from every other one, mirror images included, than their errors together.
-  bool is_new(const DecimalFigure& exact) const {
-    const Figure figure = figure_of(exact);
-    return std::all_of(list_.solutions.begin(), list_.solutions.end(), [&](const KnownSolution& known) {
+  bool is_new(const KnownSolution& found) const {
+    const double far = 1e-6 * scene_.size();
+    return std::all_of(list_.solutions.begin(), list_.solutions.end(), [&](const KnownSolution& other) {
       return std::all_of(images_.begin(), images_.end(), [&](const AxisSigns& signs) {
-        if (largest_distance(figure, known.figure, signs, size_) > 1e-6 * size_) return true;
-        const double errors = 4 * (exact.error + known.exact.error) * std::max(1.0, size_);
-        return largest_distance(exact, known.exact, signs, size_) > errors;
+        if (largest_distance(found.figure, other.figure, signs, scene_.size()) > far) return true;
+        const double errors = 4 * (found.exact.error + other.exact.error) * std::max(1.0, size_);
+        return largest_distance(found.exact, other.exact, signs, size_) > errors;
       });
     });
   }
@@ -163,7 +170,7 @@ class ListMaker {
   const Scene& scene_;
   SceneEquations equations_;
   std::vector<AxisSigns> images_;
-  double size_;
+  double size_;  ///< of the scene, in the file's unit
   std::vector<Figure> surrounded_;
   ReferenceList list_;
 };
@@ -196,11 +203,11 @@ std::optional<std::vector<bool>> known_on_path(const Scene& scene, const Referen
   std::vector<bool> on_path(list.solutions.size(), false);
   const std::vector<AxisSigns> images = mirror_images(scene);
   for (const Candidate& candidate : report.candidates) {
-    const Figure met = scene.in_file_unit(scene.representative(candidate.figure));
-    double nearest = same_place * std::ldexp(scene.size(), scene.unit_exponent());
+    const Figure met = scene.representative(candidate.figure);
+    double nearest = same_place * scene.size();
     std::optional<std::size_t> same;
     for (std::size_t i = 0; i < on_path.size(); ++i) {
-      const double distance = least_distance(met, list.solutions[i].figure, images, 1);
+      const double distance = least_distance(met, list.solutions[i].figure, images, scene.size());
       if (distance >= nearest) continue;
       nearest = distance;
       same = i;
@@ -213,18 +220,18 @@ std::optional<std::vector<bool>> known_on_path(const Scene& scene, const Referen
 
 }  // namespace
 
-std::optional<ReferenceList> shipped_reference(const Instance& instance) {
+std::optional<ReferenceList> shipped_reference(const Instance& instance, const Scene& scene) {
   const auto file = shipped_file(std::filesystem::path("results") / "reference" / (instance.id + ".json"));
   if (!file) return std::nullopt;
   const JsonValue document = parse_json(read_file(*file, "run scripts/make-references"), *file);
   const JsonCursor root(document, *file);
   root.require_format(format_name);
   if (to_text(root.required("instance").value(), -1) != to_text(instance.document, -1)) return std::nullopt;
-  return read_list(root, instance.problem, *file);
+  return read_list(root, scene, *file);
 }
 
 ReferenceList reference_for(const Instance& instance, const Scene& scene, double limit_s, Monitor& progress) {
-  const auto shipped = shipped_reference(instance);
+  const auto shipped = shipped_reference(instance, scene);
   ReferenceList list = shipped ? *shipped : list_found_now(scene, limit_s, progress);
   list.on_path = known_on_path(scene, list, limit_s);
   return list;

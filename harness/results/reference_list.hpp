@@ -12,10 +12,10 @@
 
 namespace gcs {
 
-/// In the instance's frame and the file's unit.
+/// In the instance's frame.
 struct KnownSolution {
-  DecimalFigure exact;  ///< to 30 digits at least
-  Figure figure;        ///< the nearest doubles
+  DecimalFigure exact;  ///< to 30 digits at least, in the file's unit
+  Figure figure;        ///< the nearest doubles, in the scene's unit
 };
 
 struct ReferenceList {
@@ -28,8 +28,9 @@ struct ReferenceList {
   std::optional<std::vector<bool>> on_path;
 };
 
-/// The list in results/reference, if it is of this very instance. Throws InputError for a file that is none.
-std::optional<ReferenceList> shipped_reference(const Instance& instance);
+/// The list in results/reference, if it is of this very instance, whose scene is `scene`. Throws InputError for
+/// a file that is none.
+std::optional<ReferenceList> shipped_reference(const Instance& instance, const Scene& scene);
 
 /// The shipped list or, where there is none, what is proven of what the strategies that can do the scene find
 /// with their defaults in `limit_s` seconds each, and of what lies next to multiple and ill-conditioned

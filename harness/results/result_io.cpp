@@ -10,13 +10,14 @@ namespace gcs {
 namespace {
 
 JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution& solution) {
-  return json_object({{"points", json_points(problem, solution.figure)},
-                      {"lines", json_lines(problem, solution.figure)},
-                      {"real", json_boolean(solution.figure.is_real())},
+  const Figure placement = solution.placement();
+  return json_object({{"points", json_points(problem, placement)},
+                      {"lines", json_lines(problem, placement)},
+                      {"real", json_boolean(solution.is_real())},
                       {"multiplicity", json_number(solution.multiplicity)},
                       {"residual", json_number(solution.residual)},
                       {"condition", json_number(solution.condition)},
-                      {"error_bound", json_or_null(solution.error_bound, json_number)},
+                      {"error_bound", json_or_null(solution.error(), json_number)},
                       {"certified", json_boolean(solution.certified)}});
 }
 

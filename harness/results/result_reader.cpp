@@ -70,19 +70,20 @@ bool has_real_points(const JsonCursor& points, const ProblemStatement& problem) 
   return coordinates.empty() || coordinates.front().value().kind != JsonValue::Kind::array;
 }
 
-AssessedSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
+AssessedSolution read_solution(const JsonCursor& cursor, const Scene& scene) {
   AssessedSolution solution;
   const JsonCursor points = cursor.required("points");
   const auto real = cursor.optional("real");
-  const bool is_real = real ? real->boolean() : has_real_points(points, problem);
-  solution.figure = read_figure(cursor, problem, is_real);
+  const bool is_real = real ? real->boolean() : has_real_points(points, scene.problem());
+  solution.figure = scene.in_scene_unit(read_figure(cursor, scene.problem(), is_real));
   if (const auto multiplicity = cursor.optional("multiplicity"))
     solution.multiplicity = read_number(*multiplicity);
   const auto condition = cursor.optional("condition");
   const bool has_condition = condition && !condition->is_null();
   solution.condition = has_condition ? condition->number().value : std::numeric_limits<double>::infinity();
   const auto bound = cursor.optional("error_bound");
-  if (bound && !bound->is_null()) solution.error_bound = bound->number().value;
+  if (bound && !bound->is_null())
+    solution.error_bound = std::ldexp(bound->number().value, -scene.unit_exponent());
   if (const auto certified = cursor.optional("certified")) solution.certified = certified->boolean();
   return solution;
 }
@@ -114,8 +115,7 @@ auto count_reader(const JsonCursor& cursor) {
 
 }  // namespace
 
-ProgramAnswer parse_answer(const std::string& text, const ProblemStatement& problem,
-                           const std::string& source) {
+ProgramAnswer parse_answer(const std::string& text, const Scene& scene, const std::string& source) {
   const JsonValue document = parse_json(text, source);
   const JsonCursor root(document, source);
   if (root.optional("format")) root.require_format(format_name);
@@ -124,7 +124,7 @@ ProgramAnswer parse_answer(const std::string& text, const ProblemStatement& prob
   if (const auto reason = root.optional("reason")) answer.reason = reason->text();
   answer.claim = read_claim(root).value_or(answer.claim);
   for (const JsonCursor& solution : root.required("solutions").elements())
-    answer.solutions.push_back(read_solution(solution, problem));
+    answer.solutions.push_back(read_solution(solution, scene));
   if (const auto path = root.optional("path"))
     answer.crossings = read_crossings(*path, answer.solutions.size());
   return answer;
@@ -134,13 +134,14 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
   root.require_format(format_name);
-  StoredResult result;
-  result.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
+  Instance instance =
+      parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
+  StoredResult result{.instance = instance, .scene = Scene(std::move(instance.problem))};
   result.strategy = root.required("strategy").text();
   result.status = read_word(root.required("status"), all_statuses);
   result.claim = read_claim(root);
   for (const JsonCursor& solution : root.required("solutions").elements())
-    result.listed.solutions.push_back(read_solution(solution, result.instance.problem));
+    result.listed.solutions.push_back(read_solution(solution, result.scene));
   if (const auto path = root.optional("path"))
     result.listed.crossings = read_crossings(*path, result.listed.solutions.size());
   if (const auto counts = root.optional("counts")) visit_counts(result.listed.counts, count_reader(*counts));

@@ -13,10 +13,11 @@ namespace gcs {
 
 struct StoredResult {
   Instance instance;
-  std::string strategy;
+  Scene scene;
+  std::string strategy = {};
   RunStatus status = RunStatus::complete;
-  std::optional<Claim> claim;  ///< empty where the file has null
-  Assessment listed;           ///< solutions, crossings and counts as listed; nothing else
+  std::optional<Claim> claim = {};  ///< empty where the file has null
+  Assessment listed = {};           ///< solutions, crossings and counts as listed; nothing else
 };
 
 /// What an external program answers: a result of which nothing but `solutions` has to be there.
@@ -24,14 +25,13 @@ struct ProgramAnswer {
   RunStatus status = RunStatus::complete;
   std::string reason;
   Claim claim = Claim::some_real;
-  std::vector<AssessedSolution> solutions;  ///< figures in the file's unit, and multiplicities
+  std::vector<AssessedSolution> solutions;  ///< with figures and multiplicities only
   std::vector<AssessedCrossing> crossings;
 };
 
-/// The answer in `text` about `problem`; `source` is for messages. A solution without the member `real` is
+/// The answer in `text` about `scene`; `source` is for messages. A solution without the member `real` is
 /// real unless its coordinates are pairs. Members that it does not know are passed over. Throws InputError.
-ProgramAnswer parse_answer(const std::string& text, const ProblemStatement& problem,
-                           const std::string& source);
+ProgramAnswer parse_answer(const std::string& text, const Scene& scene, const std::string& source);
 
 /// The result in `text`; `file` is for messages. Members that it does not know are passed over.
 /// Throws InputError.

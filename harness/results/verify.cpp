@@ -24,9 +24,8 @@ constexpr int precise_bits = 128;
 class Verifier {
  public:
   Verifier(const StoredResult& result, int threads, Monitor* monitor)
-      : result_(result), scene_(result.instance.problem), equations_(scene_) {
-    for (const AssessedSolution& solution : result.listed.solutions)
-      figures_.push_back(scene_.in_scene_unit(solution.figure));
+      : result_(result), scene_(result.scene), equations_(scene_) {
+    for (const AssessedSolution& solution : result.listed.solutions) figures_.push_back(solution.figure);
     proofs_ = prove_solutions(equations_, figures_, threads, monitor);
   }
 
@@ -92,8 +91,7 @@ class Verifier {
 
   void check_distance(std::size_t i) {
     const std::optional<double> stated = result_.listed.solutions[i].error_bound;
-    const double bound =
-        stated ? std::ldexp(*stated, -scene_.unit_exponent()) : default_error * scene_.size();
+    const double bound = stated.value_or(default_error * scene_.size());
     if (proofs_[i].distance <= bound) return;
     const double distance = precise_distance(i);
     if (distance <= bound) return;
@@ -194,7 +192,7 @@ class Verifier {
   }
 
   const StoredResult& result_;
-  const Scene scene_;
+  const Scene& scene_;
   const SceneEquations equations_;
   std::vector<Figure> figures_;
   std::vector<SolutionProof> proofs_;

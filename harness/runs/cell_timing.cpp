@@ -134,10 +134,11 @@ double largest_residual(const Assessment& assessment) {
 }
 
 RecordedSolution recorded(const ProblemStatement& problem, const AssessedSolution& solution) {
-  RecordedSolution record{solution.figure.is_real(), solution.multiplicity, {}};
+  RecordedSolution record{solution.is_real(), solution.multiplicity, {}};
   if (!record.is_real) return record;
+  const Figure placement = solution.placement();
   for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    const Eigen::Vector3d point = solution.figure.points.col(static_cast<Eigen::Index>(i));
+    const Eigen::Vector3d point = placement.points.col(static_cast<Eigen::Index>(i));
     record.points[problem.points[i]] = {point.x(), point.y(), point.z()};
   }
   return record;

@@ -37,13 +37,13 @@ constexpr double same_place = 1e-5;
 
 // ---- solutions
 
-void take_proven(const ReferenceList& list, ShownScene& record) {
+void take_proven(const ReferenceList& list, const Scene& scene, ShownScene& record) {
   bool is_cut = false;
   for (const KnownSolution& known : list.solutions) {
     if (!known.figure.is_real()) continue;
     is_cut = record.solutions.size() == most_solutions;
     if (is_cut) break;
-    record.solutions.push_back({known.figure, 1});
+    record.solutions.push_back({scene.in_file_unit(known.figure), 1});
   }
   record.source = list.source;
   record.are_proven = true;
@@ -63,7 +63,7 @@ void take_listed(const Scene& scene, Monitor& progress, ShownScene& record) {
     if (run.solutions.size() <= record.solutions.size()) continue;
     record.solutions.clear();
     for (const AssessedSolution& solution : run.solutions)
-      record.solutions.push_back({solution.figure, solution.multiplicity});
+      record.solutions.push_back({solution.placement(), solution.multiplicity});
     record.source = "found by " + std::string(entry.name) + ", not proven";
     record.has_all_real = run.status == RunStatus::complete && run.claim != Claim::some_real &&
                           run.claim != Claim::on_path && run.claim != Claim::on_path_of_core;
@@ -74,7 +74,7 @@ void take_solutions(const Instance& instance, const Scene& scene, Monitor& progr
   std::optional<ReferenceList> list;
   if (!why_not_certified(scene)) list = reference_for(instance, scene, limit_s, progress);
   if (list && (!list->solutions.empty() || list->is_real_proven))
-    take_proven(*list, record);
+    take_proven(*list, scene, record);
   else
     take_listed(scene, progress, record);
 }

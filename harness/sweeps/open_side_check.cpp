@@ -29,15 +29,11 @@ std::vector<Figure> distinct(const Scene& scene, const std::vector<Figure>& figu
   return first;
 }
 
-/// What the default finds, in the scene's unit.
-std::vector<Figure> real_figures(const Scene& scene, const SolveRun& run) {
+/// What the default finds.
+std::vector<Figure> real_figures(const SolveRun& run) {
   std::vector<Figure> figures;
-  for (const AssessedSolution& solution : run.solutions) {
-    if (!solution.figure.is_real()) continue;
-    figures.push_back(solution.figure);
-    figures.back().points *= std::ldexp(1.0, -scene.unit_exponent());
-    for (LinePosition& line : figures.back().lines) line.point *= std::ldexp(1.0, -scene.unit_exponent());
-  }
+  for (const AssessedSolution& solution : run.solutions)
+    if (solution.is_real()) figures.push_back(solution.figure);
   return figures;
 }
 
@@ -101,7 +97,7 @@ std::vector<Figure> FineScan::solutions(double length, double band) const {
 OpenSideVerdict check_open_side(const FineScan& scan, double length, double band) {
   const Scene scene(scan.with_length(length));
   const SolveRun run = run_strategy(find_strategy("theta-scan"), {}, scene, {});
-  std::vector<Figure> figures = real_figures(scene, run);
+  std::vector<Figure> figures = real_figures(run);
   const std::vector<Figure> finer = scan.solutions(length, band);
   OpenSideVerdict verdict;
   verdict.length = length;

@@ -91,10 +91,10 @@ std::vector<double> order_key(const Scene& scene, const Figure& figure) {
 
 /// Multiplicity of a class: the largest that was reported for a member.
 AssessedSolution solution_of_class(const Scene& scene, const Judged& first, int multiplicity,
-                                   const std::shared_ptr<const EntityNames>& names) {
+                                   const std::shared_ptr<const FileTerms>& terms) {
   AssessedSolution solution;
-  solution.names = names;
-  solution.figure = scene.in_file_unit(first.representative);
+  solution.terms = terms;
+  solution.figure = first.representative;
   solution.multiplicity = multiplicity;
   solution.residual = relative_residual(scene, first.representative);
   solution.condition = first.condition;
@@ -115,12 +115,11 @@ std::vector<int> list_solutions(const Scene& scene, const std::vector<Judged>& j
   for (const int i : first) order.emplace_back(order_key(scene, judged[i].representative), i);
   std::sort(order.begin(), order.end());
 
-  const auto names = std::make_shared<const EntityNames>(
-      EntityNames{scene.dimension(), scene.problem().points, scene.problem().lines});
+  const auto terms = file_terms(scene);
   std::vector<int> solution_of_class_index(judged.size(), -1);
   for (const auto& [key, i] : order) {
     solution_of_class_index[class_of[i]] = static_cast<int>(solutions.size());
-    solutions.push_back(solution_of_class(scene, judged[i], multiplicity[class_of[i]], names));
+    solutions.push_back(solution_of_class(scene, judged[i], multiplicity[class_of[i]], terms));
   }
   std::vector<int> solution_of;
   for (const int c : class_of) solution_of.push_back(solution_of_class_index[c]);
@@ -313,11 +312,23 @@ void Assessor::count() {
 
 }  // namespace
 
+std::shared_ptr<const FileTerms> file_terms(const Scene& scene) {
+  return std::make_shared<const FileTerms>(
+      FileTerms{scene.dimension(), scene.problem().points, scene.problem().lines, scene.unit_exponent()});
+}
+
+std::optional<double> AssessedSolution::error() const {
+  if (!error_bound) return std::nullopt;
+  const double scaled = std::ldexp(*error_bound, terms->unit_exponent);
+  const bool is_rounded_down = std::ldexp(scaled, -terms->unit_exponent) < *error_bound;
+  return is_rounded_down ? std::nextafter(scaled, std::numeric_limits<double>::max()) : scaled;
+}
+
 Eigen::VectorXcd AssessedSolution::complex_point(std::string_view name) const {
-  const Eigen::Index i = index_of(names ? names->points : std::vector<std::string>(), name, "point");
-  const int dimension = names->dimension;
-  Eigen::VectorXcd position = figure.points.col(i).head(dimension).cast<std::complex<double>>();
-  if (figure.imaginary.cols() > 0) position.imag() = figure.imaginary.col(i).head(dimension);
+  const Eigen::Index i = index_of(terms->points, name, "point");
+  const Figure placed = placement();
+  Eigen::VectorXcd position = placed.points.col(i).head(terms->dimension).cast<std::complex<double>>();
+  if (placed.imaginary.cols() > 0) position.imag() = placed.imaginary.col(i).head(terms->dimension);
   return position;
 }
 
@@ -328,9 +339,9 @@ Eigen::VectorXd AssessedSolution::point(std::string_view name) const {
 }
 
 LinePosition AssessedSolution::line(std::string_view name) const {
-  const Eigen::Index i = index_of(names ? names->lines : std::vector<std::string>(), name, "line");
+  const Eigen::Index i = index_of(terms->lines, name, "line");
   check_real(*this);
-  return figure.lines[i];
+  return placement().lines[i];
 }
 
 Assessment assess(const Scene& scene, const SolveReport& report) { return Assessor(scene, report).run(); }

@@ -79,9 +79,8 @@ std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point
   return static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), true));
 }
 
-/// What keeps a solution from counting as proven; empty when nothing does. `unit`: the scene's, in the
-/// file's.
-std::string objection(const AssessedSolution& solution, const SolutionProof& proof, double unit) {
+/// What keeps a solution from counting as proven; empty when nothing does.
+std::string objection(const AssessedSolution& solution, const SolutionProof& proof) {
   using Realness = Certificate::Realness;
   const bool is_real = solution.figure.is_real();
   const int cluster = proof.certificate.cluster;
@@ -91,7 +90,7 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
         solution.multiplicity, cluster);
   if (cluster > 0)
     return fmt::format("is not proven: {}, no further from it than {:.1e}", proof.certificate.cause,
-                       proof.distance * unit);
+                       std::ldexp(proof.distance, solution.terms->unit_exponent));
   if (!proof.certificate.is_proven) return "is not proven: " + proof.certificate.cause;
   if (solution.multiplicity > 1)
     return fmt::format("is listed with multiplicity {} and is a simple one", solution.multiplicity);
@@ -102,13 +101,6 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
   if (!is_real && proof.certificate.realness == Realness::real) return "is listed as complex and is real";
   if (proof.certificate.realness == Realness::undecided) return "is neither proven real nor proven not to be";
   return "";
-}
-
-/// value·2^exponent, rounded up where it is so near underflow that it is rounded at all.
-double scaled_up(double value, int exponent) {
-  const double scaled = std::ldexp(value, exponent);
-  return std::ldexp(scaled, -exponent) < value ? std::nextafter(scaled, std::numeric_limits<double>::max())
-                                               : scaled;
 }
 
 std::uint64_t proven_real(const Assessment& assessment) {
@@ -162,13 +154,12 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   }
   const SceneEquations equations(scene);
   std::vector<Figure> figures;
-  for (const AssessedSolution& solution : assessment.solutions)
-    figures.push_back(scene.in_scene_unit(solution.figure));
+  for (const AssessedSolution& solution : assessment.solutions) figures.push_back(solution.figure);
   const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads, monitor, stop);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!all[i].certificate.is_tried()) continue;
     AssessedSolution& solution = assessment.solutions[i];
-    const std::string what = objection(solution, all[i], std::ldexp(1.0, scene.unit_exponent()));
+    const std::string what = objection(solution, all[i]);
     if (!what.empty()) {
       const Certificate& certificate = all[i].certificate;
       const bool is_multiple =
@@ -177,8 +168,7 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
       assessment.failed_checks.push_back(
           {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
     }
-    if (all[i].certificate.is_proven)
-      solution.error_bound = scaled_up(all[i].distance, scene.unit_exponent());
+    if (all[i].certificate.is_proven) solution.error_bound = all[i].distance;
     solution.certified = what.empty();
     proofs.classes += solution.certified ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);

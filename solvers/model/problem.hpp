@@ -33,6 +33,8 @@ struct Figure {
   std::vector<LinePosition> imaginary_lines{};
 
   bool is_real() const { return imaginary.cols() == 0 && imaginary_lines.empty(); }
+  /// In a unit of 2^−exponent of this one; exact unless it overflows or underflows.
+  Figure scaled(int exponent) const;
 };
 
 /// |between[0] − between[1]| is given. Entities are numbered points first, then lines
@@ -95,18 +97,25 @@ struct ProblemStatement {
     return is_point(entity) ? points[entity] : lines[entity - points.size()];
   }
   /// True when the file gives the entity's position. A problem without any may leave both vectors empty.
-  bool is_fixed(int entity) const {
-    const std::size_t point = static_cast<std::size_t>(entity);
-    if (is_point(entity)) return point < fixed_points.size() && fixed_points[point].has_value();
-    const std::size_t line = point - points.size();
-    return line < fixed_lines.size() && fixed_lines[line].has_value();
-  }
+  bool is_fixed(int entity) const;
   /// True when positions are given, so that no motion or reflection is divided out.
-  bool is_anchored() const {
-    for (int entity = 0; entity < static_cast<int>(points.size() + lines.size()); ++entity)
-      if (is_fixed(entity)) return true;
-    return false;
-  }
+  bool is_anchored() const;
 };
+
+/// How many mirror images of a solution a frame tells apart.
+struct FrameImages {
+  /// By reflections that the frame leaves: the one through the reference unless all points lie in it; with a
+  /// line on the x-axis and a point on the positive z-axis x → −x and y → −y, unless that is all.
+  int in_frame = 1;
+  /// By signs of the reference coordinates to which the frame gives one.
+  int by_signs = 1;
+};
+
+/// One of each where positions are given.
+FrameImages frame_images(const ProblemStatement& problem);
+
+/// All ways to change the signs of coordinates without leaving a solution's class: 2^dimension, and none but
+/// the identity where positions are given.
+int sign_patterns(bool is_anchored, int dimension);
 
 }  // namespace gcs

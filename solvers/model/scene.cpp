@@ -29,16 +29,6 @@ int exponent_of(double length) {
   return exponent - 1;
 }
 
-Figure scaled(const Figure& figure, int exponent) {
-  const auto scale = [exponent](double x) { return std::ldexp(x, exponent); };
-  Figure result = figure;
-  result.points = figure.points.unaryExpr(scale);
-  result.imaginary = figure.imaginary.unaryExpr(scale);
-  for (auto* lines : {&result.lines, &result.imaginary_lines})
-    for (LinePosition& line : *lines) line.point = line.point.unaryExpr(scale);
-  return result;
-}
-
 bool constrained(const std::set<std::pair<int, int>>& pairs, int a, int b) {
   return pairs.count({std::min(a, b), std::max(a, b)}) > 0;
 }
@@ -217,7 +207,7 @@ Scene::Scene(ProblemStatement problem) : problem_(std::move(problem)), anchored_
   reference_ = problem_.reference.value_or(default_reference(problem_));
 
   if (!problem_.sketch) return;
-  sketch_ = in_frame(scaled(*problem_.sketch, -unit_exponent_));
+  sketch_ = in_frame(problem_.sketch->scaled(-unit_exponent_));
   const int bent = problem_.interpolation.bent >= 0 ? problem_.interpolation.bent : constraint_count() - 1;
   for (int i = 0; i < constraint_count(); ++i) {
     const auto [a, b] = problem_.constraints[i].between;
@@ -263,7 +253,7 @@ Figure Scene::representative(const Figure& figure) const {
   return result;
 }
 
-Figure Scene::in_file_unit(const Figure& figure) const { return scaled(figure, unit_exponent_); }
-Figure Scene::in_scene_unit(const Figure& figure) const { return scaled(figure, -unit_exponent_); }
+Figure Scene::in_file_unit(const Figure& figure) const { return figure.scaled(unit_exponent_); }
+Figure Scene::in_scene_unit(const Figure& figure) const { return figure.scaled(-unit_exponent_); }
 
 }  // namespace gcs

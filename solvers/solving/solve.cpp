@@ -206,8 +206,7 @@ class Solve {
     if (why_not_certified(scene_)) return;
     enter(SolveStage::refining);
     std::vector<Figure> figures;
-    for (const AssessedSolution& solution : answer_.solutions)
-      figures.push_back(scene_.in_scene_unit(solution.figure));
+    for (const AssessedSolution& solution : answer_.solutions) figures.push_back(solution.figure);
     answer_.refined = decimal_figures(SceneEquations(scene_), scene_, figures, settings_.digits,
                                       settings_.threads, surroundings_.stop);
     if (is_stopped()) set_stopped(SolveStage::refining);

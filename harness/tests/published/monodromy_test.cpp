@@ -86,11 +86,7 @@ TEST_CASE("what is saved changes the work and not the solutions") {
   for (const SolveRun* run : {&saving, &all}) {
     CHECK(run->status == RunStatus::complete);
     CHECK(run->solutions.size() == 8);  // 16 in a fixed frame, by the recursion for Laman graphs
-    for (const AssessedSolution& solution : run->solutions) {
-      figures.push_back(solution.figure);
-      figures.back().points *= std::ldexp(1.0, -scene.unit_exponent());
-      figures.back().imaginary *= std::ldexp(1.0, -scene.unit_exponent());
-    }
+    for (const AssessedSolution& solution : run->solutions) figures.push_back(solution.figure);
   }
   CHECK(reflection_classes(scene, figures, 1e-9).count() == 8);
 }

@@ -49,10 +49,11 @@ void check(const std::string& id, const std::string& strategy) {
     if (!solution.figure.is_real()) continue;
     REQUIRE(solution.certified);
     // The reference's digits are rounded to doubles here.
-    const double bound = *solution.error_bound + 1e-15 * solution.figure.points.cwiseAbs().maxCoeff();
+    const Figure placement = solution.placement();
+    const double bound = *solution.error() + 1e-15 * placement.points.cwiseAbs().maxCoeff();
     std::size_t nearest = solutions.size();
     for (std::size_t i = 0; i < solutions.size(); ++i)
-      if (solutions[i]["real"] == true && distance(instance.problem, solution.figure, solutions[i]) <= bound)
+      if (solutions[i]["real"] == true && distance(instance.problem, placement, solutions[i]) <= bound)
         nearest = i;
     REQUIRE(nearest < solutions.size());
     CHECK(met.insert(nearest).second);

@@ -36,8 +36,8 @@ TEST_CASE("mirror images are one class, shown in the file's unit and the frame")
   CHECK(assessment.failed_checks.empty());
   REQUIRE(assessment.solutions.size() == 2);
   for (const AssessedSolution& solution : assessment.solutions) {
-    CHECK(solution.figure.points(0, 1) == 6);
-    CHECK(solution.figure.points(1, 2) == 4);
+    CHECK(solution.placement().points(0, 1) == 6);
+    CHECK(solution.placement().points(1, 2) == 4);
     CHECK(solution.figure.is_real());
     CHECK_FALSE(solution.certified);
     CHECK_FALSE(solution.error_bound);
@@ -45,8 +45,8 @@ TEST_CASE("mirror images are one class, shown in the file's unit and the frame")
     CHECK(solution.condition > 1);
     CHECK(solution.condition < 100);
   }
-  CHECK(assessment.solutions[0].figure.points(1, 3) == -8);
-  CHECK(assessment.solutions[1].figure.points(1, 3) == 8);
+  CHECK(assessment.solutions[0].placement().points(1, 3) == -8);
+  CHECK(assessment.solutions[1].placement().points(1, 3) == 8);
 }
 
 TEST_CASE("crossings keep their order and name solutions by their place in the list") {

@@ -118,7 +118,7 @@ bool holds(const ProblemStatement& problem, const SolveRun& run, const Eigen::Ma
   const double unit = std::ldexp(1.0, -scene.unit_exponent());
   return std::any_of(run.solutions.begin(), run.solutions.end(), [&](const AssessedSolution& s) {
     if (!s.figure.is_real()) return false;
-    const std::array<Figure, 2> pair{Figure{unit * s.figure.points, {}, {}}, Figure{unit * points, {}, {}}};
+    const std::array<Figure, 2> pair{s.figure, Figure{unit * points, {}, {}}};
     return reflection_classes(scene, pair, 1e-8).count() == 1;
   });
 }
@@ -149,7 +149,8 @@ TEST_CASE("cayley-menger finds the classes that path tracking finds, to 1e-12") 
   REQUIRE(path.solutions.size() == 4);
   REQUIRE(real_ones(all) == 4);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Matrix3Xd difference = all.solutions[i].figure.points - path.solutions[i].figure.points;
+    const Eigen::Matrix3Xd difference =
+        all.solutions[i].placement().points - path.solutions[i].placement().points;
     CHECK(difference.cwiseAbs().maxCoeff() <= 1e-12);
   }
 }
@@ -207,9 +208,9 @@ TEST_CASE("solutions of an octahedron with a short edge scale by powers of two, 
     const SolveRun scaled = solved(octahedron_of(scale * points));
     REQUIRE(scaled.solutions.size() == run.solutions.size());
     for (std::size_t i = 0; i < run.solutions.size(); ++i) {
-      const Figure& figure = run.solutions[i].figure;
-      CHECK(scaled.solutions[i].figure.points == scale * figure.points);
-      CHECK(scaled.solutions[i].figure.imaginary == scale * figure.imaginary);
+      const Figure at_one = run.solutions[i].placement(), at_scale = scaled.solutions[i].placement();
+      CHECK(at_scale.points == scale * at_one.points);
+      CHECK(at_scale.imaginary == scale * at_one.imaginary);
     }
   }
 }

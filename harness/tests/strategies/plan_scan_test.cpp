@@ -23,7 +23,7 @@ SolveRun solved(const ProblemStatement& problem, const std::string& strategy, co
 std::vector<Figure> real_figures(const SolveRun& run) {
   std::vector<Figure> figures;
   for (const AssessedSolution& s : run.solutions)
-    if (s.figure.is_real()) figures.push_back(s.figure);
+    if (s.is_real()) figures.push_back(s.placement());
   return figures;
 }
 

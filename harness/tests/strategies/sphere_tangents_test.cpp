@@ -45,7 +45,7 @@ int multiplicities(const SolveRun& run) {
 
 bool holds_conjugate(const SolveRun& run, const ComplexLine& line) {
   return std::any_of(run.solutions.begin(), run.solutions.end(), [&](const AssessedSolution& other) {
-    const ComplexLine at = complex_lines(other.figure)[0];
+    const ComplexLine at = complex_lines(other.placement())[0];
     const auto off = [&](const Eigen::Vector3cd& u) { return (at.direction - u).norm(); };
     const Eigen::Vector3cd u = line.direction.conjugate();
     return std::min(off(u), off(-u)) <= 1e-9 * u.norm() &&
@@ -69,7 +69,7 @@ void expect_agreement(const ProblemStatement& problem) {
 constexpr double precise = 1e-12;
 
 bool is_precise(const FourDistances& given, const AssessedSolution& solution) {
-  const ComplexLine line = complex_lines(solution.figure)[0];
+  const ComplexLine line = complex_lines(solution.placement())[0];
   const WideLine wide = refined_in_double_double(given, line);
   // Eight roundings of coordinates: Newton's method has left the line where it was.
   constexpr double same = 8 * 0x1p-53;
@@ -91,7 +91,7 @@ void expect_twelve(const ProblemStatement& problem) {
   CHECK(run.failed_checks.empty());
   const FourDistances given = distances_of(problem);
   for (const AssessedSolution& solution : run.solutions) {
-    CHECK(holds_conjugate(run, complex_lines(solution.figure)[0]));
+    CHECK(holds_conjugate(run, complex_lines(solution.placement())[0]));
     CHECK(is_precise(given, solution));
   }
 }
@@ -118,7 +118,7 @@ TEST_CASE("touching spheres have 3 real tangents of multiplicity 4, found to 1e-
   for (const AssessedSolution& solution : run.solutions) {
     CHECK(solution.multiplicity == 4);
     // By symmetry the lines are the axes of coordinates.
-    CHECK(solution.figure.lines[0].point.norm() <= 1e-12);
+    CHECK(solution.placement().lines[0].point.norm() <= 1e-12);
     CHECK(std::abs(solution.figure.lines[0].direction.cwiseAbs().maxCoeff() - 1) <= 1e-12);
     CHECK(solution.residual <= 1e-12);
   }
@@ -136,7 +136,7 @@ TEST_CASE("a line that is off by more than rounding is not precise") {
   const FourDistances given = distances_of(problem);
   for (AssessedSolution solution : solved(problem).solutions) {
     const bool is_real = solution.figure.is_real();
-    ComplexLine line = complex_lines(solution.figure)[0];
+    ComplexLine line = complex_lines(solution.placement())[0];
     line.direction[0] *= 1 + 1e-10;
     solution.figure = figure_of(complex_points(solution.figure), {line}, is_real);
     solution.residual = relative_residual(Scene(problem), solution.figure);

@@ -10,7 +10,8 @@ namespace gcs {
 namespace {
 
 bool is_same(const AssessedSolution& a, const AssessedSolution& b) {
-  const ComplexLine p = normalised(complex_lines(a.figure)[0]), q = normalised(complex_lines(b.figure)[0]);
+  const ComplexLine p = normalised(complex_lines(a.placement())[0]),
+                    q = normalised(complex_lines(b.placement())[0]);
   const auto off = [&](const Eigen::Vector3cd& u) { return (p.direction - u).norm() / u.norm(); };
   return a.multiplicity == b.multiplicity && a.figure.is_real() == b.figure.is_real() &&
          std::min(off(q.direction), off(-q.direction)) <= 1e-9 &&

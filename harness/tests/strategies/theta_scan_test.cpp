@@ -130,7 +130,7 @@ TEST_CASE("a fine scan finds the placement that lengths were taken from") {
     CHECK(run.status == RunStatus::complete);
     CHECK(run.failed_checks.empty());
     std::vector<Figure> figures;
-    for (const AssessedSolution& solution : run.solutions) figures.push_back(solution.figure);
+    for (const AssessedSolution& solution : run.solutions) figures.push_back(solution.placement());
     const int found = reflection_classes(Scene(problem), figures, 1e-9).count();
     figures.push_back(placement);
     CHECK(reflection_classes(Scene(problem), figures, 1e-8).count() == found);

@@ -66,7 +66,7 @@ TEST_CASE("an error is the distance that a point was moved, a mirror image none,
   const Court court("octahedron");
   SolveRun run = solved(court.scene, "cayley-menger");
   std::vector<AssessedSolution>& solutions = run.solutions;
-  const double size = std::ldexp(court.scene.size(), court.scene.unit_exponent());
+  const double size = court.scene.size();
 
   solutions[1].figure.points.row(2) *= -1;
   CHECK(court.judge.judge(run, 0).largest_error < 1e-12);
@@ -113,7 +113,7 @@ TEST_CASE("an instance that is not shipped gets a reference of its own, proven")
   Instance instance = load_instance("octahedron");
   instance.id = "another";
   const Scene scene(instance.problem);
-  REQUIRE_FALSE(shipped_reference(instance));
+  REQUIRE_FALSE(shipped_reference(instance, scene));
   const ReferenceList list = reference_of(instance, scene);
   CHECK(list.source == "proven in this run");
   CHECK(list.solutions.size() == 8);
@@ -124,9 +124,10 @@ TEST_CASE("an instance that is not shipped gets a reference of its own, proven")
 
 TEST_CASE("a shipped reference serves the very instance only") {
   Instance instance = load_instance("k33");
-  REQUIRE(shipped_reference(instance));
+  const Scene scene(instance.problem);
+  REQUIRE(shipped_reference(instance, scene));
   instance.document.members.front().second.text += " ";
-  CHECK_FALSE(shipped_reference(instance));
+  CHECK_FALSE(shipped_reference(instance, scene));
 }
 
 TEST_CASE("every accuracy setting of every strategy is one that it allows") {

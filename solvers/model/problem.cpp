@@ -1,0 +1,39 @@
+#include "solvers/model/problem.hpp"
+
+#include <algorithm>
+
+namespace gcs {
+
+Figure Figure::scaled(int exponent) const {
+  const auto scale = [exponent](double x) { return std::ldexp(x, exponent); };
+  Figure result = *this;
+  result.points = points.unaryExpr(scale);
+  result.imaginary = imaginary.unaryExpr(scale);
+  for (auto* of_lines : {&result.lines, &result.imaginary_lines})
+    for (LinePosition& line : *of_lines) line.point = line.point.unaryExpr(scale);
+  return result;
+}
+
+bool ProblemStatement::is_fixed(int entity) const {
+  const std::size_t point = static_cast<std::size_t>(entity);
+  if (is_point(entity)) return point < fixed_points.size() && fixed_points[point].has_value();
+  const std::size_t line = point - points.size();
+  return line < fixed_lines.size() && fixed_lines[line].has_value();
+}
+
+bool ProblemStatement::is_anchored() const {
+  for (int entity = 0; entity < static_cast<int>(points.size() + lines.size()); ++entity)
+    if (is_fixed(entity)) return true;
+  return false;
+}
+
+FrameImages frame_images(const ProblemStatement& problem) {
+  const int points = static_cast<int>(problem.points.size());
+  if (problem.is_anchored()) return {1, 1};
+  if (!problem.lines.empty()) return {points == 1 ? 1 : 4, 2};
+  return {points <= problem.dimension ? 1 : 2, 1 << (std::min(points, problem.dimension) - 1)};
+}
+
+int sign_patterns(bool is_anchored, int dimension) { return is_anchored ? 1 : 1 << dimension; }
+
+}  // namespace gcs

@@ -127,23 +127,23 @@ const PrintedFigure* printed_figure(const Publications& publications, const std:
   return nullptr;
 }
 
-/// How many printed solutions make one class; nothing for another convention. A fixed frame leaves two mirror
-/// images of points, and four where a line is its axis.
-std::optional<std::uint64_t> per_class(const PrintedFigure& figure, const InstanceSummary& instance,
-                                       const StoredScene* scene) {
-  if (figure.convention == "all signs") return instance.has_given_positions ? 1U : 1U << instance.dimension;
+/// How many printed solutions make one class; nothing for another convention.
+std::optional<int> per_class(const PrintedFigure& figure, const InstanceSummary& instance,
+                             const StoredScene* scene) {
+  if (figure.convention == "all signs")
+    return sign_patterns(instance.has_given_positions, instance.dimension);
   if (figure.convention == "up to reflection" || figure.convention == "lines") return 1;
   if (figure.convention == "fixed frame" && scene != nullptr)
-    return instance.has_given_positions ? 1U : scene->record.instance.problem.lines.empty() ? 2U : 4U;
+    return frame_images(scene->record.instance.problem).in_frame;
   return std::nullopt;
 }
 
 /// Of an instance that was chosen to agree with the paper, agreement proves nothing.
 Standing standing_of(const PrintedFigure& figure, const std::optional<Known>& ours,
-                     std::optional<std::uint64_t> factor) {
+                     std::optional<int> factor) {
   if (figure.correction) return figure.correction->is_proof ? Standing::refuted : Standing::open;
   if (!ours || !ours->is_proven || !factor || !figure.chosen.empty()) return Standing::open;
-  return figure.value == static_cast<double>(ours->classes * *factor) ? Standing::proven : Standing::refuted;
+  return figure.value == static_cast<double>(ours->classes) * *factor ? Standing::proven : Standing::refuted;
 }
 
 std::optional<Verdict> verdict(const std::string& quantity, const std::string& row,

@@ -199,7 +199,7 @@ std::vector<Table> build_table1(const RunFile& run, const Publication& paper) {
   builder.heading("Number of solutions");
   builder.all_solutions("complex", {"complex", "HOM4PS-2.0"}, &Counts::complex_up_to_reflection,
                         [](const InstanceSummary& instance) {
-                          return instance.has_given_positions ? 1 : 1 << instance.dimension;
+                          return sign_patterns(instance.has_given_positions, instance.dimension);
                         });
   builder.complex_limit("complex, at most");
   builder.all_solutions("real (up to reflections)", {"real", ""}, &Counts::real_up_to_reflection,

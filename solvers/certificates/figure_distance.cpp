@@ -97,7 +97,7 @@ DecimalVector decimals_of(const Vector& vector) {
 
 std::vector<AxisSigns> mirror_images(const Scene& scene) {
   std::vector<AxisSigns> images;
-  const int count = scene.is_anchored() ? 1 : 1 << scene.dimension();
+  const int count = sign_patterns(scene.is_anchored(), scene.dimension());
   for (int mask = 0; mask < count; ++mask)
     images.push_back({(mask & 1) != 0 ? -1 : 1, (mask & 2) != 0 ? -1 : 1, (mask & 4) != 0 ? -1 : 1});
   return images;

@@ -23,16 +23,8 @@ using References = std::vector<std::vector<int>>;  ///< sets of points that make
 
 bool is_zero_length(const DistanceConstraint& constraint) { return constraint.given.value == 0; }
 
-/// Scenes of points: the frame leaves the reflection through the reference, unless all points are in it.
-SolutionCount count_of_points(const ProblemStatement& problem, Natural fixed_frame) {
-  const int points = static_cast<int>(problem.points.size());
-  const bool is_flat = points <= problem.dimension;
-  return {std::move(fixed_frame), is_flat ? 1 : 2, 1 << (std::min(points, problem.dimension) - 1)};
-}
-
-/// Line on the x-axis, a point on the positive z-axis: x → −x and y → −y are left, unless that is all.
-SolutionCount count_with_line(const ProblemStatement& problem, Natural fixed_frame) {
-  return {std::move(fixed_frame), problem.points.size() == 1 ? 1 : 4, 2};
+SolutionCount count_in_frame(const ProblemStatement& problem, Natural fixed_frame) {
+  return {std::move(fixed_frame), frame_images(problem)};
 }
 
 /// Points of a part of the problem by consecutive numbers.
@@ -94,7 +86,7 @@ std::optional<CountBound> bezout_bound_of_points(const ProblemStatement& problem
   const auto smallest = smallest_bezout_bound(part);
   if (!smallest) return std::nullopt;
   return CountBound{
-      count_of_points(problem, smallest->fixed_frame), points_of(graph, references[smallest->reference]), {}};
+      count_in_frame(problem, smallest->fixed_frame), points_of(graph, references[smallest->reference]), {}};
 }
 
 std::optional<CountBound> ring_bound_of_points(const ProblemStatement& problem, const PointGraph& graph,
@@ -102,7 +94,7 @@ std::optional<CountBound> ring_bound_of_points(const ProblemStatement& problem, 
   if (problem.dimension != 3) return std::nullopt;
   const auto found = ring_bound(static_cast<int>(graph.points.size()), graph.edges, references);
   if (!found) return std::nullopt;
-  CountBound bound{count_of_points(problem, found->fixed_frame), points_of(graph, references.front()), {}};
+  CountBound bound{count_in_frame(problem, found->fixed_frame), points_of(graph, references.front()), {}};
   for (const std::vector<int>& body : found->bodies) bound.ring.push_back(points_of(graph, body));
   return bound;
 }
@@ -142,7 +134,7 @@ void count_exactly(const ProblemStatement& problem, const CoreReduction& reducti
     return;
   }
   const int hanging = static_cast<int>(reduction.placed.size());
-  counts.exact = count_of_points(problem, Natural::power_of_two(hanging) * *of_core);
+  counts.exact = count_in_frame(problem, Natural::power_of_two(hanging) * *of_core);
 }
 
 /// In the core, or, when it has no triangle, with the points that hang on it.
@@ -161,9 +153,9 @@ struct PartCounts {
   int hung = 0;
 };
 
-PartCounts counts_of_parts(const ProblemStatement& problem) {
+PartCounts counts_of_parts(const ProblemStatement& problem, const std::vector<Part>& parts) {
   PartCounts counts;
-  for (const Part& part : decompose(problem, Split::all)) {
+  for (const Part& part : parts) {
     if (part.is_hung_point()) {
       ++counts.hung;
       continue;
@@ -184,20 +176,21 @@ void multiply(const ProblemStatement& problem, const PartCounts& parts, Theoreti
     if (counts.why_no_exact.empty()) counts.why_no_exact = part.why_no_exact;
     if (counts.why_no_bound.empty()) counts.why_no_bound = part.why_no_bound;
   }
-  if (counts.why_no_exact.empty()) counts.exact = count_of_points(problem, std::move(exact));
+  if (counts.why_no_exact.empty()) counts.exact = count_in_frame(problem, std::move(exact));
   if (!counts.why_no_bound.empty()) return;
   std::vector<int> reference = parts.solved.front().bound->reference;
   for (int& point : reference) point = parts.first[point];
-  counts.bound = CountBound{count_of_points(problem, std::move(bound)),
+  counts.bound = CountBound{count_in_frame(problem, std::move(bound)),
                             std::move(reference),
                             {},
                             static_cast<int>(parts.solved.size())};
 }
 
-void count_points(const ProblemStatement& problem, TheoreticalCounts& counts) {
-  const PartCounts parts = counts_of_parts(problem);
-  if (parts.solved.size() > 1)
-    multiply(problem, parts, counts);
+void count_points(const ProblemStatement& problem, const std::vector<Part>& parts,
+                  TheoreticalCounts& counts) {
+  const PartCounts of_parts = counts_of_parts(problem, parts);
+  if (of_parts.solved.size() > 1)
+    multiply(problem, of_parts, counts);
   else
     count_undivided(problem, counts);
 }
@@ -223,7 +216,7 @@ void bound_points_and_line(const ProblemStatement& problem, TheoreticalCounts& c
   }
   const int point = whole.references[smallest->reference].front();
   const int line = static_cast<int>(problem.points.size());
-  counts.bound = CountBound{count_with_line(problem, smallest->fixed_frame), {line, point}, {}};
+  counts.bound = CountBound{count_in_frame(problem, smallest->fixed_frame), {line, point}, {}};
 }
 
 /// All points are given, and nothing but a line is sought by its distances from four of them.
@@ -239,7 +232,7 @@ bool seeks_common_tangents(const ProblemStatement& problem) {
 /// tangents to four unit balls in R³, 2001; Hoffmann, Yuan 2000). Isolated lines persist when centres and
 /// radii are moved, so no four centres have more.
 void bound_tangents(const ProblemStatement& problem, TheoreticalCounts& counts) {
-  counts.bound = CountBound{{Natural(12), 1, 1}, {}, {}};
+  counts.bound = CountBound{{Natural(12), {}}, {}, {}};
   for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
     counts.bound->reference.push_back(point);
 }
@@ -247,6 +240,10 @@ void bound_tangents(const ProblemStatement& problem, TheoreticalCounts& counts) 
 }  // namespace
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
+  return theoretical_counts(problem, decompose(problem, Split::all));
+}
+
+TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std::vector<Part>& parts) {
   TheoreticalCounts counts;
   if (seeks_common_tangents(problem)) {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";
@@ -255,7 +252,7 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
     counts.why_no_exact = "Positions are fixed, and the count is known only where nothing is.";
     counts.why_no_bound = "Positions are fixed, and the bound is known only where nothing is.";
   } else if (problem.lines.empty()) {
-    count_points(problem, counts);
+    count_points(problem, parts, counts);
   } else {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";
     if (problem.lines.size() == 1)

@@ -9,17 +9,17 @@
 
 #include "solvers/model/problem.hpp"
 #include "solvers/numeric/natural.hpp"
+#include "solvers/structure/decomposition.hpp"
 
 namespace gcs {
 
 /// One number in the three counting conventions.
 struct SolutionCount {
   Natural fixed_frame;
-  int images_in_frame = 1;  ///< of a solution under the reflections that the frame leaves
-  int sign_changes = 1;     ///< of the reference coordinates to which the frame gives a sign
+  FrameImages images = {};
 
-  Natural up_to_reflection() const { return fixed_frame / static_cast<std::uint32_t>(images_in_frame); }
-  Natural all_signs() const { return fixed_frame * Natural(static_cast<std::uint64_t>(sign_changes)); }
+  Natural up_to_reflection() const { return fixed_frame / static_cast<std::uint32_t>(images.in_frame); }
+  Natural all_signs() const { return fixed_frame * Natural(static_cast<std::uint64_t>(images.by_signs)); }
 };
 
 /// An upper bound: the m-Bézout bound, or that of a ring of hinged bodies.
@@ -49,5 +49,7 @@ struct TheoreticalCounts {
 /// placed one by one. Bound, the smaller of the two, the m-Bézout bound if they are equal: points, or points
 /// and one line, and nothing fixed.
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem);
+/// `parts`: of decompose(problem, Split::all).
+TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std::vector<Part>& parts);
 
 }  // namespace gcs

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "solvers/counting/counts_once.hpp"
+#include "solvers/counting/scene_analysis.hpp"
 #include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/released_report.hpp"
 
@@ -59,8 +59,8 @@ std::optional<std::uint64_t> most_classes(const TheoreticalCounts& counts, int d
 /// Wherever given points are, the scene of the request has no more isolated solutions than its limit.
 ClassLimit limit_of(const SolveRequest& request, int doublings = 0) {
   return [&request, doublings] {
-    return request.counts ? most_classes(request.counts->get(), doublings)
-                          : most_classes(theoretical_counts(request.scene.problem()), doublings);
+    return request.analysis ? most_classes(request.analysis->counts(), doublings)
+                            : most_classes(theoretical_counts(request.scene.problem()), doublings);
   };
 }
 

@@ -26,8 +26,8 @@
 
 namespace gcs {
 
-class CountsOnce;  // solvers/counting/counts_once.hpp
-class StartStore;  // solvers/homotopies/start_store.hpp
+class SceneAnalysis;  // solvers/counting/scene_analysis.hpp
+class StartStore;     // solvers/homotopies/start_store.hpp
 
 /// All that a strategy may see.
 struct SolveRequest {
@@ -40,7 +40,7 @@ struct SolveRequest {
   StartStore* starts = nullptr;  ///< may be null for strategies whose options name no start system
   /// Solutions to list at most, where there are so many that they are counted without being listed.
   std::optional<std::size_t> most_listed = std::nullopt;
-  const CountsOnce* counts = nullptr;  ///< of the scene; may be null
+  const SceneAnalysis* analysis = nullptr;  ///< of the scene; may be null
 
   /// The same for another scene.
   SolveRequest on(const Scene& other) const {

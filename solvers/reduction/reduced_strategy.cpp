@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solvers/counting/scene_analysis.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/homotopies/start_store.hpp"
@@ -166,7 +167,8 @@ class NoStartSystems final : public StartStore {
 class ReducedStrategy final : public Strategy {
  public:
   ReducedStrategy(const StrategyEntry& inner, const OptionMap& options)
-      : needs_sketch_(inner.needs_sketch), make_([make = inner.make, options] { return make(options); }) {
+      : split_(inner.needs_sketch ? Split::hung_points : Split::all),
+        make_([make = inner.make, options] { return make(options); }) {
     read_option(options, reduce_option, OnOff{}, reduces_);
     strategies_.push_back(make_());
   }
@@ -184,7 +186,7 @@ class ReducedStrategy final : public Strategy {
   }
 
   void prepare(const SolveRequest& request) override {
-    const std::vector<Part> parts = parts_of(request.scene);
+    const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) {
       strategy(0).prepare(request);
       return;
@@ -198,15 +200,19 @@ class ReducedStrategy final : public Strategy {
   }
 
   SolveReport solve(const SolveRequest& request) override {
-    const std::vector<Part> parts = parts_of(request.scene);
+    const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategy(0).solve(request);
-    return needs_sketch_ ? solve_on_path(request, parts) : solve_parts(request, parts);
+    return split_ == Split::hung_points ? solve_on_path(request, parts) : solve_parts(request, parts);
   }
 
  private:
   std::vector<Part> parts_of(const Scene& scene) const {
     if (!reduces_) return std::vector<Part>(1);
-    return decompose(scene.problem(), needs_sketch_ ? Split::hung_points : Split::all);
+    return decompose(scene.problem(), split_);
+  }
+
+  std::vector<Part> parts_of(const SolveRequest& request) const {
+    return reduces_ && request.analysis ? request.analysis->parts(split_) : parts_of(request.scene);
   }
 
   Strategy& strategy(std::size_t number) {
@@ -278,7 +284,7 @@ class ReducedStrategy final : public Strategy {
       whole.status = SolveStatus::partial;
   }
 
-  bool needs_sketch_;
+  Split split_;  ///< what follows S from the sketch leaves rigid parts together
   bool reduces_ = false;
   std::function<std::unique_ptr<Strategy>()> make_;
   NoStartSystems no_starts_;

@@ -8,7 +8,7 @@
 
 #include "solvers/answers/certify.hpp"
 #include "solvers/certificates/scene_equations.hpp"
-#include "solvers/counting/counts_once.hpp"
+#include "solvers/counting/scene_analysis.hpp"
 #include "solvers/reading/nearest_name.hpp"
 #include "solvers/running/errors.hpp"
 
@@ -30,7 +30,7 @@ class Solve {
   Solve(const Scene& scene, const SolveSettings& settings, const SolveSurroundings& surroundings)
       : scene_(scene),
         settings_(settings),
-        counts_(scene.problem()),
+        analysis_(scene.problem()),
         surroundings_(surroundings),
         progress_(surroundings.progress),
         monitor_(surroundings.progress ? &progress_ : nullptr) {}
@@ -75,7 +75,7 @@ class Solve {
                                .journal = surroundings_.journal,
                                .starts = surroundings_.starts,
                                .most_listed = settings_.max_solutions,
-                               .counts = &counts_};
+                               .analysis = &analysis_};
     try {
       enter(SolveStage::preparing);
       strategy.prepare(request);
@@ -128,7 +128,7 @@ class Solve {
   }
 
   void hold_against_counts(const SolveReport& report) {
-    const TheoreticalCounts& counts = counts_.get();
+    const TheoreticalCounts& counts = analysis_.counts();
     if (settings_.checks_counts) check_counts(counts);
     if (settings_.certify) prove(counts, report);
   }
@@ -214,7 +214,7 @@ class Solve {
 
   const Scene& scene_;
   const SolveSettings& settings_;
-  CountsOnce counts_;
+  SceneAnalysis analysis_;
   const SolveSurroundings& surroundings_;
   ProgressCall progress_;
   Monitor* monitor_;

@@ -37,7 +37,7 @@ Words settings(const Words& before, const std::string& current) {
   Words found;
   for (const StrategyEntry& entry : all_strategies()) {
     const Words choice{"--strategy", std::string(entry.name)};
-    if (std::ranges::search(before, choice).empty()) continue;
+    if (std::search(before.begin(), before.end(), choice.begin(), choice.end()) == before.end()) continue;
     for (const OptionSpec& option : entry.options) {
       const std::string start = std::string(option.name) + "=";
       if (!current.starts_with(start)) found.push_back(start);
@@ -70,7 +70,7 @@ Words listed_values_of(const CLI::Option& option, const Words& before, const std
 
 Words candidates(const CLI::App& program, const Words& before, const std::string& current) {
   for (const CLI::App* command : program.get_subcommands({})) {
-    if (std::ranges::find(before, command->get_name()) == before.end()) continue;
+    if (std::find(before.begin(), before.end(), command->get_name()) == before.end()) continue;
     Words words;
     for (const CLI::Option* option : command->get_options()) {
       const bool takes_value = option->nonpositional() && option->get_items_expected_max() > 0;

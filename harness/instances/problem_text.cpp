@@ -88,9 +88,9 @@ JsonValue construction_value(const ProblemStatement& problem) {
 
 }  // namespace
 
-std::string problem_text(const Scene& scene) {
+std::string problem_text(const Scene& scene, const std::string& id) {
   const ProblemStatement& problem = scene.problem();
-  JsonMembers members{{"format", json_text("gcsbench-instance/1")},  {"id", json_text("instance")},
+  JsonMembers members{{"format", json_text("gcsbench-instance/1")},  {"id", json_text(id)},
                       {"dimension", json_number(problem.dimension)}, {"points", json_texts(problem.points)},
                       {"lines", json_texts(problem.lines)},          {"fixed", fixed_value(problem)},
                       {"constraints", constraints_value(problem)}};

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "harness/base/record_fields.hpp"
+#include "harness/base/record_json.hpp"
 #include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
@@ -20,31 +21,6 @@ JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution
                       {"error_bound", json_or_null(solution.error(), json_number)},
                       {"certified", json_boolean(solution.certified)}});
 }
-
-/// Makes the members of an object of what a list of fields visits.
-class MemberWriter {
- public:
-  explicit MemberWriter(JsonMembers& members) : members_(members) {}
-
-  template <typename T>
-  void operator()(const std::string& name, const T& value) const {
-    members_.emplace_back(name, to_value(value));
-  }
-  template <typename T>
-  void operator()(const std::string& name, const std::optional<T>& value) const {
-    members_.emplace_back(name, json_or_null(value, [](const T& v) { return to_value(v); }));
-  }
-
- private:
-  static JsonValue to_value(double value) { return json_number(value); }
-  static JsonValue to_value(int value) { return json_number(value); }
-  static JsonValue to_value(std::int64_t value) { return json_count(static_cast<std::uint64_t>(value)); }
-  static JsonValue to_value(std::uint64_t value) { return json_count(value); }
-  static JsonValue to_value(const Natural& value) { return json_count(value); }
-  static JsonValue to_value(const std::string& value) { return json_text(value); }
-
-  JsonMembers& members_;
-};
 
 /// Null for a strategy that follows no path in the lengths.
 JsonValue path_value(const SolveRun& run) {
@@ -96,17 +72,17 @@ JsonValue claim_value(const std::optional<Claim>& claim) {
 
 JsonValue totals_value(const SolutionTotals& totals) {
   JsonMembers members;
-  visit_totals(totals, MemberWriter(members));
+  visit_totals(totals, RecordWriter(members));
   return json_object(std::move(members));
 }
 
 JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
   const auto solution = [&](const AssessedSolution& s) { return solution_value(instance.problem, s); };
   JsonMembers counts, statistics, origin;
-  visit_counts(run.counts, MemberWriter(counts));
-  visit_work(run.work, MemberWriter(statistics));
-  visit_particulars(run.particulars, MemberWriter(statistics));
-  visit_environment(environment, MemberWriter(origin));
+  visit_counts(run.counts, RecordWriter(counts));
+  visit_work(run.work, RecordWriter(statistics));
+  visit_particulars(run.particulars, RecordWriter(statistics));
+  visit_environment(environment, RecordWriter(origin));
   return {{"format", json_text("gcsbench-result/1")},
           {"instance", instance.document},
           {"strategy", json_text(run.strategy)},

@@ -14,7 +14,7 @@
 
 #include "harness/base/atomic_file.hpp"
 #include "harness/base/stop_conditions.hpp"
-#include "harness/sweeps/scene_document.hpp"
+#include "harness/instances/problem_text.hpp"
 #include "harness/sweeps/step_bound_report.hpp"
 #include "solvers/model/scene.hpp"
 
@@ -69,7 +69,7 @@ void report_scene(const SweepOptions& options, const SweptScene& scene) {
   std::filesystem::create_directories(options.failures);
   const std::string id = fmt::format("random-{}", scene.seed);
   AtomicFile(std::filesystem::path(options.failures) / (id + ".json"))
-      .commit(instance_text(random_problem(scene.kind, scene.seed), id));
+      .commit(problem_text(Scene(random_problem(scene.kind, scene.seed)), id));
 }
 
 /// Scenes one after the other; an interrupt ends the series before the scene that it met.

@@ -4,7 +4,7 @@ include(Catch)
 
 if(NOT TARGET gcs_test_main)
   add_library(gcs_test_main STATIC ${PROJECT_SOURCE_DIR}/solvers/tests/test_main.cpp)
-  target_link_libraries(gcs_test_main PUBLIC gcs_flags Catch2::Catch2)
+  target_link_libraries(gcs_test_main PUBLIC gcs_flags Catch2::Catch2 nlohmann_json::nlohmann_json)
   target_compile_options(gcs_test_main PRIVATE -O0)
 endif()
 

@@ -53,10 +53,10 @@ JsonCursor JsonCursor::required(std::string_view name) const {
 }
 
 void JsonCursor::require_format(std::string_view name) const {
+  const std::string remedy = "give a file of the format '" + std::string(name) + "'";
+  if (!is_object() || !has("format")) fail("there is no field 'format'", remedy);
   const JsonCursor format = required("format");
-  if (format.text() != name)
-    format.fail("the format is '" + format.text() + "'",
-                "give a file of the format '" + std::string(name) + "'");
+  if (format.text() != name) format.fail("the format is '" + format.text() + "'", remedy);
 }
 
 std::optional<JsonCursor> JsonCursor::optional(std::string_view name) const {

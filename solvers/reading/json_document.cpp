@@ -209,6 +209,11 @@ void append_items(std::string& out, std::string_view brackets, std::size_t count
   out += brackets[1];
 }
 
+/// Bytes that are no text, as names of folders may have them, become U+FFFD.
+void append_string(std::string& out, const std::string& text) {
+  out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 void append_text(std::string& out, const JsonValue& value, int indent, int depth) {
   switch (value.kind) {
     case JsonValue::Kind::null:
@@ -221,7 +226,7 @@ void append_text(std::string& out, const JsonValue& value, int indent, int depth
       out += value.text;
       return;
     case JsonValue::Kind::string:
-      out += nlohmann::json(value.text).dump();
+      append_string(out, value.text);
       return;
     case JsonValue::Kind::array:
       append_items(out, "[]", value.elements.size(), indent, depth,
@@ -229,7 +234,8 @@ void append_text(std::string& out, const JsonValue& value, int indent, int depth
       return;
     case JsonValue::Kind::object:
       append_items(out, "{}", value.members.size(), indent, depth, [&](std::size_t i) {
-        out += nlohmann::json(value.members[i].first).dump() + ": ";
+        append_string(out, value.members[i].first);
+        out += ": ";
         append_text(out, value.members[i].second, indent, depth + 1);
       });
       return;

@@ -96,10 +96,11 @@ class Compare(command_line.CommandLine):
                                 "no such file")
         self.assert_one_message(run("compare", self.folder, self.before), BAD_INPUT, "run.json", "no such file")
         text = (self.before / "run.json").read_text()
-        for broken in ("", "{}", "[1]", text[:-100], text.replace('"full-space"', "7"), "\0" * 100):
+        for broken, what in (("", "empty"), ("{}", "gcsbench-run/1"), ("[1]", "gcsbench-run/1"), (text[:-100], "line "),
+                             (text.replace('"full-space"', "7"), "a string"), ("\0" * 100, "zero byte")):
             with self.subTest(broken[:10]):
                 file = self.write(broken, "broken.json")
-                self.assert_one_message(run("compare", self.before, file), BAD_INPUT, file, "run.json")
+                self.assert_one_message(run("compare", self.before, file), BAD_INPUT, file, what)
 
         def rename(record):
             for part in record["instances"] + record["cells"]:

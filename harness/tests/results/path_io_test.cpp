@@ -5,9 +5,11 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/tests/proven_paths/along_polyline.hpp"
+#include "solvers/tests/sanitized.hpp"
 
 using namespace gcs;
 using Json = nlohmann::json;
@@ -63,7 +65,8 @@ constexpr std::string_view triangle = R"({
 }  // namespace
 
 TEST_CASE("the points of a careful tracker are within the written radii, and not of half of them") {
-  for (const std::string id : {"octahedron", "disulfide", "dodecagon", "k33"}) {
+  const std::array<std::string, 4> ids{"octahedron", "disulfide", "dodecagon", "k33"};
+  for (const std::string& id : std::span(ids).first<repetitions(4)>()) {
     const WrittenPath path(load_instance(id));
     const std::vector<Eigen::VectorXd> points = samples::followed_path(path.scene, 0.01).points;
     for (const double within : {1e-4, 1e-3, 1e-2}) {

@@ -3,9 +3,11 @@
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <span>
 
 #include "solvers/model/distance_system.hpp"
 #include "solvers/tests/sample_problems.hpp"
+#include "solvers/tests/sanitized.hpp"
 
 using namespace gcs;
 
@@ -122,7 +124,8 @@ struct Task {
 
 TEST_CASE("a leg ends where many small steps with a pivoting solver end") {
   std::mt19937_64 random(11);
-  for (const SquareSystem& system : systems()) {
+  const std::vector<SquareSystem> all = systems();
+  for (const SquareSystem& system : std::span(all).first<repetitions(4)>()) {
     const Elimination elimination = order_elimination(system, random);
     const Task task(system, 1, random);
     WorkCounters work;

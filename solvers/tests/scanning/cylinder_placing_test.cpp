@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "solvers/tests/random_numbers.hpp"
+#include "solvers/tests/sanitized.hpp"
 
 using namespace gcs;
 using samples::RandomNumbers;
@@ -62,7 +63,7 @@ struct MovingPoint {
 TEST_CASE("a sharpened point on a cylinder holds the point at every angle") {
   RandomNumbers random(21);
   int sharpened = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < repetitions(300); ++i) {
     const MovingPoint point(random, std::exp2(-random.uniform(8, 30)));
     if (std::abs(point.jacobian(point.start, 0).determinant()) < 0.5) continue;
     double width = 0;
@@ -77,7 +78,7 @@ TEST_CASE("a sharpened point on a cylinder holds the point at every angle") {
         REQUIRE(std::abs(point.at(j / 8.0)[axis] - linear) <= form[axis].rest + 1e-14);
       }
   }
-  CHECK(sharpened > 100);
+  CHECK(sharpened > repetitions(100));
 }
 
 TEST_CASE("where the equations are singular a point on a cylinder stays as it was known") {

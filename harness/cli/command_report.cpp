@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "harness/cli/commands.hpp"
 #include "harness/report/page.hpp"
 #include "harness/report/page_scene.hpp"
+#include "harness/report/verdicts.hpp"
 #include "harness/tables/table_output.hpp"
 
 namespace gcs {
@@ -108,6 +110,8 @@ ExitCode report(const ReportArguments& arguments) {
     const std::filesystem::path folder = folder_of(arguments.runs[i], arguments);
     make_folder(folder);
     write_tables(runs[i].tables, folder, formats);
+    const Table verdicts = verdict_table(runs[i].record, runs[i].scenes, publications);
+    if (!verdicts.rows.empty()) write_tables(std::span(&verdicts, 1), folder, formats);
     if (with_figures) write_drawings(drawings_of(runs[i]), folder);
     std::cout << shown_on_terminal(runs[i].tables);
   }

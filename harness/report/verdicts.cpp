@@ -196,4 +196,31 @@ std::vector<Verdict> verdicts(const RunFile& run, const InstanceSummary& instanc
   return all;
 }
 
+Table verdict_table(const RunFile& run, const std::map<std::string, StoredScene>& scenes,
+                    const Publications& publications) {
+  Table table{.name = "verdicts",
+              .caption = "Numbers of solutions: what the papers print, and what is proven, refuted or open",
+              .stub = "",
+              .groups = {{"published", {""}}, {"is", {""}}, {"ours", {""}}, {"is", {""}}, {"why", {""}}},
+              .rows = {},
+              .footnotes = {},
+              .remarks = {"Ours count classes up to reflection; of lines beside given points, lines.",
+                          measured_with(run)}};
+  for (const InstanceSummary& instance : run.instances) {
+    const auto scene = scenes.find(instance.id);
+    for (const Verdict& one :
+         verdicts(run, instance, scene == scenes.end() ? nullptr : &scene->second, publications)) {
+      const auto standing = one.printed_standing ? word(*one.printed_standing) : "–";
+      table.rows.push_back({instance.id + ", " + one.quantity,
+                            {{one.printed.empty() ? "–" : one.printed, {}},
+                             {std::string(standing), {}},
+                             {one.ours, {}},
+                             {std::string(word(one.our_standing)), {}},
+                             {one.reason.empty() ? "–" : one.reason, {}}},
+                            {}});
+    }
+  }
+  return table;
+}
+
 }  // namespace gcs

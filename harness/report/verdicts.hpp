@@ -29,4 +29,8 @@ struct Verdict {
 std::vector<Verdict> verdicts(const RunFile& run, const InstanceSummary& instance, const StoredScene* scene,
                               const Publications& publications);
 
+/// Those of all instances. `scenes`: by id, those that were stored.
+Table verdict_table(const RunFile& run, const std::map<std::string, StoredScene>& scenes,
+                    const Publications& publications);
+
 }  // namespace gcs

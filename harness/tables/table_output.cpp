@@ -16,20 +16,18 @@ void write_table(const Table& table, const std::filesystem::path& folder, const 
 
 void write_tables(const TableSet& set, const std::filesystem::path& folder,
                   std::span<const TableFormat> formats) {
-  make_folder(folder);
-  for (const TableFormat& format : formats) {
-    for (const Table& table : set.tables) write_table(table, folder, format);
-    write_table(set.measurements, folder, format);
-  }
+  write_tables(set.tables, folder, formats);
+  write_tables(std::span(&set.measurements, 1), folder, formats);
 }
 
 void write_drawings(const std::vector<Drawing>& drawings, const std::filesystem::path& folder) {
   for (const Drawing& drawing : drawings) AtomicFile(folder / (drawing.name + ".svg")).commit(drawing.svg);
 }
 
-void write_tables(std::span<const Table> tables, const std::filesystem::path& folder) {
+void write_tables(std::span<const Table> tables, const std::filesystem::path& folder,
+                  std::span<const TableFormat> formats) {
   make_folder(folder);
-  for (const TableFormat& format : table_formats())
+  for (const TableFormat& format : formats)
     for (const Table& table : tables) write_table(table, folder, format);
 }
 

@@ -16,8 +16,9 @@ namespace gcs {
 void write_tables(const TableSet& set, const std::filesystem::path& folder,
                   std::span<const TableFormat> formats);
 
-/// Writes tables alone, likewise, in all formats. Throws OutputError.
-void write_tables(std::span<const Table> tables, const std::filesystem::path& folder);
+/// Writes tables alone, likewise. Throws OutputError.
+void write_tables(std::span<const Table> tables, const std::filesystem::path& folder,
+                  std::span<const TableFormat> formats = table_formats());
 
 /// The tables as Markdown, then the lines.
 std::string shown_on_terminal(std::span<const Table> tables, std::span<const std::string> lines);

@@ -179,6 +179,12 @@ const std::vector<std::string>& paper_instances() {
   return ids;
 }
 
+std::string measured_with(const RunFile& run) {
+  const Environment& with = run.environment;
+  return fmt::format("Ours: measured {}, commit {}, {}, {}, strategies on {} {}.", run.started, with.commit,
+                     with.cpu, with.compiler, with.threads, with.threads == 1 ? "thread" : "threads");
+}
+
 TableSet build_tables(const RunFile& run, const Publications& all) {
   const Publications publications = publications_on(run, all);
   TableSet set;
@@ -196,6 +202,7 @@ TableSet build_tables(const RunFile& run, const Publications& all) {
   }
   note_altered(run, all, set.lines);
   set.measurements = build_measurements(run);
+  for (Table& table : set.tables) table.remarks.push_back(measured_with(run));
   return set;
 }
 

@@ -76,6 +76,9 @@ struct TableSet {
   std::vector<std::string> lines;  ///< tables that were asked for and cannot be had, one line each
 };
 
+/// When and with what its figures were measured, in a sentence for the remarks of tables.
+std::string measured_with(const RunFile& run);
+
 /// Builds what the run asked for, without solving.
 TableSet build_tables(const RunFile& run, const Publications& publications);
 

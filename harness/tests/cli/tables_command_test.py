@@ -235,7 +235,7 @@ class Report(WithFolder):
         self.measure()
         out = self.folder / "new" / "folder"
         self.assertEqual(run("report", self.folder / "run.json", "--format", "csv", "--out", out).returncode, DONE)
-        self.assertEqual({path.name for path in out.iterdir()}, {"table1.csv", "measurements.csv"})
+        self.assertEqual({path.name for path in out.iterdir()}, {"table1.csv", "measurements.csv", "verdicts.csv"})
 
     def test_bad_input(self):
         self.measure()

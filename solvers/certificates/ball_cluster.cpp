@@ -1,9 +1,10 @@
 #include "solvers/certificates/ball_cluster.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

@@ -1,8 +1,9 @@
 #include "solvers/figures/fold_solutions.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
+
+#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

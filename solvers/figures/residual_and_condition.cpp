@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/line_jacobian.hpp"
+#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

@@ -1,8 +1,10 @@
 #include "solvers/reading/instance_positions.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 
+#include "solvers/numeric/svd.hpp"
 #include "solvers/reading/instance_names.hpp"
 
 namespace gcs {

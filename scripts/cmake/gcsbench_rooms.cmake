@@ -73,13 +73,12 @@ function(gcs_room_target room result)
   set(${result} gcs_${name} PARENT_SCOPE)
 endfunction()
 
-# gcs_build_quickly(<target>…): code that computes nothing is quicker to build than to optimise, in the presets of
-# developers. At this level g++ 12 takes members of Eigen's temporaries for uninitialised; the sanitizers watch for real
-# ones.
+# gcs_build_quickly(<target>…): code that computes nothing is quicker to build than to optimise. At this level g++ 12
+# takes members of Eigen's temporaries for uninitialised; the sanitizers watch for real ones.
 function(gcs_build_quickly)
   foreach(target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE
-      $<$<CONFIG:RelWithDebInfo>:-O1> $<$<CONFIG:Debug>:-O0> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+      $<$<CONFIG:Release,RelWithDebInfo>:-O1> $<$<CONFIG:Debug>:-O0> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endforeach()
 endfunction()
 

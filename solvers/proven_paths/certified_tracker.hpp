@@ -1,5 +1,5 @@
 #pragma once
-/// Follows S by a chain of tubes, each proven to hold exactly one arc (certification/path_tube.hpp).
+/// Follows S by a chain of tubes, each proven to hold exactly one arc (proven_paths/path_tube.hpp).
 ///
 /// Links. The end of the part used of a tube's arc is enclosed in a tiny box, and the box is shown to lie in
 /// the next tube: since S meets that tube in one arc only, it is a point of that arc. The tangents of both
@@ -9,10 +9,10 @@
 /// Closing. In every tube it is decided whether the sketch lies on the part used of its arc. A regular curve
 /// followed in one direction is closed where it first meets its start.
 ///
-/// Crossings. On every part used, all crossings of t = 1 are proven (certification/tube_crossings.hpp).
+/// Crossings. On every part used, all crossings of t = 1 are proven (proven_paths/tube_crossings.hpp).
 ///
 /// So a path that is closed is S, all of it, followed once; S is regular ([I] (h1)), and the number and order
-/// of its crossings are theorems for the exact decimals of the file (see certification/path_data.hpp). As S
+/// of its crossings are theorems for the exact decimals of the file (see proven_paths/path_data.hpp). As S
 /// is regular, no length vanishes on it, so that in squared lengths it is the same component as in lengths.
 ///
 /// Steps. The next centre is tried well beyond the end of the last tube, so that tubes reach to both sides of

@@ -9,7 +9,7 @@
 
 namespace gcs {
 
-/// The part first ≤ s ≤ last of a tube's arc (certification/path_tube.hpp), which is within `radius` of c(s),
+/// The part first ≤ s ≤ last of a tube's arc (proven_paths/path_tube.hpp), which is within `radius` of c(s),
 /// exact or as evaluate() rounds it, in every coordinate and in 2-norm. Arcs that follow each other overlap.
 struct ProvenArc {
   ArcSeries curve;  ///< c, coordinates (X, t) in the scene's unit

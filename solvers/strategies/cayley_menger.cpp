@@ -12,7 +12,7 @@
 /// Other points may hang on the octahedron: each is placed afterwards, on both sides.
 ///
 /// Nearly singular solutions are settled at the end, with the file's own numbers
-/// (certification/settled_candidates.hpp): as several simple ones, proven to be different, or as a multiple
+/// (certificates/nearly_singular.hpp): as several simple ones, proven to be different, or as a multiple
 /// one. Where neither succeeds, or doubles do not tell them apart, the status is partial.
 ///
 /// How many solutions are at infinity is decided by the file's own numbers. The solutions are complete when

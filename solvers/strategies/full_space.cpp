@@ -7,7 +7,7 @@
 ///
 /// mode=fast is tracking/series_tracker.hpp on tracking/distance_curve.hpp, mode=paper is
 /// tracking/euler_newton_tracker.hpp on tracking/paper_homotopies.hpp, mode=certified is
-/// tracking/certified_tracker.hpp: it proves that S closes and the number and order of its crossings.
+/// proven_paths/certified_tracker.hpp: it proves that S closes and the number and order of its crossings.
 ///
 /// Claims the solutions on S. Fails, and says where, when S is singular or nearly so, or too long for
 /// max_steps. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point Distance Problems by

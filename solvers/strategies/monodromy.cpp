@@ -1,15 +1,15 @@
 /// All complex solutions, from nothing but the constraint graph.
 ///
 /// A random complex placement is a solution for its own lengths. Monodromy finds the other solutions for
-/// these lengths (complex_tracking/monodromy_search.hpp), and one homotopy in the squared lengths leads from
+/// these lengths (homotopies/monodromy_search.hpp), and one homotopy in the squared lengths leads from
 /// them to the given lengths, where each path ends with a name: regular, singular, at infinity
-/// (complex_tracking/endgame.hpp). Everything is done modulo reflections in the planes of the frame. The list
+/// (homotopies/endgame.hpp). Everything is done modulo reflections in the planes of the frame. The list
 /// is complete when the search has met the theoretical count or bound (counting/theoretical_counts.hpp) and
 /// every path has a decided end. Where no count is known, or every loop leads to known solutions before the
-/// bound is met, a trace test decides (complex_tracking/trace_test.hpp): strong evidence that nothing is
+/// bound is met, a trace test decides (homotopies/trace_test.hpp): strong evidence that nothing is
 /// missing, and no proof. Without it (trace=off) the report says that the list is as found.
 ///
-/// It fails on scenes with several lines (complex_tracking/complex_strategy.hpp). The solutions for random
+/// It fails on scenes with several lines (homotopies/complex_strategy.hpp). The solutions for random
 /// lengths are found in prepare, since they serve all lengths. They can be kept (save_start) and read in the
 /// place of a search (start); what is read is as complete as the search was that found it. Duff, Hill,
 /// Jensen, Lee, Leykin, Sommars, Solving polynomial systems via homotopy continuation and monodromy, IMA J.

@@ -6,7 +6,7 @@
 /// with random coefficients (polyhedral/polyhedral_homotopies.hpp), and a homotopy in the coefficients leads
 /// from there to the equations themselves. As many paths as the mixed volume says are followed, less those
 /// that are mirror images of others; those that have no solution to end at run to infinity, and the endgame
-/// says so of each (complex_tracking/endgame.hpp). What is left are all solutions for random lengths (D. N.
+/// says so of each (homotopies/endgame.hpp). What is left are all solutions for random lengths (D. N.
 /// Bernshtein 1975), and one more homotopy in the squared lengths leads to the given ones.
 ///
 /// formulation=spheres has the squared norms of the points as further unknowns in a fixed frame, and few more

@@ -17,7 +17,7 @@
 /// status is partial.
 ///
 /// Lines that come out as multiple ones are settled with the exact decimals of the file
-/// (certification/settled_candidates.hpp): as multiple ones, or as several that are proven to be different.
+/// (certificates/nearly_singular.hpp): as multiple ones, or as several that are proven to be different.
 /// Where neither succeeds, or doubles do not tell them apart, the status is partial.
 ///
 /// Complete: the multiplicities of the lines found and of those at infinity (isotropic directions) sum to 12.

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The commands that the documents show can be copied from them.
+"""The commands that the documents show can be copied from them, and the files that texts and comments name are there.
 
 Usage: documented_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
@@ -14,6 +14,17 @@ from pathlib import Path
 
 import command_line
 from command_line import PROGRAM, SOURCE
+
+NAMED = re.compile(r"\b\w+(?:/\w+)*\.[ch]pp\b")
+LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)")
+MADE = {"my_idea.cpp", "gcsbench/gcsbench.hpp"}  # by scripts/new-strategy, and by the installation
+
+
+def texts(*endings):
+    for top in ("README.md", "harness", "instances", "results", "scripts", "solvers"):
+        for path in [SOURCE / top] if "." in top else sorted((SOURCE / top).rglob("*")):
+            if path.suffix in endings and "runs" not in path.relative_to(SOURCE).parts:
+                yield path, path.read_text(encoding="utf-8")
 
 
 class Documented(unittest.TestCase):
@@ -39,6 +50,30 @@ class Documented(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             for page in ("classgcs_1_1Problem", "structgcs_1_1Answer", "structgcs_1_1Monodromy"):
                 self.assertTrue((Path(folder) / "html" / f"{page}.html").is_file(), page)
+
+    def test_sources_that_comments_and_documents_name_are_there(self):
+        sources = [f"/{path.relative_to(SOURCE)}" for path, _ in texts(".cpp", ".hpp", ".in")]
+        sources += [source.removesuffix(".in") for source in sources]
+        lost = [f"{path.relative_to(SOURCE)}: {name}" for path, text in texts(".cpp", ".hpp", ".md")
+                for name in NAMED.findall(re.sub(r"^\s*#.*$" if path.suffix != ".md" else "$^", "", text, flags=re.M))
+                if not any(name.endswith(made) for made in MADE)
+                and not any(source.endswith(f"/{name}") for source in sources)]
+        self.assertEqual(lost, [])
+
+    def test_links_lead_somewhere(self):
+        lost = [f"{path.relative_to(SOURCE)}: {link}" for path, text in texts(".md") for link in LINK.findall(text)
+                if not (path.parent / link).exists()]
+        self.assertEqual(lost, [])
+
+    def test_the_front_page_has_the_verdicts_of_the_tables(self):
+        def rows(text):
+            return [[cell.strip() for cell in line.split("|")[1:6]] for line in text.splitlines() if line.startswith("|")]
+        front = (SOURCE / "README.md").read_text(encoding="utf-8")
+        shown = rows(front.split("<!-- verdicts -->")[1].split("<!-- end of verdicts -->")[0])[2:]
+        measured = rows((SOURCE / "results" / "tables" / "verdicts.md").read_text(encoding="utf-8"))
+        self.assertEqual(len(shown), 12)
+        for row in shown:
+            self.assertIn(row, measured)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-/// gcsbench complete: what may stand next on the command line. Asked by the completions in harness/shells.
+/// gcsbench complete: what may stand next on the command line.
+/// Asked by the completions in harness/cli/shells.
 
 #include <CLI/CLI.hpp>
 #include <iostream>

@@ -1,5 +1,5 @@
 #pragma once
-/// The files of harness/page, which CMake puts into the program.
+/// The files of harness/report/page, which CMake puts into the program.
 
 #include <string_view>
 

@@ -7,11 +7,12 @@ set(data_dir ${CMAKE_INSTALL_DATADIR}/gcsbench)
 install(TARGETS gcsbench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY instances DESTINATION ${data_dir} FILES_MATCHING PATTERN "*.json" PATTERN "README.md")
 install(DIRECTORY results/published results/reference DESTINATION ${data_dir}/results FILES_MATCHING PATTERN "*.json")
+# README.md, and what it leads to.
 install(FILES LICENSE CITATION.cff README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# What README.md leads to.
 install(FILES results/README.md results/findings.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
-install(DIRECTORY results/plots DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
-install(FILES solvers/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers)
+install(DIRECTORY results/plots results/published results/sweeps results/tables
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
+install(FILES solvers/README.md solvers/rooms.svg DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers)
 foreach(room IN ITEMS strategies certificates counting homotopies reduction)
   install(FILES solvers/${room}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers/${room})
 endforeach()

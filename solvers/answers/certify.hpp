@@ -1,7 +1,7 @@
 #pragma once
 /// Proves what an assessment lists: that every solution exists, is the only one there, is real or not as
 /// listed and in a class of its own, and that the list is complete where its length meets a limit that
-/// nothing exceeds. (Krawczyk's test with the decimal lengths of the file; solvers/certification/.)
+/// nothing exceeds. (Krawczyk's test with the decimal lengths of the file; solvers/certificates/.)
 
 #include <stop_token>
 

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,6 +16,24 @@ DONE, CHECK_FAILED, BAD_INPUT, NOT_SOLVED, INTERRUPTED = 0, 1, 2, 3, 130
 
 # A solve that takes far longer than any test waits.
 ENDLESS = ["solve", "icosahedron", "--strategy", "full-space", "--set", "step_max=1e-6"]
+
+
+# The path of a relative link to a file or picture, without its anchor.
+LINK = re.compile(r"""(?:\]\(|src=")([^)"#:\s]+)(?:#[^)"]*)?[)"]""")
+
+
+def lost_links(document):
+    """Of its relative links, those that lead nowhere."""
+    return [link for link in LINK.findall(document.read_text(encoding="utf-8"))
+            if not (document.parent / link).exists()]
+
+
+def sources():
+    """(name, text) of the sources of the library and of the program, without tests and what stands beside them."""
+    for house in ("solvers", "harness"):
+        for path in sorted((SOURCE / house).rglob("*.[ch]pp")):
+            if not {"tests", "fuzz", "benchmarks"} & set(path.relative_to(SOURCE).parts):
+                yield str(path.relative_to(SOURCE)), path.read_text(encoding="utf-8")
 
 
 def argv(*arguments):

@@ -13,11 +13,13 @@ import unittest
 from pathlib import Path
 
 import command_line
-from command_line import PROGRAM, SOURCE
+from command_line import PROGRAM, SOURCE, lost_links
 
 NAMED = re.compile(r"\b\w+(?:/\w+)*\.[ch]pp\b")
-LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)")
-MADE = {"my_idea.cpp", "gcsbench/gcsbench.hpp"}  # by scripts/new-strategy, and by the installation
+PLACE = re.compile(r"(?<![\w/.-])(?:harness|instances|results|scripts|solvers)(?:/[\w-]+(?:\.\w+)*(?![\w<*{-]|\.\w))+")
+# By scripts/new-strategy, by the installation, and by runs.
+MADE = ("my_idea.cpp", "gcsbench/gcsbench.hpp")
+MADE_PLACE = "results/runs"
 
 
 def texts(*endings):
@@ -25,6 +27,11 @@ def texts(*endings):
         for path in [SOURCE / top] if "." in top else sorted((SOURCE / top).rglob("*")):
             if path.suffix in endings and "runs" not in path.relative_to(SOURCE).parts:
                 yield path, path.read_text(encoding="utf-8")
+
+
+def without_directives(path, text):
+    """Those of the preprocessor; in Markdown such lines are headings."""
+    return text if path.suffix == ".md" else re.sub(r"^\s*#.*$", "", text, flags=re.M)
 
 
 class Documented(unittest.TestCase):
@@ -55,14 +62,18 @@ class Documented(unittest.TestCase):
         sources = [f"/{path.relative_to(SOURCE)}" for path, _ in texts(".cpp", ".hpp", ".in")]
         sources += [source.removesuffix(".in") for source in sources]
         lost = [f"{path.relative_to(SOURCE)}: {name}" for path, text in texts(".cpp", ".hpp", ".md")
-                for name in NAMED.findall(re.sub(r"^\s*#.*$" if path.suffix != ".md" else "$^", "", text, flags=re.M))
-                if not any(name.endswith(made) for made in MADE)
-                and not any(source.endswith(f"/{name}") for source in sources)]
+                for name in NAMED.findall(without_directives(path, text))
+                if not name.endswith(MADE) and not any(source.endswith(f"/{name}") for source in sources)]
+        self.assertEqual(lost, [])
+
+    def test_places_that_comments_and_documents_name_are_there(self):
+        lost = [f"{path.relative_to(SOURCE)}: {place}" for path, text in texts(".cpp", ".hpp", ".md")
+                for place in PLACE.findall(without_directives(path, text))
+                if not place.startswith(MADE_PLACE) and not place.endswith(MADE) and not (SOURCE / place).exists()]
         self.assertEqual(lost, [])
 
     def test_links_lead_somewhere(self):
-        lost = [f"{path.relative_to(SOURCE)}: {link}" for path, text in texts(".md") for link in LINK.findall(text)
-                if not (path.parent / link).exists()]
+        lost = [f"{path.relative_to(SOURCE)}: {link}" for path, _ in texts(".md") for link in lost_links(path)]
         self.assertEqual(lost, [])
 
     def test_the_front_page_has_the_verdicts_of_the_tables(self):

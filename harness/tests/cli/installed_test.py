@@ -13,7 +13,7 @@ import unittest
 from pathlib import Path
 
 import command_line
-from command_line import PROGRAM, SOURCE
+from command_line import PROGRAM, SOURCE, lost_links
 
 
 LISTS = "project(example CXX)\nfind_package(gcsbench REQUIRED)\n" \
@@ -61,6 +61,12 @@ class Installed(unittest.TestCase):
         for file in ["share/man/man1/gcsbench.1", "share/bash-completion/completions/gcsbench",
                      "share/zsh/site-functions/_gcsbench", "share/fish/vendor_completions.d/gcsbench.fish"]:
             self.assertTrue((self.prefix / file).read_text(encoding="utf-8").strip(), file)
+
+    def test_links_of_the_documents_lead_somewhere(self):
+        documents = list((self.prefix / "share" / "doc" / "gcsbench").rglob("*.md"))
+        self.assertIn("README.md", {document.name for document in documents})
+        lost = {str(document): links for document in documents if (links := lost_links(document))}
+        self.assertEqual(lost, {})
 
     def test_the_program_of_the_front_page_is_built_and_right(self):
         project = Path(self.folder.name) / "example"

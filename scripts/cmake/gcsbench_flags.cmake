@@ -21,7 +21,8 @@ if(GCSBENCH_WARNINGS_AS_ERRORS)
 endif()
 if(GCSBENCH_SANITIZE)
   target_compile_options(gcs_flags INTERFACE -fsanitize=${GCSBENCH_SANITIZE} -fno-sanitize-recover=all
-                                             -fno-omit-frame-pointer)
+                                             -fno-omit-frame-pointer
+                                             -fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/foreign_code.txt)
   target_link_options(gcs_flags INTERFACE -fsanitize=${GCSBENCH_SANITIZE})
 endif()
 # Half of a build is parsing of these. The tsan preset does without, so that a missing include is noticed.

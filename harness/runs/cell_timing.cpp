@@ -168,7 +168,7 @@ CellRecord record_of(const CellTask& task, const SolveRun& run, const AccuracyJu
   take_proofs(run, record);
   const bool is_answer = run.status == RunStatus::complete || run.status == RunStatus::partial;
   if (judge != nullptr && is_answer) record.accuracy = judge->judge(run, task.spec.digits);
-  record.warm_up_s = run.timing.prepare_s + run.timing.wall_s + run.timing.refine_s;
+  record.warm_up_s = run.timing.total_s();
   return record;
 }
 
@@ -233,8 +233,7 @@ void repeat(Work& work, const TimingSettings& settings, const TimeBudget& left) 
   if (run.status == RunStatus::interrupted || run.status == RunStatus::timed_out) return;
   work.record.difference = changed_answer(work.record, run);
   if (work.record.is_right()) {
-    work.record.repetitions.push_back(
-        {run.timing.prepare_s, run.timing.wall_s, run.timing.cpu_s, run.timing.refine_s});
+    work.record.repetitions.push_back(run.timing);
   } else {
     work.record.repetitions.clear();
   }

@@ -38,9 +38,9 @@ void read_json(const JsonCursor& cursor, std::vector<Particular>& particulars) {
     read_json(count, particulars.emplace_back(Particular{name, 0}).value);
 }
 
-void visit_fields(RecordOf<Repetition> auto& repetition, const auto& visit) {
+void visit_fields(RecordOf<Timing> auto& repetition, const auto& visit) {
   visit("prepare_s", repetition.prepare_s);
-  visit("solve_s", repetition.solve_s);
+  visit("solve_s", repetition.wall_s);
   visit("cpu_s", repetition.cpu_s);
   visit("refine_s", repetition.refine_s);
 }

@@ -29,17 +29,6 @@ struct CellSpec {
   bool operator==(const CellSpec&) const = default;
 };
 
-/// One repetition. Seconds, on a steady clock.
-struct Repetition {
-  double prepare_s = 0;
-  double solve_s = 0;
-  double cpu_s = 0;     ///< of solve, all threads together
-  double refine_s = 0;  ///< to more digits
-
-  /// What somebody who solves once waits for.
-  double total_s() const { return prepare_s + solve_s + refine_s; }
-};
-
 /// A solution as far as tables show it. The points of a real one, in the instance's frame and the file's
 /// unit; none of a complex one.
 struct RecordedSolution {
@@ -69,7 +58,7 @@ struct CellRecord : SolveOutcome {
   std::optional<double> limit_s;            ///< what a solve that was stopped by its limit was allowed
   std::optional<double> estimate_s;         ///< what a solve that was stopped by its limit would take
   int planned = 0;                          ///< repetitions; 0: not planned yet
-  std::vector<Repetition> repetitions;      ///< empty unless the answer is right
+  std::vector<Timing> repetitions;          ///< empty unless the answer is right
 
   /// Its claim does not hold.
   bool is_flawed() const { return !difference.empty() || contradicts_reference(); }

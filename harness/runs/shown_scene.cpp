@@ -108,7 +108,7 @@ ShownScene parse_shown_scene(const std::string& text, const std::string& file) {
   const JsonCursor root(document, file);
   root.require_format(format_name);
   ShownScene record;
-  record.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
+  record.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)");
   record.source = root.required("source").text();
   record.are_proven = root.required("proven").boolean();
   record.has_all_real = root.required("all_real").boolean();

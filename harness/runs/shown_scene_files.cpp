@@ -114,7 +114,7 @@ std::vector<PlanUse> plans_used(const CellRecord& cell, const Scene& scene) {
   const StrategyEntry& entry = find_strategy(cell.spec.strategy);
   const auto strategy = entry.make(complete_options(entry, cell.spec.given));
   const StopWatch watch(limit_s);
-  const SolveRequest request{.scene = scene, .stop = watch.token()};
+  const SolveRequest request(scene, {.stop = watch.token()});
   const SolveReport report = strategy->solve(request);
   return report.paths.empty() ? std::vector<PlanUse>() : report.paths.front().plans;
 }

@@ -13,7 +13,7 @@ struct RunLimits : SolveSettings {
   bool limits_proofs = true;  ///< the time limit is for proofs too; an interrupt always stops them
 };
 
-/// Of prepare and solve alone; assessing is not timed.
+/// In seconds, on a steady clock. Of prepare and solve alone; assessing is not timed.
 struct Timing {
   double wall_s = 0;                ///< of solve
   double cpu_s = 0;                 ///< of solve, all threads together
@@ -21,6 +21,9 @@ struct Timing {
   std::int64_t recalled_steps = 0;  ///< taken from the journal of an earlier run, and so not in these times
   std::optional<double> certify_s = std::nullopt;  ///< wall time of proving the assessment, if asked for
   double refine_s = 0;                             ///< wall time of refining to more digits, if asked for
+
+  /// What somebody who solves once waits for.
+  double total_s() const { return prepare_s + wall_s + refine_s; }
 };
 
 /// A solve that was stopped is `interrupted` or `timed_out`.

@@ -130,14 +130,14 @@ void compare_work(const Pair& pair, std::vector<WorkChange>& changes) {
 
 std::vector<double> seconds_of(const CellRecord& cell) {
   std::vector<double> seconds;
-  for (const Repetition& repetition : cell.repetitions) seconds.push_back(repetition.total_s());
+  for (const Timing& repetition : cell.repetitions) seconds.push_back(repetition.total_s());
   return seconds;
 }
 
 /// The same, with what the processor did in solve.
 double processor_median_s(const CellRecord& cell) {
   std::vector<double> seconds;
-  for (const Repetition& repetition : cell.repetitions)
+  for (const Timing& repetition : cell.repetitions)
     seconds.push_back(repetition.prepare_s + repetition.cpu_s + repetition.refine_s);
   return median_interval(std::move(seconds)).median;
 }

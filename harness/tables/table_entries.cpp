@@ -65,7 +65,7 @@ TableCell printed_entry(Table& table, const PrintedFigure* figure) {
 std::optional<MedianInterval> total_time(const CellRecord* cell) {
   if (cell == nullptr || cell->repetitions.empty()) return std::nullopt;
   std::vector<double> seconds;
-  for (const Repetition& repetition : cell->repetitions) seconds.push_back(repetition.total_s());
+  for (const Timing& repetition : cell->repetitions) seconds.push_back(repetition.total_s());
   return median_interval(std::move(seconds), wanted_confidence);
 }
 

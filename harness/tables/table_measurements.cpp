@@ -8,9 +8,9 @@
 namespace gcs {
 namespace {
 
-double median_of(const std::vector<Repetition>& repetitions, double Repetition::*part) {
+double median_of(const std::vector<Timing>& repetitions, double Timing::*part) {
   std::vector<double> seconds;
-  for (const Repetition& repetition : repetitions) seconds.push_back(repetition.*part);
+  for (const Timing& repetition : repetitions) seconds.push_back(repetition.*part);
   return median_interval(std::move(seconds)).median;
 }
 
@@ -21,8 +21,8 @@ std::vector<TableCell> timing_entries(const CellRecord& cell) {
           {duration_text(time->low), {}},
           {duration_text(time->high), {}},
           {fmt::format("{:.3g}%", 100 * time->confidence), {}},
-          {duration_text(median_of(cell.repetitions, &Repetition::prepare_s)), {}},
-          {duration_text(median_of(cell.repetitions, &Repetition::solve_s)), {}}};
+          {duration_text(median_of(cell.repetitions, &Timing::prepare_s)), {}},
+          {duration_text(median_of(cell.repetitions, &Timing::wall_s)), {}}};
 }
 
 TableCell verdict_entry(Table& table, const CellRecord& cell) {

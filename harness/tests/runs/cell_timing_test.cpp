@@ -16,7 +16,7 @@ class ToyStrategy final : public Strategy {
  public:
   ToyStrategy(std::string answer, std::vector<std::string>& log) : answer_(std::move(answer)), log_(log) {}
 
-  std::optional<std::string> why_unsupported(const Scene&) const override { return std::nullopt; }
+  std::optional<std::string> why_unsupported(const SolveRequest&) const override { return std::nullopt; }
 
   SolveReport solve(const SolveRequest& request) override {
     log_.push_back(answer_);
@@ -98,7 +98,7 @@ TEST_CASE("right answers are timed as often as asked") {
     CHECK(cell.is_right());
     CHECK(cell.counts.on_path == 2u);
     REQUIRE(cell.repetitions.size() == 5);
-    CHECK(cell.repetitions.front().solve_s > 0);
+    CHECK(cell.repetitions.front().wall_s > 0);
   }
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("of a run that was stopped only the repetitions that are missing are m
   known.back().repetitions.resize(2);
   const auto cells = measure_answers({"", "same"}, repetitions(4), known);
   for (const CellRecord& cell : cells) CHECK(cell.repetitions.size() == 4);
-  CHECK(cells.back().repetitions[1].solve_s == known.back().repetitions[1].solve_s);
+  CHECK(cells.back().repetitions[1].wall_s == known.back().repetitions[1].wall_s);
   CHECK(solve_log == std::vector<std::string>{"same", "same"});
 }
 

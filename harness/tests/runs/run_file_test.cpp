@@ -24,7 +24,7 @@ TEST_CASE("a record reads back as what was written") {
   CHECK_FALSE(cell.counts.generic.has_value());
   CHECK(cell.work.iterations == record.cells.front().work.iterations);
   REQUIRE(cell.repetitions.size() == record.cells.front().repetitions.size());
-  CHECK(cell.repetitions[1].solve_s == record.cells.front().repetitions[1].solve_s);
+  CHECK(cell.repetitions[1].wall_s == record.cells.front().repetitions[1].wall_s);
   CHECK(again.environment.commit == record.environment.commit);
   CHECK(again.instances.front().equations == 12);
   REQUIRE(again.instances.front().lengths.size() == 1);

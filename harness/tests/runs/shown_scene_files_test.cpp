@@ -120,7 +120,7 @@ TEST_CASE("scenes without a path say why, and list their real solutions") {
   REQUIRE(lines.record.solutions.size() == 3);
   for (const ShownSolution& solution : lines.record.solutions) CHECK(solution.multiplicity == 4);
 
-  const StoredScene found = stored_scene(parse_instance(chain, "chain.json", ""));
+  const StoredScene found = stored_scene(parse_instance(chain, "chain.json"));
   CHECK(found.record.no_path.find("sketch") != std::string::npos);
   CHECK(found.record.are_proven);
   CHECK(found.record.solutions.size() == 1);

@@ -15,7 +15,9 @@ inline CellRecord cell(CellSpec spec, std::uint64_t on_path, std::int64_t iterat
   record.work.smallest_step = 0.1 / 3;
   record.residual = 2e-16;
   for (const double factor : {0.98, 1.0, 1.04}) {
-    record.repetitions.push_back({median_s * factor / 8, median_s * factor * 7 / 8, median_s * factor});
+    record.repetitions.push_back({.wall_s = median_s * factor * 7 / 8,
+                                  .cpu_s = median_s * factor,
+                                  .prepare_s = median_s * factor / 8});
   }
   return record;
 }

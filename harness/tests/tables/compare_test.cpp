@@ -28,7 +28,7 @@ CellRecord timed_cell(int number, double median_s, int repetitions, std::mt19937
   std::lognormal_distribution<double> noise(0, 0.2);
   for (int i = 0; i < repetitions; ++i) {
     const double seconds = median_s * noise(random);
-    record.repetitions.push_back({0, seconds, seconds, 0});
+    record.repetitions.push_back({.wall_s = seconds, .cpu_s = seconds});
   }
   return record;
 }
@@ -293,11 +293,11 @@ TEST_CASE("what waits for the machine and takes no more of its time is not slowe
   const RunFile before = run_of_cells(3, 1e-3, 101, 1);
   RunFile after = run_of_cells(3, 2e-3, 101, 2);
   for (CellRecord& cell : after.cells)
-    for (Repetition& repetition : cell.repetitions) repetition.cpu_s /= 2;
+    for (Timing& repetition : cell.repetitions) repetition.cpu_s /= 2;
   CHECK(count(compared(before, after), Pace::undecided) == 3);
   CHECK(count(compared(after, before), Pace::undecided) == 3);
   for (CellRecord& cell : after.cells)
-    for (Repetition& repetition : cell.repetitions) repetition.prepare_s += 2e-3;
+    for (Timing& repetition : cell.repetitions) repetition.prepare_s += 2e-3;
   CHECK(count(compared(before, after), Pace::slower) == 3);
 }
 

@@ -59,7 +59,7 @@ Route straight(const ComplexVectorX& from, const ComplexVectorX& to) {
 /// Legs from random placements, each between its own lengths and those of another one.
 struct Legs {
   explicit Legs(const char* id)
-      : system(square_system(DistanceSystem(Scene(load_instance(id).problem)))),
+      : system(square_system(DistanceSystem(Scene(load_instance(id))))),
         elimination(order_elimination(system, random)) {
     constexpr int count = 256;
     for (int i = 0; i < count; ++i) {

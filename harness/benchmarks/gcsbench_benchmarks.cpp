@@ -54,7 +54,7 @@ std::vector<OptionMap> algorithms_of(const StrategyEntry& entry) {
 /// One iteration is what somebody who solves once waits for: a fresh strategy, prepare and solve.
 void time_solving(benchmark::State& state, const StrategyEntry& entry, const OptionMap& options,
                   const Scene& scene) {
-  const SolveRequest request{scene, 1, 1, {}, nullptr};
+  const SolveRequest request(scene);
   for (auto _ : state) {
     const auto strategy = entry.make(options);
     strategy->prepare(request);
@@ -75,7 +75,7 @@ void register_solving(const StrategyEntry& entry, const OptionMap& algorithm, co
 
 std::deque<NamedScene> shipped_scenes() {
   std::deque<NamedScene> scenes;
-  for (const std::string& id : shipped_instances()) scenes.push_back({id, Scene(load_instance(id).problem)});
+  for (const std::string& id : shipped_instances()) scenes.push_back({id, Scene(load_instance(id))});
   return scenes;
 }
 

@@ -15,9 +15,8 @@ using namespace gcs;
 
 const Scene& scene_of(benchmark::State& state) {
   static constexpr std::array<const char*, 4> ids{"octahedron", "disulfide", "dodecagon", "icosahedron"};
-  static const std::array<Scene, 4> scenes{
-      Scene(load_instance(ids[0]).problem), Scene(load_instance(ids[1]).problem),
-      Scene(load_instance(ids[2]).problem), Scene(load_instance(ids[3]).problem)};
+  static const std::array<Scene, 4> scenes{Scene(load_instance(ids[0])), Scene(load_instance(ids[1])),
+                                           Scene(load_instance(ids[2])), Scene(load_instance(ids[3]))};
   const auto index = static_cast<std::size_t>(state.range(0));
   state.SetLabel(ids[index]);
   return scenes[index];

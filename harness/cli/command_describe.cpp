@@ -16,10 +16,9 @@
 #include "harness/solving/counts_view.hpp"
 #include "harness/solving/solve_run.hpp"
 #include "solvers/construction/derive.hpp"
-#include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/counting/scene_analysis.hpp"
 #include "solvers/reading/json_build.hpp"
 #include "solvers/structure/core_reduction.hpp"
-#include "solvers/structure/decomposition.hpp"
 #include "solvers/structure/structure.hpp"
 #include "solvers/tracking/path_report.hpp"
 
@@ -83,26 +82,27 @@ std::optional<ConstructionPlan> construction_plan(const Scene& scene) {
   return description;
 }
 
-std::vector<StrategyVerdict> verdicts(const Scene& scene) {
+std::vector<StrategyVerdict> verdicts(const SolveRequest& request) {
   std::vector<StrategyVerdict> all;
   for (const StrategyEntry& entry : all_strategies()) {
     const auto strategy = entry.make(complete_options(entry, {}));
-    all.push_back({std::string(entry.name), why_not(entry, *strategy, scene)});
+    all.push_back({std::string(entry.name), why_not(entry, *strategy, request)});
   }
   return all;
 }
 
 Description describe(Instance instance) {
-  const Scene scene(instance.problem);
+  const Scene scene = instance;
+  const SceneAnalysis analysis(instance.problem);
   Description description;
   description.structure = analyse_structure(instance.problem);
   description.reference = scene.reference();
   description.reduction =
       reduce_to_core(instance.problem, entities_of(description.reference, instance.problem));
-  description.parts = decompose(instance.problem, Split::all);
-  description.counts = theoretical_counts(instance.problem);
+  description.parts = analysis.parts(Split::all);
+  description.counts = analysis.counts();
   description.plan = construction_plan(scene);
-  description.strategies = verdicts(scene);
+  description.strategies = verdicts({scene, {}, &analysis});
   description.instance = std::move(instance);
   return description;
 }

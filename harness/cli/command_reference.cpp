@@ -25,7 +25,7 @@ struct ReferenceArguments {
 ExitCode write_reference(const ReferenceArguments& arguments, bool quiet) {
   require_another_file(arguments.out, arguments.result);
   const StoredResult result = load_result(arguments.result);
-  if (const auto reason = why_not_certified(Scene(result.instance.problem))) {
+  if (const auto reason = why_not_certified(result.scene)) {
     std::cerr << "gcsbench: " << *reason << '\n';
     return ExitCode::not_solved;
   }

@@ -53,6 +53,7 @@ void complain_about(const SolveRun& run) {
 }
 
 ExitCode exit_code(const SolveRun& run) {
+  if (run.has_failed) return ExitCode::internal_error;
   switch (run.status) {
     case RunStatus::interrupted:
       return ExitCode::interrupted;
@@ -113,7 +114,7 @@ ExitCode solve(const SolveArguments& arguments, bool quiet) {
   catch_interrupts();
   RunLimits limits = arguments.limits;
   limits.only_real = arguments.solutions == "real";
-  const Scene scene(instance.problem);
+  const Scene scene = instance;
   SolveRun run = [&] {
     ProgressLine progress(!quiet);
     return run_strategy(entry, options, scene, limits, {&progress, journal.get()});

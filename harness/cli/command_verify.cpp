@@ -34,7 +34,7 @@ std::string summary(const StoredResult& result, const Verification& verification
 
 ExitCode verify(const VerifyArguments& arguments, bool quiet) {
   const StoredResult result = load_result(arguments.result);
-  if (const auto reason = why_not_certified(Scene(result.instance.problem))) {
+  if (const auto reason = why_not_certified(result.scene)) {
     std::cerr << "gcsbench: " << *reason << '\n';
     return ExitCode::not_solved;
   }

@@ -107,10 +107,17 @@ ExitCode after_parse_error(const CLI::App& app, const CLI::ParseError& error) {
   return fail(message.value_or(error.what()) + "\n" + usage(app));
 }
 
-ExitCode run(const CLI::App& app, const gcs::Invocation& invocation) {
+ExitCode parse_and_run(int argc, char** argv) {
+  CLI::App app("Benchmarks for geometric constraint solving", "gcsbench");
+  gcs::Invocation invocation;
+  invocation.arguments.assign(argv, argv + argc);
   try {
+    add_commands(app, invocation);
+    app.parse(argc, argv);
     if (!invocation.action) throw gcs::UsageError(no_command(app));
     return invocation.action();
+  } catch (const CLI::ParseError& error) {
+    return after_parse_error(app, error);
   } catch (const gcs::UsageError& error) {
     return fail(error.what() + std::string("\n") + usage(app));
   } catch (const gcs::UserError& error) {
@@ -119,19 +126,6 @@ ExitCode run(const CLI::App& app, const gcs::Invocation& invocation) {
     fail(fmt::format("internal error: {}", error.what()));
     return ExitCode::internal_error;
   }
-}
-
-ExitCode parse_and_run(int argc, char** argv) {
-  CLI::App app("Benchmarks for geometric constraint solving", "gcsbench");
-  gcs::Invocation invocation;
-  invocation.arguments.assign(argv, argv + argc);
-  add_commands(app, invocation);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return after_parse_error(app, error);
-  }
-  return run(app, invocation);
 }
 
 }  // namespace

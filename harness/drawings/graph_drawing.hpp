@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
 

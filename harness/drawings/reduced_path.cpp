@@ -76,7 +76,7 @@ class PlanView {
 }  // namespace
 
 std::optional<ReducedPath> reduced_path(const StoredScene& stored) {
-  const Scene scene(stored.record.instance.problem);
+  const Scene scene = stored.record.instance;
   if (!stored.path || scene.dimension() != 2 || why_no_path(scene) || why_no_plan(scene)) return std::nullopt;
   ReducedPath reduced;
   reduced.plan = first_plan(scene, {});

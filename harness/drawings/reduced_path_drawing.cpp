@@ -111,7 +111,7 @@ Configuration touching_circles(const Scene& scene, const ReducedPath& reduced, s
 }
 
 std::string boundary_figures(const StoredScene& stored, const ReducedPath& reduced) {
-  const Scene scene(stored.record.instance.problem);
+  const Scene scene = stored.record.instance;
   std::vector<Configuration> shown;
   for (std::size_t i = 0; i < std::min(reduced.boundaries.size(), most_configurations); ++i)
     shown.push_back(touching_circles(scene, reduced, i));

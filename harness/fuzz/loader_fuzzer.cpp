@@ -28,7 +28,7 @@ void read_or_refuse(const Reader& reader) {
 /// What describe and solve ask before any work that grows with more than the file.
 void look_at(const Instance& instance) {
   if (instance.problem.points.size() > 30) return;
-  const Scene scene(instance.problem);
+  const Scene scene = instance;
   for (const StrategyEntry& entry : all_strategies())
     entry.make(complete_options(entry, {}))->why_unsupported(scene);
 }
@@ -39,7 +39,7 @@ void look_at(const Instance& instance) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  gcs::read_or_refuse([&] { gcs::look_at(gcs::parse_instance(text, "fuzz", "")); });
+  gcs::read_or_refuse([&] { gcs::look_at(gcs::parse_instance(text, "fuzz")); });
   gcs::read_or_refuse([&] { gcs::parse_result(text, "fuzz"); });
   gcs::read_or_refuse([&] { gcs::parse_run_file(text, "fuzz"); });
   gcs::read_or_refuse([&] { gcs::parse_publication(text, "fuzz"); });

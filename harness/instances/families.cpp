@@ -56,7 +56,7 @@ bool is_ill_posed(const std::string& id) {
 
 Instance load_member(const std::string& id) {
   const auto [family, value] = member_of(id);
-  return parse_instance(family.text(id, value), id, "");
+  return parse_instance(family.text(id, value), id);
 }
 
 }  // namespace gcs

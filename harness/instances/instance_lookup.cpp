@@ -24,7 +24,7 @@ bool is_instance_file(const fs::path& path) {
 
 Instance load_standard_input() {
   const std::string file = "standard input";
-  Instance instance = parse_instance(read_all(std::cin, file), file, "");
+  Instance instance = parse_instance(read_all(std::cin, file), file);
   instance.origin = "-";
   return instance;
 }

@@ -126,7 +126,7 @@ class ExecStrategy final : public Strategy {
   explicit ExecStrategy(std::string command) : command_(std::move(command)) {}
 
   /// The program alone can tell.
-  std::optional<std::string> why_unsupported(const Scene&) const override { return std::nullopt; }
+  std::optional<std::string> why_unsupported(const SolveRequest&) const override { return std::nullopt; }
 
   SolveReport solve(const SolveRequest& request) override {
     if (request.monitor != nullptr) request.monitor->progress("external program", -1);

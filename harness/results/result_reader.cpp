@@ -80,9 +80,9 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
   root.require_format(format_name);
-  Instance instance =
-      parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)", "");
-  StoredResult result{.instance = instance, .scene = Scene(std::move(instance.problem))};
+  const Instance instance =
+      parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)");
+  StoredResult result{.instance = instance, .scene = instance};
   const RecordReader read(root);
   read("strategy", result.strategy);
   read.named("status", result.status, all_statuses);

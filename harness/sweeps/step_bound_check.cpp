@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "harness/base/stop_conditions.hpp"
+#include "harness/results/strategy_choice.hpp"
 
 namespace gcs {
 namespace {
@@ -177,17 +178,11 @@ class Comparison {
   std::vector<Judged> firsts_;  // of each strategy
 };
 
-const StrategyEntry& entry_of(std::string_view name) {
-  const auto entries = all_strategies();
-  return *std::find_if(entries.begin(), entries.end(),
-                       [name](const StrategyEntry& entry) { return entry.name == name; });
-}
-
 SolveReport report_of(Strategy& strategy, const Scene& scene, std::optional<double> time_limit_s) {
   const StopWatch watch(time_limit_s);
-  const SolveRequest request{.scene = scene, .stop = watch.token()};
+  const SolveRequest request(scene, {.stop = watch.token()});
   SolveReport report;
-  if (const auto why_not = strategy.why_unsupported(scene)) {
+  if (const auto why_not = strategy.why_unsupported(request)) {
     report.reason = *why_not;
     return report;
   }
@@ -197,7 +192,7 @@ SolveReport report_of(Strategy& strategy, const Scene& scene, std::optional<doub
 
 BoundedRun run_at(std::string_view strategy, const StepBound& bound, const Scene& scene,
                   std::optional<double> time_limit_s) {
-  const StrategyEntry& entry = entry_of(strategy);
+  const StrategyEntry& entry = find_strategy(strategy);
   BoundedRun run{std::string(strategy), bound.name, complete_options(entry, bound.options), {}, {}};
   run.report = report_of(*entry.make(run.options), scene, time_limit_s);
   run.assessment = assess(scene, run.report);

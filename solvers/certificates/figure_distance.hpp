@@ -8,7 +8,7 @@
 #include <span>
 
 #include "solvers/certificates/decimal_figure.hpp"
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "solvers/model/problem.hpp"
 #include "solvers/numeric/natural.hpp"
+#include "solvers/problem/problem_statement.hpp"
 #include "solvers/structure/decomposition.hpp"
 
 namespace gcs {

@@ -87,7 +87,8 @@ ComplexStrategy::ComplexStrategy(const HomotopySettings& settings)
     : setup_(tracking_setup(settings)),
       follows_mirror_images_(settings.mirror_images == HomotopySettings::MirrorImages::followed) {}
 
-std::optional<std::string> ComplexStrategy::why_unsupported(const Scene& scene) const {
+std::optional<std::string> ComplexStrategy::why_unsupported(const SolveRequest& request) const {
+  const Scene& scene = request.scene;
   if (scene.problem().lines.size() > 1) return "it places one line at most";
   if (is_released(scene)) return why_not_released(scene);
   if (scene.has_lines() && scene.reference().line < 0)

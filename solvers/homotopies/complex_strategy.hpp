@@ -53,7 +53,7 @@ class GenericStart {
 
 class ComplexStrategy : public Strategy {
  public:
-  std::optional<std::string> why_unsupported(const Scene& scene) const final;
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const final;
   void prepare(const SolveRequest& request) final;
   SolveReport solve(const SolveRequest& request) final;
 

@@ -11,10 +11,10 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solvers/construction/plan_use.hpp"
@@ -29,23 +29,30 @@ namespace gcs {
 class SceneAnalysis;  // solvers/counting/scene_analysis.hpp
 class StartStore;     // solvers/homotopies/start_store.hpp
 
-/// All that a strategy may see.
-struct SolveRequest {
-  const Scene& scene;
+/// What a strategy may use, whatever the scene.
+struct SolveMeans {
   std::uint64_t seed = 1;
   int threads = 1;
-  std::stop_token stop;          ///< asked for: return what is there with SolveStatus::stopped
+  std::stop_token stop{};        ///< asked for: return what is there with SolveStatus::stopped
   Monitor* monitor = nullptr;    ///< may be null
   Journal* journal = nullptr;    ///< may be null; see StrategyEntry::keeps_journal
   StartStore* starts = nullptr;  ///< may be null for strategies whose options name no start system
   /// Solutions to list at most, where there are so many that they are counted without being listed.
   std::optional<std::size_t> most_listed = std::nullopt;
-  const SceneAnalysis* analysis = nullptr;  ///< of the scene; may be null
+};
+
+/// All that a strategy may see.
+struct SolveRequest : SolveMeans {
+  SolveRequest(const Scene& of, SolveMeans means = {}, const SceneAnalysis* known = nullptr)
+      : SolveMeans(std::move(means)), scene(of), analysis(known) {}
 
   /// The same for another scene.
-  SolveRequest on(const Scene& other) const {
-    return {other, seed, threads, stop, monitor, journal, starts, most_listed, nullptr};
+  SolveRequest on(const Scene& other, const SceneAnalysis* known = nullptr) const {
+    return SolveRequest(other, *this, known);
   }
+
+  const Scene& scene;
+  const SceneAnalysis* analysis;  ///< of the scene; may be null
 };
 
 /// What a strategy says that it found; the harness checks it.
@@ -147,8 +154,9 @@ class OptionError : public UserError {
 class Strategy {
  public:
   virtual ~Strategy() = default;
-  /// Why this scene is out of reach, or nullopt. A sentence for a person. Called before prepare and solve.
-  virtual std::optional<std::string> why_unsupported(const Scene& scene) const = 0;
+  /// Why the scene is out of reach, or nullopt. A sentence for a person. Called before prepare and solve, with the
+  /// same request.
+  virtual std::optional<std::string> why_unsupported(const SolveRequest& request) const = 0;
   /// Work that a second solve of the same graph with other lengths may reuse. Timed apart from solve.
   virtual void prepare(const SolveRequest&) {}
   /// Timed. May be called again with the same request and then gives the same report.

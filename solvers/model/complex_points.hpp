@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "solvers/model/problem.hpp"
 #include "solvers/numeric/wide_vector.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
 

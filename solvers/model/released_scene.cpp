@@ -119,7 +119,7 @@ std::optional<std::string> why_not_released(const Scene& scene) {
 
 ReleasedScene::ReleasedScene(const Scene& given) : given_(given) {
   for (const int point : choose_base()) attached_.push_back(attached(point));
-  free_.emplace(released_problem());
+  free_.emplace(Scene::unchecked(released_problem()));
 }
 
 std::vector<int> ReleasedScene::choose_base() {

@@ -7,6 +7,7 @@
 
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/structure/structure.hpp"
 
 namespace gcs {
 namespace {
@@ -192,7 +193,11 @@ Reference line_reference(const ProblemStatement& problem) {
   return reference;
 }
 
-Scene::Scene(ProblemStatement problem) : problem_(std::move(problem)), anchored_(problem_.is_anchored()) {
+Scene::Scene(ProblemStatement problem)
+    : Scene((require_well_posed(problem, "problem"), std::move(problem)), Unchecked()) {}
+
+Scene::Scene(ProblemStatement problem, Unchecked)
+    : problem_(std::move(problem)), anchored_(problem_.is_anchored()) {
   double longest = 0;
   for (const DistanceConstraint& c : problem_.constraints) longest = std::max(longest, c.length());
   if (longest == 0) longest = fixed_extent(problem_);

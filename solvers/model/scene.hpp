@@ -4,10 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solvers/model/interpolation.hpp"
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
 
@@ -15,8 +16,12 @@ namespace gcs {
 /// the result and changes no bit of the computation.
 class Scene {
  public:
-  /// Precondition: the problem is well posed (see analyse_structure) and names are unique.
+  /// Throws InputError with "problem" for the file's name unless the problem is well posed (see
+  /// require_well_posed). Precondition: names are unique, and constraints are between two of the entities.
   explicit Scene(ProblemStatement problem);
+  /// The same without looking: of a problem that was read from a file or is a part of one, or that no figure need
+  /// satisfy.
+  static Scene unchecked(ProblemStatement problem) { return {std::move(problem), Unchecked()}; }
 
   const ProblemStatement& problem() const { return problem_; }
   int dimension() const { return problem_.dimension; }
@@ -56,6 +61,9 @@ class Scene {
   Figure in_scene_unit(const Figure& figure) const;
 
  private:
+  struct Unchecked {};
+  Scene(ProblemStatement problem, Unchecked);
+
   ProblemStatement problem_;
   int unit_exponent_ = 0;
   double size_ = 1;

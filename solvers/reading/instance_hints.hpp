@@ -2,7 +2,7 @@
 /// The parts of an instance that tell a solver how to go about it:
 /// `reference`, `interpolation` and `construction`.
 
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 #include "solvers/reading/json_cursor.hpp"
 
 namespace gcs {

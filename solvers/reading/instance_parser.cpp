@@ -173,18 +173,7 @@ void read_reference_unless_fixed(const JsonCursor& cursor, ProblemStatement& pro
   problem.reference = read_reference(cursor, problem);
 }
 
-/// A single constraint is pointed at; a set of them is named by the message.
-void check_structure(const JsonCursor& root, const ProblemStatement& problem) {
-  const Structure structure = analyse_structure(problem);
-  if (structure.well_posed()) return;
-  const StructureDefect& defect = structure.defects.front();
-  const JsonCursor constraints = root.required("constraints");
-  if (defect.kind != StructureDefect::Kind::unsatisfiable) constraints.fail(defect.what, defect.remedy);
-  const auto longest = static_cast<std::size_t>(defect.constraints.front());
-  constraints.elements()[longest].fail(defect.what, defect.remedy);
-}
-
-ProblemStatement read_problem(const JsonCursor& root) {
+ProblemStatement read_problem(const JsonCursor& root, const std::string& file) {
   ProblemStatement problem;
   problem.dimension = read_dimension(root);
   read_entities(root, problem);
@@ -193,7 +182,7 @@ ProblemStatement read_problem(const JsonCursor& root) {
   if (const auto fixed = root.optional("fixed")) read_fixed(*fixed, problem);
   read_constraints(root.required("constraints"), problem);
   if (const auto fixed = root.optional("fixed")) check_fixed(*fixed, problem);
-  check_structure(root, problem);
+  require_well_posed(problem, file);
   if (const auto reference = root.optional("reference")) read_reference_unless_fixed(*reference, problem);
   if (const auto sketch = root.optional("sketch")) read_sketch(*sketch, problem);
   if (const auto choice = root.optional("interpolation")) {
@@ -228,12 +217,12 @@ Instance parse_instance(std::string_view text, const std::string& file, const st
   instance.title = optional_text(root, "title");
   instance.notes = optional_text(root, "notes");
   instance.origin = file;
-  instance.problem = read_problem(root);
+  instance.problem = read_problem(root, file);
   if (const auto published = root.optional("published")) {
     for (const JsonCursor& element : published->elements())
       instance.published.push_back(read_published(element));
   }
-  if (const auto sketch = root.optional("sketch")) check_sketch_frame(*sketch, Scene(instance.problem));
+  if (const auto sketch = root.optional("sketch")) check_sketch_frame(*sketch, instance);
   return instance;
 }
 

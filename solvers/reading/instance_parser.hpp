@@ -30,13 +30,14 @@ struct Instance {
   JsonValue document;  ///< the whole file, as written
 
   /// Ready to be solved.
-  operator Scene() const { return Scene(problem); }
+  operator Scene() const { return Scene::unchecked(problem); }
 };
 
 /// Reads and checks an instance: the format and then the structure (degrees of freedom, rigidity,
 /// unsatisfiable inequalities). `file` is for messages; the id is compared with `expected_id` unless empty.
 /// Throws InputError.
-Instance parse_instance(std::string_view text, const std::string& file, const std::string& expected_id);
+Instance parse_instance(std::string_view text, const std::string& file = "instance",
+                        const std::string& expected_id = {});
 
 /// Reads and checks the instance in a file, whose id is the file's name without .json unless the file is a pipe.
 /// `remedy`: what to give in the place of a file that cannot be read. Throws InputError.

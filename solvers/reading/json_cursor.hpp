@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 #include "solvers/reading/json_document.hpp"
 
 namespace gcs {

@@ -244,11 +244,6 @@ void append_text(std::string& out, const JsonValue& value, int indent, int depth
 
 }  // namespace
 
-InputError::InputError(std::string file, std::string pointer, std::string what, std::string remedy)
-    : UserError(file + ": " + (pointer.empty() ? "" : pointer + ": ") + what +
-                (remedy.empty() ? "" : "; " + remedy)),
-      pointer_(std::move(pointer)) {}
-
 std::string escaped_for_pointer(std::string_view key) {
   std::string escaped;
   for (const char c : key) {

@@ -1,7 +1,6 @@
 #pragma once
 /// JSON as it was written: every number keeps its decimal text, every object the order of its members.
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,17 +9,6 @@
 #include "solvers/running/errors.hpp"
 
 namespace gcs {
-
-/// What is wrong with an input, where, and what would be right. what() is the one message for the user:
-/// "FILE: /json/pointer: what; remedy".
-class InputError : public UserError {
- public:
-  InputError(std::string file, std::string pointer, std::string what, std::string remedy);
-  const std::string& pointer() const { return pointer_; }
-
- private:
-  std::string pointer_;
-};
 
 /// A JSON value. Exactly one of the members that match `kind` is meaningful.
 struct JsonValue {

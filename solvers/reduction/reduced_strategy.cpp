@@ -22,9 +22,14 @@ constexpr std::size_t listed_coordinates = 1'000'000;
 /// A part to be solved by a strategy, as a scene of its own.
 struct PartScene {
   PartScene(const ProblemStatement& whole, const Part& part) : PartScene(part_problem(whole, part)) {}
-  explicit PartScene(PartProblem part) : scene(std::move(part.problem)), points(std::move(part.points)) {}
+  explicit PartScene(PartProblem part)
+      : scene(Scene::unchecked(std::move(part.problem))), points(std::move(part.points)) {}
+
+  /// What is asked of the whole scene, asked of this part.
+  SolveRequest request(const SolveRequest& of_whole) const { return of_whole.on(scene, &analysis); }
 
   Scene scene;
+  SceneAnalysis analysis{scene.problem()};
   std::vector<int> points;  ///< of each point, its number in the whole scene
 };
 
@@ -173,13 +178,13 @@ class ReducedStrategy final : public Strategy {
     strategies_.push_back(make_());
   }
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
-    const std::vector<Part> parts = parts_of(scene);
-    if (parts.size() == 1) return strategies_.front()->why_unsupported(scene);
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const std::vector<Part> parts = parts_of(request);
+    if (parts.size() == 1) return strategies_.front()->why_unsupported(request);
     for (const Part& part : parts) {
       if (part.is_hung_point()) continue;
-      const PartScene part_scene(scene.problem(), part);
-      if (const auto reason = strategies_.front()->why_unsupported(part_scene.scene))
+      const PartScene part_scene(request.scene.problem(), part);
+      if (const auto reason = strategies_.front()->why_unsupported(part_scene.request(request)))
         return about(part_scene, *reason);
     }
     return std::nullopt;
@@ -195,7 +200,7 @@ class ReducedStrategy final : public Strategy {
     for (const Part& part : parts) {
       if (part.is_hung_point()) continue;
       const PartScene part_scene(request.scene.problem(), part);
-      strategy(next++).prepare(request_for(request, parts, part_scene.scene));
+      strategy(next++).prepare(request_for(request, parts, part_scene));
     }
   }
 
@@ -206,13 +211,9 @@ class ReducedStrategy final : public Strategy {
   }
 
  private:
-  std::vector<Part> parts_of(const Scene& scene) const {
-    if (!reduces_) return std::vector<Part>(1);
-    return decompose(scene.problem(), split_);
-  }
-
   std::vector<Part> parts_of(const SolveRequest& request) const {
-    return reduces_ && request.analysis ? request.analysis->parts(split_) : parts_of(request.scene);
+    if (!reduces_) return std::vector<Part>(1);
+    return request.analysis ? request.analysis->parts(split_) : decompose(request.scene.problem(), split_);
   }
 
   Strategy& strategy(std::size_t number) {
@@ -220,15 +221,16 @@ class ReducedStrategy final : public Strategy {
     return *strategies_[number];
   }
 
-  SolveRequest request_for(const SolveRequest& request, const std::vector<Part>& parts, const Scene& part) {
-    SolveRequest of_part = request.on(part);
+  SolveRequest request_for(const SolveRequest& request, const std::vector<Part>& parts,
+                           const PartScene& part) {
+    SolveRequest of_part = part.request(request);
     if (solved_parts(parts) > 1) of_part.starts = &no_starts_;
     return of_part;
   }
 
   SolveReport solve_on_path(const SolveRequest& request, const std::vector<Part>& parts) {
     const PartScene core(request.scene.problem(), parts.front());
-    SolveReport report = strategy(0).solve(request_for(request, parts, core.scene));
+    SolveReport report = strategy(0).solve(request_for(request, parts, core));
     for (Candidate& candidate : report.candidates)
       candidate.figure = in_whole(request.scene, core, candidate.figure);
     return with_hung_points(request.scene, parts, std::move(report));
@@ -243,7 +245,7 @@ class ReducedStrategy final : public Strategy {
       solved.emplace_back();
       if (part.is_hung_point()) continue;
       const PartScene part_scene(request.scene.problem(), part);
-      reports.push_back(strategy(reports.size()).solve(request_for(request, parts, part_scene.scene)));
+      reports.push_back(strategy(reports.size()).solve(request_for(request, parts, part_scene)));
       const SolveReport& report = reports.back();
       solved.back() = part_solutions(request.scene, part_scene, part, report);
       is_empty = is_empty || (report.status == SolveStatus::complete && claims_all(report.claim) &&

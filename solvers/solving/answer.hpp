@@ -35,6 +35,7 @@ struct SolveOutcome {
   OptionMap options;  ///< every option of the strategy, defaults included
   RunStatus status = RunStatus::gave_up;
   std::string reason;          ///< empty when complete
+  bool has_failed = false;     ///< by an exception of the strategy, a fault of the program
   std::optional<Claim> claim;  ///< empty when nothing was run
   WorkCounters work;
   std::vector<Particular> particulars;  ///< counts that only this strategy knows

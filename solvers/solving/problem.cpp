@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <filesystem>
-
 #include "solvers/reading/figure_json.hpp"
-#include "solvers/reading/text_input.hpp"
 
 namespace gcs {
 namespace {
@@ -79,7 +75,7 @@ Instance Problem::instance() const {
   if (!lines_.empty()) members.emplace_back("lines", json_texts(lines_));
   if (!fixed_.empty()) members.emplace_back("fixed", json_object(fixed_));
   if (!sketch_.empty()) members.emplace_back("sketch", json_object(sketch_));
-  return parse_instance(to_text(json_object(std::move(members)), -1), "problem", "");
+  return parse_instance(to_text(json_object(std::move(members)), -1), "problem");
 }
 
 }  // namespace gcs

@@ -67,7 +67,7 @@ class Problem {
   /// The problem as an instance with the id "problem". Throws InputError.
   Instance instance() const;
   /// The same, ready to be solved.
-  operator Scene() const { return Scene(instance().problem); }
+  operator Scene() const { return instance(); }
 
  private:
   using Placed = std::pair<std::string, JsonValue>;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "solvers/answers/certify.hpp"
@@ -36,17 +37,19 @@ class Solve {
         monitor_(surroundings.progress ? &progress_ : nullptr) {}
 
   Answer run(const StrategyEntry& entry, const OptionMap& given) {
+    require_allowed();
     answer_.strategy = entry.name;
     answer_.options = complete_options(entry, given);
     answer_.seed = settings_.seed;
     answer_.threads = settings_.threads;
     const auto strategy = entry.make(answer_.options);
-    if (auto reason = why_not(entry, *strategy, scene_)) {
+    const SolveRequest request = asked();
+    if (auto reason = why_not(entry, *strategy, request)) {
       answer_.status = RunStatus::unsupported;
       answer_.reason = std::move(*reason);
       return std::move(answer_);
     }
-    SolveReport report = ask(*strategy);
+    SolveReport report = ask(*strategy, request);
     enter(SolveStage::assessing);
     take(report);
     if (settings_.checks_counts || settings_.certify) hold_against_counts(report);
@@ -58,24 +61,34 @@ class Solve {
   }
 
  private:
+  void require_allowed() const {
+    if (settings_.threads < 1)
+      throw OptionError(fmt::format("threads={}: needs a whole number of at least 1", settings_.threads));
+    if (settings_.digits < 0)
+      throw OptionError(fmt::format("digits={}: needs a whole number of at least 0", settings_.digits));
+  }
+
   void enter(SolveStage stage) const {
     if (surroundings_.entered) surroundings_.entered(stage);
   }
 
   bool is_stopped() const { return surroundings_.stop.stop_requested(); }
 
+  SolveRequest asked() const {
+    return {scene_,
+            {.seed = settings_.seed,
+             .threads = settings_.threads,
+             .stop = surroundings_.stop,
+             .monitor = monitor_,
+             .journal = surroundings_.journal,
+             .starts = surroundings_.starts,
+             .most_listed = settings_.max_solutions},
+            &analysis_};
+  }
+
   /// A strategy that throws has a defect, or the machine has no memory left; neither may end a series of solves.
   /// What is wrong with the user's files and options does.
-  SolveReport ask(Strategy& strategy) const {
-    const SolveRequest request{.scene = scene_,
-                               .seed = settings_.seed,
-                               .threads = settings_.threads,
-                               .stop = surroundings_.stop,
-                               .monitor = monitor_,
-                               .journal = surroundings_.journal,
-                               .starts = surroundings_.starts,
-                               .most_listed = settings_.max_solutions,
-                               .analysis = &analysis_};
+  SolveReport ask(Strategy& strategy, const SolveRequest& request) {
     try {
       enter(SolveStage::preparing);
       strategy.prepare(request);
@@ -83,7 +96,12 @@ class Solve {
       return strategy.solve(request);
     } catch (const UserError&) {
       throw;
+    } catch (const std::bad_alloc&) {
+      SolveReport report;
+      report.reason = "there is not enough memory";
+      return report;
     } catch (const std::exception& error) {
+      answer_.has_failed = true;
       SolveReport report;
       report.reason = fmt::format("the strategy failed with an exception: {}", error.what());
       return report;
@@ -233,9 +251,11 @@ const StrategyEntry& named(std::string_view name) {
 
 }  // namespace
 
-std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy, const Scene& scene) {
-  if (auto reason = strategy.why_unsupported(scene)) return reason;
-  if (entry.needs_sketch && !scene.sketch()) return "it starts at a sketch, and the instance gives none";
+std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy,
+                                   const SolveRequest& request) {
+  if (auto reason = strategy.why_unsupported(request)) return reason;
+  if (entry.needs_sketch && !request.scene.sketch())
+    return "it starts at a sketch, and the instance gives none";
   return std::nullopt;
 }
 

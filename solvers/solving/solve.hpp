@@ -53,12 +53,13 @@ struct SolveSurroundings {
   StartStore* starts = nullptr;
 };
 
-/// Why `strategy`, made from `entry`, cannot do `scene`: its own reason, or no sketch; nullopt when it can.
-std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy, const Scene& scene);
+/// Why `strategy`, made from `entry`, cannot do the scene: its own reason, or no sketch; nullopt when it can.
+std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy,
+                                   const SolveRequest& request);
 
 /// Runs the strategy until it ends or is stopped. A strategy that throws has given up: it has a defect, or the
-/// machine has no memory left. Throws OptionError for options that are not allowed, and what is wrong with files
-/// that the options name.
+/// machine has no memory left. Throws OptionError for options and settings that are not allowed, and what is wrong
+/// with files that the options name.
 Answer solve(const Scene& scene, const StrategyEntry& entry, const OptionMap& given,
              const SolveSettings& settings = {}, const SolveSurroundings& surroundings = {});
 

@@ -244,7 +244,8 @@ class CayleyMengerStrategy final : public Strategy {
  public:
   explicit CayleyMengerStrategy(const CayleyMenger&) {}
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const Scene& scene = request.scene;
     if (scene.dimension() != 3 || scene.has_lines()) return "it solves octahedra: six points in space";
     if (scene.is_anchored()) return "it places the octahedron itself, and the instance fixes positions";
     const auto octahedron = find_octahedron(scene, reduce_to_core(scene.problem(), {}));

@@ -41,7 +41,8 @@ class FullSpaceStrategy final : public Strategy {
     options_.paper.keep_points = names_jumps_;
   }
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const Scene& scene = request.scene;
     const bool proves = mode_ == FullSpace::Mode::certified || names_jumps_;
     return proves ? why_not_proven(scene) : why_no_path(scene);
   }

@@ -91,7 +91,8 @@ class NewtonMultistartStrategy final : public Strategy {
   explicit NewtonMultistartStrategy(const NewtonMultistart& asked)
       : most_starts_(asked.starts), unseen_(asked.unseen) {}
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const Scene& scene = request.scene;
     if (scene.is_anchored()) return "it places points and a line in a frame, and the file fixes positions";
     if (scene.problem().lines.size() > 1) return "it places at most one line, and the instance has more";
     return std::nullopt;

@@ -26,7 +26,8 @@ class PlanScanStrategy final : public Strategy {
  public:
   explicit PlanScanStrategy(const PlanScan& asked) : max_cells_(asked.scan.max_cells) {}
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const Scene& scene = request.scene;
     if (scene.has_lines()) return "its plans place points only, and the instance has a line";
     if (const auto reason = why_no_plan(scene)) return reason;
     const int angles = derive_scan_plan(scene).angles();

@@ -52,7 +52,8 @@ class RcpStrategy final : public Strategy {
     plan_options_.rule.watch_sine = asked.measure == Rcp::Measure::guarded;
   }
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const Scene& scene = request.scene;
     if (const auto reason = why_no_path(scene)) return reason;
     return why_no_plan(scene);
   }

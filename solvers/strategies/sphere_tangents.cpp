@@ -165,7 +165,8 @@ class SphereTangentsStrategy final : public Strategy {
   explicit SphereTangentsStrategy(const SphereTangents& asked)
       : follows_paths_(asked.method == SphereTangents::Method::homotopy) {}
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const Scene& scene = request.scene;
     const ProblemStatement& problem = scene.problem();
     if (problem.dimension != 3 || problem.lines.size() != 1 || problem.points.size() != 4 ||
         problem.constraints.size() != 4)

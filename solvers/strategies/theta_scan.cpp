@@ -135,7 +135,8 @@ class ThetaScanStrategy final : public Strategy {
  public:
   explicit ThetaScanStrategy(const ThetaScan& asked) : asked_(asked) {}
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const Scene& scene = request.scene;
     const auto pyramid = find_pyramid(scene);
     if (!pyramid)
       return "it solves 5p1L: a line at given distances from the apex and the four base points of a pyramid";

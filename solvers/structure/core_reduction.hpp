@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
 

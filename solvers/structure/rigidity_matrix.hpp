@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "solvers/model/problem.hpp"
 #include "solvers/numeric/prime_field.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
 

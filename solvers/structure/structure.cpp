@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <random>
 
+#include "solvers/running/errors.hpp"
 #include "solvers/running/words.hpp"
 #include "solvers/structure/core_reduction.hpp"
 #include "solvers/structure/length_inequalities.hpp"
@@ -191,6 +192,16 @@ Structure analyse_structure(const ProblemStatement& problem) {
     structure.defects.push_back(unsatisfiable(problem, violated));
   }
   return structure;
+}
+
+void require_well_posed(const ProblemStatement& problem, const std::string& file) {
+  const Structure structure = analyse_structure(problem);
+  if (structure.well_posed()) return;
+  const StructureDefect& defect = structure.defects.front();
+  std::string pointer = "/constraints";
+  if (defect.kind == StructureDefect::Kind::unsatisfiable)
+    pointer += "/" + std::to_string(defect.constraints.front());
+  throw InputError(file, pointer, defect.what, defect.remedy);
 }
 
 }  // namespace gcs

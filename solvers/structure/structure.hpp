@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
 
@@ -31,5 +31,9 @@ struct Structure {
 /// Rank over a prime field at random integer placements: a rank that is reached is proven, a rank that is
 /// missed is missed with a probability below 1e-15. Deterministic. Never throws.
 Structure analyse_structure(const ProblemStatement& problem);
+
+/// Throws InputError with the first defect, as of a file of that name: a single constraint is pointed at, a set of
+/// them is named by the message.
+void require_well_posed(const ProblemStatement& problem, const std::string& file);
 
 }  // namespace gcs

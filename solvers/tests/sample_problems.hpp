@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 #include "solvers/tests/random_numbers.hpp"
 
 namespace gcs::samples {

@@ -28,7 +28,7 @@ SolveReport solved(const Scene& scene, std::string_view name, const OptionMap& g
   for (const StrategyEntry& entry : all_strategies()) {
     if (entry.name != name) continue;
     const std::unique_ptr<Strategy> strategy = entry.make(complete_options(entry, given));
-    const SolveRequest request{scene, 1, threads, stop};
+    const SolveRequest request(scene, {.threads = threads, .stop = stop});
     strategy->prepare(request);
     return strategy->solve(request);
   }

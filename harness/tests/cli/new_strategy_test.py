@@ -139,6 +139,20 @@ class NewStrategy(unittest.TestCase):
             done = run("clang-format", "--dry-run", "--Werror", self.copy.root / "solvers/strategies/my_idea.cpp")
             self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_a_strategy_that_throws_is_a_fault_of_the_program(self):
+        begin = "SolveReport solve(const SolveRequest& request) override {"
+        text = (self.copy.root / "solvers" / "strategies" / "my_idea.cpp").read_text()
+        self.assertEqual(text.count(begin), 1)
+        source = Path(self.folder.name) / "broken" / "strategies" / "my_idea.cpp"
+        source.parent.mkdir(parents=True)
+        source.write_text(text.replace(begin, begin + '\n    if (request.seed == 1) throw std::logic_error("broken");'))
+        program = self.linked("harness/gcsbench", self.compiled(source, "newton_multistart.cpp"),
+                              self.compiled(self.table(), table_source()))
+        for seed, code in (("1", 70), ("2", 0)):
+            done = run(program, "--quiet", "solve", "k33", "--strategy", NAME, "--seed", seed, cwd=SOURCE)
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertEqual("broken" in done.stderr, code == 70)
+
     def test_it_compiles_is_listed_and_keeps_the_contract(self):
         strategy = self.compiled(self.copy.root / "solvers" / "strategies" / "my_idea.cpp",
                                  "newton_multistart.cpp")

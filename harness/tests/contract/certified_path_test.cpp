@@ -15,10 +15,7 @@ constexpr int long_path = 30;
 
 SolveReport solved(const Scene& scene, const OptionMap& options) {
   for (const StrategyEntry& entry : all_strategies())
-    if (entry.name == "full-space") {
-      const SolveRequest request{scene, 1, 1, {}, nullptr};
-      return entry.make(complete_options(entry, options))->solve(request);
-    }
+    if (entry.name == "full-space") return entry.make(complete_options(entry, options))->solve(scene);
   FAIL("no full-space");
   return {};
 }

@@ -50,9 +50,9 @@ constexpr int all = 1 << 20;  // more blocks than there are
 /// A solve whose journal loses legs as it is told.
 struct Lossy {
   Lossy(const ProblemStatement& problem, const OptionMap& given = {}, const std::string& name = "monodromy")
-      : scene(problem),
+      : scene(Scene::unchecked(problem)),
         strategy(find_strategy(name).make(complete_options(find_strategy(name), given))),
-        request{scene, 1, 1, {}, nullptr, &journal} {}
+        request(scene, {.journal = &journal}) {}
 
   Scene scene;
   LosingJournal journal;

@@ -16,7 +16,7 @@ namespace {
 
 SolveReport solve_with(const Subject& subject, const Scene& scene, Journal* journal, int threads = 1,
                        std::stop_token stop = {}) {
-  return solve_anew(subject, {scene, 1, threads, std::move(stop), nullptr, journal});
+  return solve_anew(subject, {scene, {.threads = threads, .stop = std::move(stop), .journal = journal}});
 }
 
 void check_same(const SolveReport& a, const SolveReport& b) {

@@ -29,13 +29,14 @@ class SpoiledStrategy final : public Strategy {
   explicit SpoiledStrategy(const OptionMap& options)
       : sound_(sound_strategy().make(options)), object_(objects++) {}
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
-    return sound_->why_unsupported(scene);
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    return sound_->why_unsupported(request);
   }
 
   SolveReport solve(const SolveRequest& request) override {
-    const std::stop_token stop = is_deaf ? std::stop_token{} : request.stop;
-    SolveReport report = sound_->solve({request.scene, request.seed, request.threads, stop, request.monitor});
+    SolveRequest asked = request;
+    if (is_deaf) asked.stop = {};
+    SolveReport report = sound_->solve(asked);
     saw_other_scene_ = saw_other_scene_ || (scene_ && scene_ != &request.scene);
     scene_ = &request.scene;
     spoil(report, {request, call_++, object_, saw_other_scene_});

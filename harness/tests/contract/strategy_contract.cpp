@@ -245,10 +245,6 @@ SolveReport solve_anew(const Subject& subject, const SolveRequest& request) {
   return strategy->solve(request);
 }
 
-SolveReport solve_anew(const Subject& subject, const Scene& scene) {
-  return solve_anew(subject, plain_request(scene));
-}
-
 Violations check_refusal(const Subject& subject, const Scene& scene) {
   Finder finder;
   const auto reason = why_not(subject.entry, *subject.make(), scene);
@@ -307,7 +303,7 @@ Violations check_counts(std::string_view instance, const Scene& scene, const Sol
 Violations check_repeatability(const Subject& subject, const Scene& scene, const Scene& other) {
   Finder finder;
   const auto strategy = subject.make();
-  const SolveRequest request = plain_request(scene);
+  const SolveRequest request(scene);
   strategy->prepare(request);
   const SolveReport first = strategy->solve(request);
   const auto compare = [&](std::string_view which, const SolveReport& report) {
@@ -317,11 +313,11 @@ Violations check_repeatability(const Subject& subject, const Scene& scene, const
   compare("the same object", strategy->solve(request));
   compare("another object", solve_anew(subject, request));
   Watcher watcher;
-  compare("a watched one", solve_anew(subject, {scene, 1, 1, {}, &watcher}));
-  compare("one with two threads", solve_anew(subject, {scene, 1, 2, {}, nullptr}));
+  compare("a watched one", solve_anew(subject, {scene, {.monitor = &watcher}}));
+  compare("one with two threads", solve_anew(subject, {scene, {.threads = 2}}));
   if (supports(subject, other)) {
-    strategy->prepare(plain_request(other));
-    strategy->solve(plain_request(other));
+    strategy->prepare(other);
+    strategy->solve(other);
     strategy->prepare(request);
     compare("one that solved another scene before", strategy->solve(request));
   }
@@ -331,8 +327,8 @@ Violations check_repeatability(const Subject& subject, const Scene& scene, const
 Violations check_reuse(const Subject& subject, const Scene& prepared, const Scene& scene) {
   Finder finder;
   const auto strategy = subject.make();
-  strategy->prepare(plain_request(prepared));
-  const SolveReport reused = strategy->solve(plain_request(scene));
+  strategy->prepare(prepared);
+  const SolveReport reused = strategy->solve(scene);
   const SolveReport anew = solve_anew(subject, scene);
   finder.expect(reused.status == anew.status, "reuse", "prepared with other lengths, the status is {}: {}",
                 static_cast<int>(reused.status), reused.reason);
@@ -347,7 +343,7 @@ Violations check_stop(const Subject& subject, const Scene& scene) {
   const SolveReport whole = solve_anew(subject, scene);
   std::stop_source at_once;
   at_once.request_stop();
-  const SolveReport stopped = solve_anew(subject, {scene, 1, 1, at_once.get_token(), nullptr});
+  const SolveReport stopped = solve_anew(subject, {scene, {.stop = at_once.get_token()}});
   check_stopped(scene, stopped, whole, finder);
   finder.expect(effort(stopped.work) <= effort(whole.work) / 4, "stop",
                 "told not to begin, it does {} of {} units of work", effort(stopped.work),
@@ -355,7 +351,8 @@ Violations check_stop(const Subject& subject, const Scene& scene) {
 
   std::stop_source on_the_way;
   Watcher watcher(&on_the_way);
-  const SolveReport halted = solve_anew(subject, {scene, 1, 1, on_the_way.get_token(), &watcher});
+  const SolveReport halted =
+      solve_anew(subject, {scene, {.stop = on_the_way.get_token(), .monitor = &watcher}});
   if (watcher.calls() > 0) check_stopped(scene, halted, whole, finder);
   return finder.take();
 }

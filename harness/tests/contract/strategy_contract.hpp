@@ -34,12 +34,8 @@ struct Subject {
 /// True when the strategy, made from the subject, can do the scene.
 bool supports(const Subject& subject, const Scene& scene);
 
-/// A request with nothing but the scene.
-inline SolveRequest plain_request(const Scene& scene) { return {scene, 1, 1, {}, nullptr}; }
-
 /// prepare and solve on a new object.
 SolveReport solve_anew(const Subject& subject, const SolveRequest& request);
-SolveReport solve_anew(const Subject& subject, const Scene& scene);
 
 /// `support`: a scene out of reach is refused with a sentence.
 Violations check_refusal(const Subject& subject, const Scene& scene);

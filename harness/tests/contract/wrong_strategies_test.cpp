@@ -221,7 +221,7 @@ void give_up(SolveReport& report, const Circumstances&) {
 class Mute final : public Strategy {
  public:
   explicit Mute(const OptionMap&) {}
-  std::optional<std::string> why_unsupported(const Scene&) const override { return "no"; }
+  std::optional<std::string> why_unsupported(const SolveRequest&) const override { return "no"; }
   SolveReport solve(const SolveRequest& request) override {
     return sound_strategy().make(complete_options(sound_strategy(), {}))->solve(request);
   }
@@ -273,9 +273,9 @@ namespace {
 class Stubborn final : public Strategy {
  public:
   explicit Stubborn(const OptionMap& options) : sound_(sound_strategy().make(options)) {}
-  std::optional<std::string> why_unsupported(const Scene&) const override { return std::nullopt; }
+  std::optional<std::string> why_unsupported(const SolveRequest&) const override { return std::nullopt; }
   void prepare(const SolveRequest& request) override { prepared_.emplace(request.scene.problem()); }
-  SolveReport solve(const SolveRequest&) override { return sound_->solve(plain_request(*prepared_)); }
+  SolveReport solve(const SolveRequest&) override { return sound_->solve(*prepared_); }
 
  private:
   std::unique_ptr<Strategy> sound_;
@@ -311,10 +311,9 @@ void make_things_up(SolveReport& report, const Circumstances& now) {
 class HardOfHearing final : public Strategy {
  public:
   explicit HardOfHearing(const OptionMap& options) : sound_(sound_strategy().make(options)) {}
-  std::optional<std::string> why_unsupported(const Scene&) const override { return std::nullopt; }
+  std::optional<std::string> why_unsupported(const SolveRequest&) const override { return std::nullopt; }
   SolveReport solve(const SolveRequest& request) override {
-    SolveRequest deaf = plain_request(request.scene);
-    deaf.monitor = request.monitor;
+    const SolveRequest deaf(request.scene, {.monitor = request.monitor});
     return sound_->solve(request.stop.stop_requested() ? request : deaf);
   }
 

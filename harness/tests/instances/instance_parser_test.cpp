@@ -169,7 +169,7 @@ TEST_CASE("the id is the name of the file") {
   check_refused(with(plane(), "/id", "other"), "/id", "the file is called 'small'");
   check_refused(with(plane(), "/id", ""), "/id", "empty");
   check_refused(with(plane(), "/id", "a/b"), "/id", "'/'");
-  CHECK(gcs::parse_instance(with(plane(), "/id", "other").dump(), "standard input", "").id == "other");
+  CHECK(gcs::parse_instance(with(plane(), "/id", "other").dump(), "standard input").id == "other");
 }
 
 TEST_CASE("the dimension is 2 or 3") {

@@ -56,7 +56,7 @@ void check_read_back(const Instance& instance) {
   INFO(instance.id);
   const Scene scene(instance.problem);
   const std::string text = problem_text(scene);
-  const Instance again = parse_instance(text, "text", "");
+  const Instance again = parse_instance(text, "text");
   check_same(instance.problem, again.problem);
   const Scene scene_again(again.problem);
   CHECK(scene_again.reference().origin == scene.reference().origin);

@@ -30,7 +30,7 @@ Scene all_distances(const std::vector<Place>& places, int dimension) {
   const std::string text = fmt::format(
       R"({{"format": "gcsbench-instance/1", "id": "flat", "dimension": {}, "points": [{}], "constraints": [{}]}})",
       dimension, points, constraints);
-  return Scene(parse_instance(text, "flat.json", "").problem);
+  return Scene(parse_instance(text, "flat.json").problem);
 }
 
 /// No three on a line.
@@ -93,7 +93,7 @@ TEST_CASE("points on a line in space are solved: a multiple solution, and no oth
     {"type": "distance", "between": ["p1", "L"], "squared": 0},
     {"type": "distance", "between": ["p2", "L"], "squared": 25},
     {"type": "distance", "between": ["p3", "L"], "squared": 169}]})";
-  const Scene scene(parse_instance(text, "met.json", "").problem);
+  const Scene scene(parse_instance(text, "met.json").problem);
   const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
   INFO(run.reason);
   CHECK(run.status == RunStatus::complete);

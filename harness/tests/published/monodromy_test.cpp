@@ -19,7 +19,7 @@ namespace {
 SolveRun solved(const ProblemStatement& problem, const OptionMap& options = {}, int threads = 1) {
   RunLimits limits;
   limits.threads = threads;
-  return run_strategy(find_strategy("monodromy"), options, Scene(problem), limits);
+  return run_strategy(find_strategy("monodromy"), options, Scene::unchecked(problem), limits);
 }
 
 SolveRun solved(const std::string& instance, const OptionMap& options = {}, int threads = 1) {
@@ -33,7 +33,8 @@ SolveRun expect_tangents(const ProblemStatement& problem) {
   CHECK(run.status == RunStatus::complete);
   CHECK(run.failed_checks.empty());
   CHECK(run.counts.generic == 12);
-  CHECK(have_same_lines(run, run_strategy(find_strategy("sphere-tangents"), {}, Scene(problem), {})));
+  CHECK(have_same_lines(run,
+                        run_strategy(find_strategy("sphere-tangents"), {}, Scene::unchecked(problem), {})));
   return run;
 }
 
@@ -133,8 +134,7 @@ TEST_CASE("that lines beside given points are at most 12 saves the trace test") 
   for (const std::string id : {"tangents-durand", "tangents-12-real"}) {
     const Scene scene(load_instance(id).problem);
     const StrategyEntry& entry = find_strategy("monodromy");
-    const SolveReport report = entry.make(complete_options(entry, {{"trace", "off"}}))
-                                   ->solve(SolveRequest{scene, 1, 1, {}, nullptr});
+    const SolveReport report = entry.make(complete_options(entry, {{"trace", "off"}}))->solve(scene);
     INFO(id << ": " << report.reason);
     CHECK(report.status == SolveStatus::complete);
     CHECK(report.generic == 12u);

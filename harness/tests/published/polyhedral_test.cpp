@@ -13,7 +13,7 @@ namespace {
 
 SolveReport solved(const std::string& strategy, const Scene& scene, const OptionMap& options = {}) {
   const StrategyEntry& entry = find_strategy(strategy);
-  return entry.make(complete_options(entry, options))->solve(SolveRequest{scene, 1, 1, {}, nullptr});
+  return entry.make(complete_options(entry, options))->solve(scene);
 }
 
 std::int64_t particular(const SolveReport& report, const std::string& name) {

@@ -30,7 +30,7 @@ std::string constraints_text(const std::vector<Length>& lengths) {
 ProblemStatement problem_of(const std::string& head, const std::vector<Length>& lengths) {
   const std::string text =
       R"({"format": "gcsbench-instance/1", "id": "x", )" + head + ", " + constraints_text(lengths);
-  return parse_instance(text, "x", "").problem;
+  return parse_instance(text, "x").problem;
 }
 
 SolveRun solved(const ProblemStatement& problem, const std::string& strategy, std::uint64_t seed = 1,

@@ -80,7 +80,7 @@ TEST_CASE("the points of a careful tracker are within the written radii, and not
 }
 
 TEST_CASE("the written radii hold the rounding of the corners") {
-  const WrittenPath path(parse_instance(triangle, "triangle.json", ""));
+  const WrittenPath path(parse_instance(triangle, "triangle.json"));
   const std::vector<Eigen::VectorXd> points = samples::followed_path(path.scene, 1e-3).points;
   // How much of a radius the rounding takes depends on where it lies between two powers of ten.
   for (double within = 1e-3; within < 1e-1; within *= 1.05) {

@@ -18,7 +18,7 @@ class ToyStrategy final : public Strategy {
     if (behaviour_ == "wrong") throw OptionError("option behaviour=wrong: expected something else");
   }
 
-  std::optional<std::string> why_unsupported(const Scene&) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest&) const override {
     if (behaviour_ == "refuses") return "it does not want to";
     return std::nullopt;
   }
@@ -116,6 +116,7 @@ TEST_CASE("an exception ends the strategy, not the program") {
   for (const std::string behaviour : {"fails", "fails early"}) {
     const SolveRun result = run(behaviour);
     CHECK(result.status == RunStatus::gave_up);
+    CHECK(result.has_failed);
     CHECK_THAT(result.reason, Catch::Contains("no luck"));
   }
 }
@@ -124,6 +125,7 @@ TEST_CASE("giving up keeps the strategy's reason and what it found") {
   const SolveRun result = run("gives up");
   CHECK(result.status == RunStatus::gave_up);
   CHECK(result.reason == "it is too hard");
+  CHECK_FALSE(result.has_failed);
   CHECK(result.solutions.size() == 2);
 }
 

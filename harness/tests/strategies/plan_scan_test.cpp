@@ -190,7 +190,7 @@ TEST_CASE("a scan that cannot divide by a gap does not say that nothing is there
         gap + R"(, 0], "c": [0, 1]}, "constraints": [
             {"type": "distance", "between": ["x", "a"], "length": 1},
             {"type": "distance", "between": ["x", "b"], "length": 1}]})";
-    const SolveRun run = solved(parse_instance(text, "gap.json", "").problem, "plan-scan");
+    const SolveRun run = solved(parse_instance(text, "gap.json").problem, "plan-scan");
     INFO(gap << ": " << run.reason);
     CHECK((run.status == RunStatus::partial || run.solutions.size() == 2));
   }

@@ -19,7 +19,7 @@ using namespace gcs;
 namespace {
 
 SolveRun solved(const ProblemStatement& problem, const OptionMap& options = {}) {
-  return run_strategy(find_strategy("sphere-tangents"), options, Scene(problem), {});
+  return run_strategy(find_strategy("sphere-tangents"), options, Scene::unchecked(problem), {});
 }
 
 /// The square in decimals of any number of digits.
@@ -139,7 +139,7 @@ TEST_CASE("a line that is off by more than rounding is not precise") {
     ComplexLine line = complex_lines(solution.placement())[0];
     line.direction[0] *= 1 + 1e-10;
     solution.figure = figure_of(complex_points(solution.figure), {line}, is_real);
-    solution.residual = relative_residual(Scene(problem), solution.figure);
+    solution.residual = relative_residual(Scene::unchecked(problem), solution.figure);
     CHECK(solution.residual > std::max(precise, residual_of_rounding(given, line)));
     CHECK_FALSE(is_precise(given, solution));
   }

@@ -17,7 +17,7 @@ ProblemStatement example() { return load_instance("hoffmann-yuan").problem; }
 
 SolveRun scanned(const ProblemStatement& problem, OptionMap options) {
   options["method"] = "published";
-  return run_strategy(find_strategy("theta-scan"), options, Scene(problem), {});
+  return run_strategy(find_strategy("theta-scan"), options, Scene::unchecked(problem), {});
 }
 
 std::int64_t particular(const SolveRun& run, const std::string& name) {
@@ -94,7 +94,7 @@ TEST_CASE("whichever point of the base is named first, the solutions are the sam
       for (int p = 0; p < 4; ++p) figure.points.col(p) = solution.figure.points.col(renamed(p));
       figures.push_back(figure);
     }
-    CHECK(reflection_classes(Scene(problem), figures, 1e-9).count() == 6);
+    CHECK(reflection_classes(Scene::unchecked(problem), figures, 1e-9).count() == 6);
   }
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("the solutions are the same in a frame of points") {
   for (const AssessedSolution& solution : in_point_frame.solutions) {
     const auto is_same = [&](const AssessedSolution& other) {
       const std::vector<Figure> pair{solution.figure, other.figure};
-      return reflection_classes(Scene(problem), pair, 1e-9).count() == 1;
+      return reflection_classes(Scene::unchecked(problem), pair, 1e-9).count() == 1;
     };
     const auto& others = in_line_frame.solutions;
     CHECK(std::count_if(others.begin(), others.end(), is_same) == 1);
@@ -131,9 +131,9 @@ TEST_CASE("a fine scan finds the placement that lengths were taken from") {
     CHECK(run.failed_checks.empty());
     std::vector<Figure> figures;
     for (const AssessedSolution& solution : run.solutions) figures.push_back(solution.placement());
-    const int found = reflection_classes(Scene(problem), figures, 1e-9).count();
+    const int found = reflection_classes(Scene::unchecked(problem), figures, 1e-9).count();
     figures.push_back(placement);
-    CHECK(reflection_classes(Scene(problem), figures, 1e-8).count() == found);
+    CHECK(reflection_classes(Scene::unchecked(problem), figures, 1e-8).count() == found);
   }
 }
 

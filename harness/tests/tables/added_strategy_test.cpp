@@ -40,7 +40,8 @@ class NewcomerStrategy final : public Strategy {
  public:
   explicit NewcomerStrategy(const Newcomer& asked) : starts_(asked.starts) {}
 
-  std::optional<std::string> why_unsupported(const Scene& scene) const override {
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const Scene& scene = request.scene;
     if (scene.has_lines()) return "it places points, and the instance has lines";
     return std::nullopt;
   }

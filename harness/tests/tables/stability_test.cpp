@@ -194,7 +194,7 @@ TEST_CASE("beside an extremum of the open side the condition number grows like t
 TEST_CASE("the path of a long detour is as long as it says") {
   const Scene scene(load_member("long-detour@1e3").problem);
   const StrategyEntry& entry = find_strategy("full-space");
-  const SolveReport report = entry.make(complete_options(entry, {}))->solve({scene, 1, 1, {}, nullptr});
+  const SolveReport report = entry.make(complete_options(entry, {}))->solve(scene);
   REQUIRE(report.paths.size() == 1);
   CHECK(report.paths.front().end == PathRecord::End::closed);
   CHECK(report.paths.front().length > 1e3);

@@ -32,7 +32,7 @@ ProblemStatement triangle(const std::string& base) {
 /// b on the axis, then c, in the file's unit.
 Certificate certify_triangle(const std::string& base, double b, std::complex<double> x,
                              std::complex<double> y) {
-  const Scene scene(triangle(base));
+  const Scene scene = Scene::unchecked(triangle(base));
   const double unit = std::ldexp(1.0, -scene.unit_exponent());
   return Certifier(SceneEquations(scene).system()).certify({b * unit, x * unit, y * unit});
 }
@@ -87,7 +87,7 @@ TEST_CASE("an enclosure holds the exact solution, in doubles and in balls") {
   RandomNumbers random(20260101);
   for (int i = 0; i < 50; ++i) {
     const Whole points = whole_placement(random);
-    const Scene scene(problem_of(points));
+    const Scene scene = Scene::unchecked(problem_of(points));
     const SceneEquations equations(scene);
     const Certifier certifier(equations.system());
     const Point exact = coordinates(equations, scene, points, 0, random);
@@ -117,7 +117,7 @@ TEST_CASE("a double solution is rejected as singular, and its cluster is proven"
   const Certificate certificate = certify_triangle("2", 2, 1, 0);
   CHECK_FALSE(certificate.is_proven);
   CHECK(certificate.cluster == 2);
-  const double unit = std::ldexp(1.0, -Scene(triangle("2")).unit_exponent());
+  const double unit = std::ldexp(1.0, -Scene::unchecked(triangle("2")).unit_exponent());
   CHECK(holds(certificate.enclosure, {2 * unit, unit, 0}));
   CHECK(meeting_images(certificate.enclosure, {-1, -1, 1}) == 2);
   CHECK(certificate.cause.find("singular") != std::string::npos);
@@ -151,7 +151,7 @@ TEST_CASE("a real solution is recognised in complex numbers") {
 }
 
 TEST_CASE("equal solutions and mirror images coincide, and no others") {
-  const Scene scene(triangle("1.1"));
+  const Scene scene = Scene::unchecked(triangle("1.1"));
   const QuadraticSystem system = SceneEquations(scene).system();
   const Certifier certifier(system);
   const double height = std::sqrt(1 - 0.3025);
@@ -176,7 +176,7 @@ TEST_CASE("equal solutions and mirror images coincide, and no others") {
 TEST_CASE("solutions that differ by the side of one point are different classes") {
   RandomNumbers random(7);
   const Whole points = whole_placement(random);
-  const Scene scene(problem_of(points));
+  const Scene scene = Scene::unchecked(problem_of(points));
   const SceneEquations equations(scene);
   const Point x = coordinates(equations, scene, points, 0, random);
   Enclosure box{x, Point(x.size(), {1e-15, 0}), 1e-3};

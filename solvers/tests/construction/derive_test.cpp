@@ -60,7 +60,7 @@ Edges edges_of(const ProblemStatement& problem) {
 Scene scene_of(int dimension, int points, const Edges& edges) {
   RandomNumbers random(17);
   const Eigen::Matrix3Xd sketch = random.points(dimension, points, 2);
-  return Scene(samples::between(dimension, edges, sketch, random.points(dimension, points, 2)));
+  return Scene::unchecked(samples::between(dimension, edges, sketch, random.points(dimension, points, 2)));
 }
 
 std::vector<int> order_of(const Plan& plan) {
@@ -148,7 +148,7 @@ TEST_CASE("no order of the points is cheaper than the derived one") {
     CAPTURE(sample, dimension, points);
     const ProblemStatement problem = samples::random_problem(dimension, points, random);
     const Edges edges = edges_of(problem);
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     const Plan plan = derive_plan(scene, *scene.sketch(), {});
     check_sound(scene, plan);
     const Cost cost = cost_of_order(dimension, edges, order_of(plan));
@@ -163,7 +163,7 @@ TEST_CASE("no frame is on an edge that is short beside the scene") {
   ProblemStatement problem = samples::octahedron();
   for (DistanceConstraint& shortened : problem.constraints) {
     const Decimal given = std::exchange(shortened.given, {1e-6, ""});
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     const std::vector<int> order = placing_order(scene);
     const auto is_in_frame = [&](int point) {
       return std::count(order.begin(), order.begin() + 3, point) > 0;
@@ -178,7 +178,8 @@ TEST_CASE("a derived plan builds the sketch") {
   int built = 0;
   for (int sample = 0; sample < 60; ++sample) {
     const int dimension = 2 + sample % 2;
-    const Scene scene(samples::random_problem(dimension, dimension + 1 + random.index(5), random));
+    const Scene scene =
+        Scene::unchecked(samples::random_problem(dimension, dimension + 1 + random.index(5), random));
     const ExchangeRule rule;
     const Plan plan = derive_plan(scene, *scene.sketch(), rule);
     const Figure figure = in_plan_frame(scene, plan, *scene.sketch());
@@ -192,7 +193,7 @@ TEST_CASE("a derived plan builds the sketch") {
 TEST_CASE("beyond 20 points the order is greedy but sound") {
   RandomNumbers random(3);
   for (const int dimension : {2, 3}) {
-    const Scene scene(samples::random_problem(dimension, 24, random));
+    const Scene scene = Scene::unchecked(samples::random_problem(dimension, 24, random));
     check_sound(scene, derive_plan(scene, *scene.sketch(), {}));
   }
 }
@@ -203,9 +204,9 @@ TEST_CASE("points with given positions are not placed") {
   problem.constraints.erase(problem.constraints.begin());
   problem.fixed_points.resize(6);
   problem.fixed_points[0] = problem.sketch->points.col(0);
-  CHECK(why_no_plan(Scene(problem)));
+  CHECK(why_no_plan(Scene::unchecked(problem)));
   problem.fixed_points[1] = problem.sketch->points.col(1);
-  const Scene scene(problem);
+  const Scene scene = Scene::unchecked(problem);
   CHECK_FALSE(why_no_plan(scene));
   const Plan plan = derive_plan(scene, *scene.sketch(), {});
   CHECK(plan.instructions().size() == 4);
@@ -219,7 +220,7 @@ TEST_CASE("points with given positions are not placed") {
 TEST_CASE("a plan given by the file is taken as it is, with driven spheres last") {
   ProblemStatement problem = samples::k33();
   problem.construction = k33_construction();
-  const Scene scene(problem);
+  const Scene scene = Scene::unchecked(problem);
   const Plan plan = first_plan(scene, {});
   check_sound(scene, plan);
   CHECK(order_of(plan) == std::vector<int>{0, 1, 2, 3, 4, 5});
@@ -235,7 +236,7 @@ TEST_CASE("a plan given by the file is taken as it is, with driven spheres last"
 TEST_CASE("a plan in words names its instructions, constraints and driving parameters") {
   ProblemStatement problem = samples::k33();
   problem.construction = k33_construction();
-  const Scene scene(problem);
+  const Scene scene = Scene::unchecked(problem);
   CHECK(describe_plan(scene, first_plan(scene, {})) ==
         "p1 = origin\n"
         "p2 = interCL(p1, a1)\n"

@@ -30,13 +30,15 @@ ProblemStatement problem_of(int dimension, int points, int lines) {
   return problem;
 }
 
-Scene scene_of(int dimension, int points, int lines) { return Scene(problem_of(dimension, points, lines)); }
+Scene scene_of(int dimension, int points, int lines) {
+  return Scene::unchecked(problem_of(dimension, points, lines));
+}
 
 Scene anchored_scene(int points, int lines) {
   ProblemStatement problem = problem_of(3, points, lines);
   problem.constraints.resize(1);
   for (int i = 0; i + 1 < points; ++i) problem.fixed_points[i] = Eigen::Vector3d::Unit(i % 3) * 0.5;
-  return Scene(problem);
+  return Scene::unchecked(problem);
 }
 
 class RandomFigures {
@@ -164,7 +166,7 @@ TEST_CASE("a partial mirror image is another class") {
 TEST_CASE("figures are equal within the tolerance relative to the scene's size") {
   ProblemStatement problem = problem_of(3, 3, 0);
   for (auto& constraint : problem.constraints) constraint.given.value = 1.75;
-  const Scene scene(problem);
+  const Scene scene = Scene::unchecked(problem);
   RandomFigures random;
   const Figure figure = random.figure(3, 3, 0);
   Figure other = figure;
@@ -232,7 +234,7 @@ TEST_CASE("the angle between lines through one point counts") {
   ProblemStatement problem = problem_of(3, 1, 2);
   problem.constraints = {{"a1", {0, 1}, {1, "1"}, false}};
   const std::vector<Figure> figures{figure, narrow, parallel};
-  CHECK(gcs::reflection_classes(Scene(problem), figures, tolerance).count() == 3);
+  CHECK(gcs::reflection_classes(Scene::unchecked(problem), figures, tolerance).count() == 3);
 }
 
 TEST_CASE("with fixed positions mirror images and moved figures are different") {

@@ -19,7 +19,7 @@ const auto never = [] { return false; };
 struct Setting {
   explicit Setting(const ProblemStatement& problem, std::uint64_t seed = 1, int threads = 1)
       : random(seed),
-        scene(problem),
+        scene(Scene::unchecked(problem)),
         coordinates(scene),
         system(square_system(coordinates)),
         elimination(order_elimination(system, random)),

@@ -38,7 +38,7 @@ long double half_square_difference(const DistanceSystem& system, const Eigen::Ve
 }
 
 void check_jacobian(const ProblemStatement& problem) {
-  const Scene scene(problem);
+  const Scene scene = Scene::unchecked(problem);
   const DistanceSystem system(scene);
   REQUIRE(system.unknowns() == system.equations());
   const Eigen::VectorXd x = system.coordinates(*scene.sketch());
@@ -96,7 +96,7 @@ TEST_CASE("the frame leaves exactly the coordinates that it does not fix") {
 
 TEST_CASE("coordinates and figures are two forms of the same") {
   for (const ProblemStatement& problem : {samples::k33(), samples::octahedron()}) {
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     const DistanceSystem system(scene);
     const Eigen::VectorXd x = system.coordinates(*scene.sketch());
     CHECK(system.figure(x).points == scene.sketch()->points);
@@ -107,7 +107,7 @@ TEST_CASE("coordinates and figures are two forms of the same") {
 TEST_CASE("points with given positions are no unknowns and enter the figures scaled") {
   ProblemStatement problem = samples::problem_of(2, 3, {{0, 2}, {1, 2}}, {5, 5});
   problem.fixed_points = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(6, 0, 0), std::nullopt};
-  const Scene scene(problem);
+  const Scene scene = Scene::unchecked(problem);
   const DistanceSystem system(scene);
   CHECK(system.unknowns() == 2);
   Eigen::VectorXd x(2);
@@ -135,7 +135,7 @@ TEST_CASE("squared lengths are taken from the file without rounding") {
       c.is_squared = squared;
       c.given.value = random.uniform(0.1, 40);
     }
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     const std::vector<DoubleDouble> squares = target_squares(scene);
     REQUIRE(squares.size() == problem.constraints.size());
     int wrong = 0;
@@ -155,7 +155,8 @@ TEST_CASE("Newton's method brings a disturbed solution back to the last bits") {
   double worst = 0;
   for (int sample = 0; sample < 100; ++sample) {
     const int dimension = 2 + sample % 2;
-    const Scene scene(at_rest(samples::random_problem(dimension, 4 + random.index(6), random)));
+    const Scene scene =
+        Scene::unchecked(at_rest(samples::random_problem(dimension, 4 + random.index(6), random)));
     const double condition = jacobian_condition(scene, *scene.sketch());
     if (condition > 100) continue;
     ++judged;
@@ -176,7 +177,7 @@ TEST_CASE("Newton's method brings a disturbed solution back to the last bits") {
 
 TEST_CASE("Newton's method reports failure and leaves the point as it came") {
   SECTION("at a singular figure") {
-    const Scene scene(flat_triangle());
+    const Scene scene = Scene::unchecked(flat_triangle());
     const DistanceSystem system(scene);
     Eigen::VectorXd x = system.coordinates(*scene.sketch());
     x[0] += 0.25;
@@ -188,7 +189,7 @@ TEST_CASE("Newton's method reports failure and leaves the point as it came") {
     ProblemStatement problem = flat_triangle();
     problem.constraints[1].given.value = 0.5;
     problem.constraints[2].given.value = 0.5;
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     const DistanceSystem system(scene);
     Eigen::VectorXd x = system.coordinates(*scene.sketch());
     x[2] = 0.3;
@@ -208,7 +209,7 @@ TEST_CASE("with a line in the frame, the derivatives are those of squared distan
   ProblemStatement problem = samples::problem_of(3, 2, {{0, 2}, {2, 1}, {0, 1}}, {1, 2, 3});
   problem.lines = {"L"};
   problem.reference = Reference{-1, -1, -1, 0, 1};
-  const Scene scene(problem);
+  const Scene scene = Scene::unchecked(problem);
   const DistanceSystem system(scene);
   CHECK(system.unknowns() == 4);  // the height point has z alone
   const Eigen::Vector4d x(0.5, -1.25, 0.75, 2);
@@ -229,7 +230,7 @@ TEST_CASE("target squares are those of the decimals") {
   problem.constraints[0].given = {1.1, "1.1"};
   problem.constraints[1].given = {1.21, "1.21"};
   problem.constraints[1].is_squared = true;
-  const std::vector<DoubleDouble> squares = target_squares(Scene(problem));
+  const std::vector<DoubleDouble> squares = target_squares(Scene::unchecked(problem));
   CHECK(squares[0].hi == squares[1].hi);
   CHECK(squares[0].lo == squares[1].lo);
   CHECK(squares[0].lo != 0);

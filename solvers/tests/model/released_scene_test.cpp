@@ -144,7 +144,7 @@ TEST_CASE("a placement among four given points comes back from all its mirror im
   for (int i = 0; i < 40; ++i) {
     const bool is_real = i % 2 == 0;
     const Placement placement = random_placement(random, is_real);
-    const Scene given(problem_of(placement));
+    const Scene given = Scene::unchecked(problem_of(placement));
     const ReleasedScene released(given);
     REQUIRE(released.doublings() == 0);
     const Figure figure = framed(released.scene(), placement.points(), placement.line, is_real);
@@ -161,7 +161,7 @@ TEST_CASE("coplanar given points are tied to one off their plane, and the wrong 
     const bool is_real = i % 2 == 0;
     Placement placement = random_placement(random, is_real);
     placement.given.row(2).setConstant(0.3);
-    const Scene given(problem_of(placement));
+    const Scene given = Scene::unchecked(problem_of(placement));
     const ReleasedScene released(given);
     REQUIRE(released.doublings() == 1);
     const Scene& free = released.scene();
@@ -198,7 +198,7 @@ TEST_CASE("the base is far from flat however flat or narrow the given points are
     if (i >= 10) placement.given.row(2) *= flatness;
     if (i >= 20) placement.given.row(1) *= flatness;
     const ProblemStatement problem = problem_of(placement);
-    const Scene given(problem);
+    const Scene given = Scene::unchecked(problem);
     const ReleasedScene released(given);
     const ProblemStatement& free = released.scene().problem();
     // Of the base 0 1 2 3 the edges 01, 02, 12, 03, 13, 23; the first is the longest distance given.
@@ -218,13 +218,13 @@ TEST_CASE("the base is far from flat however flat or narrow the given points are
 TEST_CASE("points on one line or in one place, and a given line, are refused") {
   RandomNumbers random(6);
   Placement placement = random_placement(random, true);
-  CHECK_FALSE(why_not_released(Scene(problem_of(placement))));
+  CHECK_FALSE(why_not_released(Scene::unchecked(problem_of(placement))));
   ProblemStatement with_line = problem_of(placement);
   with_line.fixed_lines[0] = LinePosition{};
-  CHECK(why_not_released(Scene(with_line)));
+  CHECK(why_not_released(Scene::unchecked(with_line)));
   placement.given.col(3) = placement.given.col(0);
-  CHECK(why_not_released(Scene(problem_of(placement))));
+  CHECK(why_not_released(Scene::unchecked(problem_of(placement))));
   placement.given.bottomRows<2>().setZero();
   placement.given.row(0) << 0, 1, 2.5, 4;
-  CHECK(why_not_released(Scene(problem_of(placement))));
+  CHECK(why_not_released(Scene::unchecked(problem_of(placement))));
 }

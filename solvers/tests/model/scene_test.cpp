@@ -90,7 +90,7 @@ ProblemStatement scaled(ProblemStatement problem, int exponent) {
 TEST_CASE("moving into the frame keeps all distances and the orientation") {
   RandomNumbers random(1);
   for (const int dimension : {2, 3}) {
-    const Scene scene(dimension == 2 ? samples::k33() : samples::octahedron());
+    const Scene scene = Scene::unchecked(dimension == 2 ? samples::k33() : samples::octahedron());
     double worst = 0;
     int mirrored = 0;
     for (int sample = 0; sample < 500; ++sample) {
@@ -111,7 +111,7 @@ TEST_CASE("moving into the frame keeps all distances and the orientation") {
 TEST_CASE("a figure in the frame stays where it is") {
   RandomNumbers random(2);
   for (const ProblemStatement& problem : {samples::k33(), samples::octahedron(), line_problem()}) {
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     double worst = 0;
     for (int sample = 0; sample < 200; ++sample) {
       const Figure once = scene.in_frame(random_figure(scene, random));
@@ -136,7 +136,7 @@ TEST_CASE("another reference gives another frame of the same figure") {
 
 TEST_CASE("a line as reference becomes the x-axis, its height point goes to the z-axis") {
   RandomNumbers random(4);
-  const Scene scene(line_problem());
+  const Scene scene = Scene::unchecked(line_problem());
   CHECK(scene.reference().line == 0);
   CHECK(scene.reference().height == 0);
   for (int sample = 0; sample < 200; ++sample) {
@@ -159,7 +159,7 @@ TEST_CASE("the representative of a class does not depend on position or mirror i
   ProblemStatement two_lines = line_problem();
   two_lines.lines = {"L", "M"};
   for (const ProblemStatement& problem : {samples::k33(), samples::octahedron(), line_problem(), two_lines}) {
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     double worst = 0;
     for (int sample = 0; sample < 300; ++sample) {
       const Figure figure = random_figure(scene, random);
@@ -189,9 +189,9 @@ TEST_CASE("the first point off the mirror is on its positive side") {
 
 TEST_CASE("scaling the file by a power of two changes no bit of the scene") {
   for (const ProblemStatement& problem : {samples::k33(), samples::octahedron()}) {
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     for (const int exponent : {-900, -37, -1, 1, 40, 900}) {
-      const Scene other(scaled(problem, exponent));
+      const Scene other = Scene::unchecked(scaled(problem, exponent));
       CHECK(other.unit_exponent() == scene.unit_exponent() + exponent);
       CHECK(other.target_lengths() == scene.target_lengths());
       CHECK(other.sketch()->points == scene.sketch()->points);
@@ -210,8 +210,8 @@ TEST_CASE("squared lengths scale like lengths") {
     c.is_squared = true;
     c.given.value *= c.given.value;
   }
-  const Scene scene(problem);
-  const Scene other(scaled(problem, 200));
+  const Scene scene = Scene::unchecked(problem);
+  const Scene other = Scene::unchecked(scaled(problem, 200));
   CHECK(other.unit_exponent() == scene.unit_exponent() + 200);
   CHECK(other.target_lengths() == scene.target_lengths());
 }
@@ -225,7 +225,7 @@ TEST_CASE("lengths of 1e-300 and 1e300 become lengths near 1 and back") {
     sketch.points.col(1) << 0, 4 * size, 0;
     sketch.points.col(2) << 3 * size, 0, 0;
     problem.sketch = sketch;
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     for (int i = 0; i < 3; ++i) {
       CHECK(scene.target_lengths()[i] >= 0.5);
       CHECK(scene.target_lengths()[i] < 2);
@@ -243,7 +243,7 @@ TEST_CASE("the lengths travel from the sketch's to the given ones, one of them b
   ProblemStatement problem = samples::octahedron();
   for (const int bent : {-1, 4}) {
     problem.interpolation = {bent, 3};
-    const Scene scene(problem);
+    const Scene scene = Scene::unchecked(problem);
     const double unit = std::ldexp(1.0, scene.unit_exponent());
     for (int i = 0; i < scene.constraint_count(); ++i) {
       const LengthPath& path = scene.length_paths()[i];
@@ -263,29 +263,29 @@ TEST_CASE("the lengths travel from the sketch's to the given ones, one of them b
 TEST_CASE("the default reference is the first triple of pairwise constrained points") {
   ProblemStatement problem = samples::octahedron();
   problem.reference.reset();
-  const Reference triangle = Scene(problem).reference();
+  const Reference triangle = Scene::unchecked(problem).reference();
   CHECK(triangle.origin == 0);
   CHECK(triangle.axis == 1);
   CHECK(triangle.plane == 2);
 
   problem = samples::k33();
   problem.reference.reset();
-  CHECK(Scene(problem).reference().origin == 0);
-  CHECK(Scene(problem).reference().axis == 1);
-  CHECK(Scene(problem).reference().plane == -1);
+  CHECK(Scene::unchecked(problem).reference().origin == 0);
+  CHECK(Scene::unchecked(problem).reference().axis == 1);
+  CHECK(Scene::unchecked(problem).reference().plane == -1);
 
   // Only the last constraints close a triangle.
   problem = samples::problem_of(3, 4, {{0, 1}, {0, 3}, {1, 2}, {2, 3}, {1, 3}}, {1, 1, 1, 1, 1});
-  CHECK(Scene(problem).reference().origin == 0);
-  CHECK(Scene(problem).reference().axis == 1);
-  CHECK(Scene(problem).reference().plane == 3);
+  CHECK(Scene::unchecked(problem).reference().origin == 0);
+  CHECK(Scene::unchecked(problem).reference().axis == 1);
+  CHECK(Scene::unchecked(problem).reference().plane == 3);
 }
 
 TEST_CASE("a graph without triangles is put into a frame by its first points") {
   samples::Edges edges;
   for (int a = 0; a < 4; ++a)
     for (int b = 4; b < 10; ++b) edges.push_back({a, b});
-  const Scene scene(samples::problem_of(3, 10, edges, std::vector<double>(24, 1)));
+  const Scene scene = Scene::unchecked(samples::problem_of(3, 10, edges, std::vector<double>(24, 1)));
   CHECK(scene.reference().origin == 0);
   CHECK(scene.reference().axis == 1);
   CHECK(scene.reference().plane == 2);
@@ -294,7 +294,7 @@ TEST_CASE("a graph without triangles is put into a frame by its first points") {
 TEST_CASE("given positions are kept as they are") {
   ProblemStatement problem = samples::problem_of(2, 3, {{0, 2}, {1, 2}}, {5, 5});
   problem.fixed_points = {Eigen::Vector3d(1, 2, 0), Eigen::Vector3d(-3, 2, 0), std::nullopt};
-  const Scene scene(problem);
+  const Scene scene = Scene::unchecked(problem);
   CHECK(scene.is_anchored());
   RandomNumbers random(6);
   const Figure figure = random_figure(scene, random);

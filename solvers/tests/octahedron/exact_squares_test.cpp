@@ -88,10 +88,10 @@ TEST_CASE("Bricard's octahedra of the first two types are proven to flex, others
     for (int i = 0; i < 10; ++i) {
       const Octahedron octahedron = core_of(Scene(samples::octahedron()));
       ProblemStatement problem = octahedron_of(flexible(octahedron, turns, numbers));
-      const Scene scene(problem);
+      const Scene scene = Scene::unchecked(problem);
       CHECK(is_proven_to_flex(scene, core_of(scene)));
       problem.constraints[static_cast<std::size_t>(i)].given.value *= 1.25;
-      const Scene other(problem);
+      const Scene other = Scene::unchecked(problem);
       CHECK_FALSE(is_proven_to_flex(other, core_of(other)));
     }
 }
@@ -100,13 +100,13 @@ TEST_CASE("walks are stretched by the decimals of the file") {
   ProblemStatement problem = samples::octahedron();
   for (DistanceConstraint& constraint : problem.constraints) constraint.given = {1, "1"};
   const auto walks = [](const ProblemStatement& given) {
-    const Scene scene(given);
+    const Scene scene = Scene::unchecked(given);
     return stretched_walks(scene, core_of(scene));
   };
   // Of each of three walks with sides 1 three choices of signs but for a common one.
   CHECK(walks(problem) == 9);
   // 1.1 + 1 = 0.9 + 1.2 in decimals and not in doubles.
-  const Octahedron octahedron = core_of(Scene(problem));
+  const Octahedron octahedron = core_of(Scene::unchecked(problem));
   const auto [b, b2] = octahedron.pair[1];
   const auto [c, c2] = octahedron.pair[2];
   const std::array<std::array<int, 2>, 4> sides{{{b, c}, {c, b2}, {b2, c2}, {c2, b}}};

@@ -28,7 +28,7 @@ SolveReport solve(std::string_view name, const Scene& scene, const char* reduce,
                   std::optional<std::size_t> most_listed = std::nullopt) {
   const StrategyEntry& entry = entry_of(name);
   const auto strategy = entry.make(complete_options(entry, {{"reduce", reduce}}));
-  const SolveRequest request{scene, 1, 1, {}, nullptr, nullptr, nullptr, most_listed};
+  const SolveRequest request(scene, {.most_listed = most_listed});
   strategy->prepare(request);
   return strategy->solve(request);
 }

@@ -138,11 +138,46 @@ TEST_CASE("what is wrong with a problem is said as of a file, with its place") {
   CHECK_THROWS_AS(solve(flat, "monodromy"), InputError);
 }
 
+TEST_CASE("a scene is made of well-posed problems alone, whoever states them") {
+  ProblemStatement statement = triangle().instance().problem;
+  CHECK(Scene(statement).constraint_count() == 3);
+  statement.constraints.pop_back();
+  Problem loose(2);
+  loose.points("a", "b", "c").distance("a", "b", "3.1").distance("b", "c", 4);
+  CHECK_THROWS_WITH(Scene(statement), Catch::Equals(refusal(loose)));
+  statement = triangle().instance().problem;
+  statement.constraints[1].given.value = 9;
+  CHECK_THROWS_WITH(Scene(statement),
+                    Catch::StartsWith("problem: /constraints/1: no figure has these lengths"));
+}
+
+TEST_CASE("an instance is read from a text") {
+  const std::string text = R"({"format": "gcsbench-instance/1", "id": "triangle", "dimension": 2,
+                               "points": ["a", "b", "c"],
+                               "constraints": [{"type": "distance", "between": ["a", "b"], "length": 3.1},
+                                               {"type": "distance", "between": ["b", "c"], "length": 4},
+                                               {"type": "distance", "between": ["c", "a"], "length": 5}]})";
+  CHECK(solve(parse_instance(text), "monodromy").counts.complex_up_to_reflection == Natural(1));
+  CHECK_THROWS_WITH(parse_instance("{}"), Catch::StartsWith("instance: "));
+}
+
+TEST_CASE("random starts end when few solutions are expected to be unseen, or when all are made") {
+  const auto starts = [](double unseen) {
+    const Answer answer = solve(triangle(), NewtonMultistart{.starts = 200, .unseen = unseen});
+    REQUIRE(answer.particulars.at(0).name == "starts");
+    return answer.particulars[0].value;
+  };
+  CHECK(starts(0) == 200);
+  CHECK(starts(0.5) < 200);
+}
+
 TEST_CASE("strategies and options are named, and misspelt ones refused with what was meant") {
   CHECK_THROWS_WITH(solve(triangle(), "monodrome"), Catch::Contains("did you mean 'monodromy'?"));
   CHECK_THROWS_AS(solve(triangle(), "monodromy", {{"loops", "3"}}), OptionError);
   CHECK_THROWS_AS(solve(triangle(), "monodromy", {{"arcs", "1"}}), OptionError);
   CHECK_THROWS_AS(solve(triangle(), "monodromy", {{"save_start", "start.json"}}), OptionError);
+  CHECK_THROWS_AS(solve(triangle(), Monodromy{.threads = 0, .certify = true}), OptionError);
+  CHECK_THROWS_AS(solve(triangle(), "monodromy", {}, {.digits = -1}), OptionError);
   const Answer answer = solve(triangle(), "monodromy", {{"order", "8"}}, {.seed = 7, .threads = 2});
   CHECK(answer.options.at("order") == "8");
   CHECK(answer.options.at("arcs") == "12");

@@ -123,7 +123,7 @@ SolveReport solved_by_rcp(const Scene& scene, const OptionMap& given) {
   const auto strategies = all_strategies();
   const StrategyEntry& entry = *std::find_if(strategies.begin(), strategies.end(),
                                              [](const StrategyEntry& one) { return one.name == "rcp"; });
-  return entry.make(complete_options(entry, given))->solve({.scene = scene, .stop = {}});
+  return entry.make(complete_options(entry, given))->solve(scene);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ SolveReport solved(const ProblemStatement& problem, const std::string& strategy,
   const auto strategies = all_strategies();
   const StrategyEntry& entry = *std::find_if(strategies.begin(), strategies.end(),
                                              [&](const StrategyEntry& one) { return one.name == strategy; });
-  return entry.make(complete_options(entry, options))->solve({.scene = scene, .stop = {}});
+  return entry.make(complete_options(entry, options))->solve(scene);
 }
 
 /// Twice the signed area of p1, p2 and the point.

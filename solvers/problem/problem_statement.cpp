@@ -1,4 +1,4 @@
-#include "solvers/model/problem.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 #include <algorithm>
 

@@ -11,7 +11,20 @@
 namespace gcs {
 namespace {
 
-const Variant solver{"sphere-tangents", {}};
+/// A way to solve, and the head of its column.
+struct Way {
+  const char* head;
+  Variant variant;
+};
+
+const std::array<Way, 3>& ways() {
+  static const std::array<Way, 3> all{{
+      {"quadrics", {"sphere-tangents", {{"method", "published"}, {"system", "quadrics"}}}},
+      {"cubic", {"sphere-tangents", {{"method", "published"}, {"system", "cubic"}}}},
+      {"eigenvalues", {"sphere-tangents", {}}},
+  }};
+  return all;
+}
 
 /// What a number of the answer is called, and where the literature prints it.
 struct Quantity {
@@ -24,11 +37,20 @@ std::optional<double> number(const std::optional<Natural>& count) {
   return count ? std::optional(count->approximate()) : std::nullopt;
 }
 
-template <int which>
-std::optional<double> particular(const CellRecord& cell) {
-  constexpr std::array names{"bezout_paths", "paths_to_infinity", "oriented_solutions"};
-  const auto count = cell.particular(names[which]);
-  return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
+/// Of a way that follows none nothing is counted.
+std::optional<double> paths(const CellRecord& cell) {
+  const auto count = cell.counts.paths;
+  return count && *count > 0 ? std::optional(static_cast<double>(*count)) : std::nullopt;
+}
+
+std::optional<double> paths_to_infinity(const CellRecord& cell) {
+  return paths(cell) ? std::optional(static_cast<double>(cell.counts.at_infinity.value_or(0))) : std::nullopt;
+}
+
+std::optional<double> finite_ends(const CellRecord& cell) {
+  const auto all = paths(cell);
+  if (!all) return std::nullopt;
+  return *all - *paths_to_infinity(cell) - static_cast<double>(cell.counts.failed_paths.value_or(0));
 }
 
 std::optional<double> complex_lines(const CellRecord& cell) {
@@ -45,18 +67,30 @@ std::optional<double> multiplicity(const CellRecord& cell) {
 }
 
 constexpr std::array quantities{
-    Quantity{"paths (total degree)", "paths", particular<0>},
-    Quantity{"paths to infinity", "paths to infinity", particular<1>},
-    Quantity{"oriented solutions", "oriented solutions", particular<2>},
+    Quantity{"paths (total degree)", "paths", paths},
+    Quantity{"paths to infinity", "paths to infinity", paths_to_infinity},
+    Quantity{"finite ends of paths", "oriented solutions", finite_ends},
     Quantity{"complex lines", "complex", complex_lines},
     Quantity{"real lines", "real", real_lines},
     Quantity{"largest multiplicity", "multiplicity", multiplicity},
 };
 
-/// What is printed of the instance, or of all problems 4p1L.
+const PrintedFigure* printed_of_all(const Publication& paper, const std::string& row) {
+  return paper.find("section 4.1", row, "4p1L", "");
+}
+
+/// What is printed of the instance, or else of all problems 4p1L.
 const PrintedFigure* printed(const Publication& paper, const std::string& row, const std::string& instance) {
   const PrintedFigure* figure = paper.find("PHCpack", row, instance, "");
-  return figure != nullptr ? figure : paper.find("section 4.1", row, "4p1L", "");
+  return figure != nullptr ? figure : printed_of_all(paper, row);
+}
+
+/// Of a problem whose numbers are not printed, so that no column is its own.
+std::string published_time(const Publication& paper) {
+  const PrintedFigure* time = printed_of_all(paper, "time_s");
+  return time == nullptr
+             ? ""
+             : fmt::format("Published time, of a problem not printed: {}. {}", time->printed, time->remark);
 }
 
 }  // namespace
@@ -67,35 +101,49 @@ const std::vector<std::string>& tangents_instances() {
   return ids;
 }
 
-std::vector<Variant> tangents_variants() { return {solver}; }
+std::vector<Variant> tangents_variants() {
+  std::vector<Variant> variants;
+  for (const Way& way : ways()) variants.push_back(way.variant);
+  return variants;
+}
 
 std::vector<Table> build_tangents(const RunFile& run, const Publication& paper) {
   Table table;
   table.name = "tangents";
   table.caption = "4p1L: lines at given distances from four points, published and ours";
-  for (const InstanceSummary& instance : run.instances)
-    table.groups.push_back({instance.id, {"published", "ours"}});
+  for (const InstanceSummary& instance : run.instances) {
+    table.groups.push_back({instance.id, {"published"}});
+    for (const Way& way : ways()) table.groups.back().columns.emplace_back(way.head);
+  }
   for (const Quantity& quantity : quantities) {
     TableRow row{quantity.label, {}, {}};
     for (const InstanceSummary& instance : run.instances) {
-      const CellRecord* cell = run.find(solver.on(instance.id));
       row.cells.push_back(printed_entry(table, printed(paper, quantity.row, instance.id)));
-      row.cells.push_back(answer_entry(table, cell, cell == nullptr ? std::nullopt : quantity.of(*cell)));
+      for (const Way& way : ways()) {
+        const CellRecord* cell = run.find(way.variant.on(instance.id));
+        row.cells.push_back(answer_entry(table, cell, cell == nullptr ? std::nullopt : quantity.of(*cell)));
+      }
     }
     table.rows.push_back(std::move(row));
   }
   TableRow times{"time", {}, {}};
   for (const InstanceSummary& instance : run.instances) {
-    times.cells.push_back(printed_entry(table, printed(paper, "time_s", instance.id)));
-    times.cells.push_back(time_entry(table, run.find(solver.on(instance.id))));
+    times.cells.push_back(empty_entry());
+    for (const Way& way : ways())
+      times.cells.push_back(time_entry(table, run.find(way.variant.on(instance.id))));
   }
   table.rows.push_back(std::move(times));
   table.remarks = {
-      "Ours: sphere-tangents. Lines are counted without direction and once each, whatever their "
-      "multiplicity; an oriented solution is a line with a direction.",
+      "Ours: sphere-tangents. quadrics: the paths of equations (1) to (6) of section 4.1; cubic: those of "
+      "the "
+      "equations of degrees 2, 3 and 4 left in the direction; eigenvalues: without paths. A path to a line "
+      "ends at "
+      "one of its two directions. Lines are counted without direction and once each, whatever their "
+      "multiplicity.",
       "Published: " + paper.citation +
           ", section 4.1; counts of lines: the demonstrations of PHCpack, and "
           "what the footnotes name.",
+      published_time(paper),
       fmt::format("Times: median of interleaved repetitions; {}. Ours: {}.", spread_remark,
                   run.environment.cpu)};
   return {table};

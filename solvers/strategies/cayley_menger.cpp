@@ -18,7 +18,7 @@
 /// How many solutions are at infinity is decided by the file's own numbers. The solutions are complete when
 /// the multiplicities of those found and these sum to 8; otherwise the report says what is missing, or that
 /// the octahedron is proven to flex (octahedron/exact_squares.hpp). Hoffmann, Yuan, On Spatial Constraint
-/// Solving Approaches, 2000, section 3; Michelucci, Foufou 2004.
+/// Solving Approaches, 2000, section 4.1; Michelucci, Foufou 2004.
 
 #include "solvers/strategies/cayley_menger.hpp"
 
@@ -65,6 +65,7 @@ class Reporter {
   SolveReport run(const CoreSolutions& core, const WorkCounters& work) {
     report_.work = work;
     report_.claim = Claim::all_complex;
+    report_.particulars = {{"total_degree", core.total_degree}};
     if (core.flexible || core.common_factor) return refused(core.flexible);
     for (const CoreSolution& solution : core.list) hang(0, solution.points, solution);
     settle_nearly_singular();
@@ -272,7 +273,7 @@ StrategyEntry cayley_menger_entry() {
   StrategyEntry entry = entry_of<CayleyMengerStrategy, CayleyMenger>();
   entry.summary =
       "solves an octahedron by two Cayley-Menger determinants, all eight pairs of diagonals at once";
-  entry.citation = "Hoffmann, Yuan 2000, section 3";
+  entry.citation = "Hoffmann, Yuan 2000, section 4.1";
   return entry;
 }
 

@@ -4,9 +4,13 @@
 /// component τ across the plane of three centres. Three equations in the direction and τ are left, whose 12
 /// common zeros are, method direct, joint eigenvalues of two commuting matrices
 /// (tangents/tangent_algebra.hpp): no path is followed and no initial guess made; multiple lines are the
-/// means of eigenvalues that belong together. Method homotopy follows 24 paths to them, as published
+/// means of eigenvalues that belong together. Method homotopy follows 24 paths to them
 /// (tangents/tangent_homotopy.hpp); multiple lines are the ends of several. Simple lines are polished by
 /// Newton's method on the six equations in the line's coordinates, complex ones too.
+///
+/// Method published follows the paths of the literature's systems as they stand (tangents/published_tangents.hpp),
+/// for their numbers; nearly collinear centres it does not mend, coplanar ones the cubic system excludes, and
+/// of the quadrics' many paths to infinity none is told to be a line there.
 ///
 /// The 12 lines of nearly collinear centres, off a line by ε of their distances, are complex as a rule, have
 /// directions with |u| of the order of 1/ε where u·u = 1 and are as far away: in Cartesian coordinates they
@@ -23,17 +27,14 @@
 /// Complete: the multiplicities of the lines found and of those at infinity (isotropic directions) sum to 12.
 /// Infinitely many solutions are proven and named, with the exact decimals of the file: coinciding and
 /// collinear centres beforehand, others by a common factor of the equations (tangents/exact_spheres.hpp).
-/// Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000, sections 3.2 and 4.1, where τ is
-/// eliminated too, which coplanar centres do not allow; they follow 24 paths of a system of degrees 2, 3 and
-/// 4. The published counts are reported as particulars. Step control of paths is a heuristic: where one is
-/// taken for its neighbour a line is missing, and the status is partial.
+/// Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000, section 4.1, where τ is eliminated too,
+/// which coplanar centres do not allow. Step control of paths is a heuristic: where one is taken for its
+/// neighbour a line is missing, and the status is partial.
 
 #include "solvers/strategies/sphere_tangents.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
 
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
@@ -45,15 +46,6 @@
 
 namespace gcs {
 namespace {
-
-/// Degrees of the equations (1)–(6) of the paper, and of those left in u, v and w.
-constexpr std::array<int, 6> published_degrees{2, 2, 2, 2, 2, 2};
-constexpr std::array<int, 3> eliminated_degrees{2, 3, 4};
-
-template <std::size_t size>
-std::int64_t product(const std::array<int, size>& degrees) {
-  return std::accumulate(degrees.begin(), degrees.end(), std::int64_t{1}, std::multiplies<>());
-}
 
 /// A condition number from which on the rounding of a line's coordinates to doubles leaves nothing of it.
 constexpr double undetermined = 0x1p53;
@@ -68,12 +60,6 @@ Candidate candidate_of(const Scene& scene, const ComplexLine& line, bool is_real
   for (int i = 0; i < scene.point_count(); ++i)
     points.col(i) = scene.fixed_point(i)->cast<std::complex<double>>();
   return {figure_of(points, {line}, is_real), multiplicity};
-}
-
-void add_particulars(SolveReport& report) {
-  const std::int64_t paths = product(published_degrees), oriented = product(eliminated_degrees);
-  report.particulars = {
-      {"bezout_paths", paths}, {"paths_to_infinity", paths - oriented}, {"oriented_solutions", oriented}};
 }
 
 void report_degenerate(const Scene& scene, const LocalSpheres& local, const DegenerateTangents& tangents,
@@ -163,7 +149,7 @@ void report_stop(SolveReport& report) {
 class SphereTangentsStrategy final : public Strategy {
  public:
   explicit SphereTangentsStrategy(const SphereTangents& asked)
-      : follows_paths_(asked.method == SphereTangents::Method::homotopy) {}
+      : method_(asked.method), system_(asked.system) {}
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
@@ -191,27 +177,47 @@ class SphereTangentsStrategy final : public Strategy {
       report_stop(report);
       return report;
     }
-    add_particulars(report);
     const FourSpheres spheres = *spheres_of(request.scene);
     const LocalSpheres local(spheres);
-    if (const auto degenerate = degenerate_tangents(exact_spheres_of(request.scene)))
-      report_degenerate(request.scene, local, *degenerate, report);
-    else if (const auto reason = why_nearly_degenerate(local.spheres))
+    std::optional<std::vector<PathRecord>> paths;
+    if (const auto reason = why_not_followed(local))
       report.reason = *reason;
-    else if (follows_paths_)
-      follow(request, spheres, local, report);
     else
-      report_lines(request, spheres, local, common_tangents(local.spheres, report.work), report);
+      paths = find(request, spheres, local, report);
+    if (paths) report_paths(std::move(*paths), report);
     return report;
   }
 
  private:
-  static void follow(const SolveRequest& request, const FourSpheres& spheres, const LocalSpheres& local,
-                     SolveReport& report) {
-    FollowedTangents followed =
-        follow_tangents(local.spheres, request.seed, request.stop, request.monitor, report.work);
-    report_lines(request, spheres, local, followed.found, report);
-    report.paths = std::move(followed.paths);
+  using Method = SphereTangents::Method;
+
+  std::optional<std::string> why_not_followed(const LocalSpheres& local) const {
+    return method_ == Method::published ? why_no_system(local.spheres, system_) : std::nullopt;
+  }
+
+  /// The paths that were followed, if any.
+  std::optional<std::vector<PathRecord>> find(const SolveRequest& request, const FourSpheres& spheres,
+                                              const LocalSpheres& local, SolveReport& report) const {
+    std::optional<FollowedTangents> followed;
+    const auto degenerate = degenerate_tangents(exact_spheres_of(request.scene));
+    if (method_ == Method::published)
+      followed = follow_published_tangents(local.spheres, system_, request.seed, request.stop,
+                                           request.monitor, report.work);
+    if (degenerate) {
+      report_degenerate(request.scene, local, *degenerate, report);
+    } else if (const auto reason = why_nearly_degenerate(local.spheres)) {
+      report.reason = *reason;
+    } else {
+      if (method_ == Method::homotopy)
+        followed = follow_tangents(local.spheres, request.seed, request.stop, request.monitor, report.work);
+      report_lines(request, spheres, local,
+                   followed ? followed->found : common_tangents(local.spheres, report.work), report);
+    }
+    return followed ? std::optional(std::move(followed->paths)) : std::nullopt;
+  }
+
+  static void report_paths(std::vector<PathRecord> paths, SolveReport& report) {
+    report.paths = std::move(paths);
     if (report.paths.back().end == PathRecord::End::stopped) return report_stop(report);
     const bool any_failed = std::any_of(report.paths.begin(), report.paths.end(), [](const PathRecord& path) {
       return path.end == PathRecord::End::failed;
@@ -221,7 +227,8 @@ class SphereTangentsStrategy final : public Strategy {
     report.reason = "all lines are accounted for, but not all paths have an end";
   }
 
-  bool follows_paths_;
+  Method method_;
+  PublishedSystem system_;
 };
 
 }  // namespace
@@ -229,7 +236,7 @@ class SphereTangentsStrategy final : public Strategy {
 StrategyEntry sphere_tangents_entry() {
   StrategyEntry entry = entry_of<SphereTangentsStrategy, SphereTangents>();
   entry.summary = "solves for the 12 common tangents of four spheres, complex ones included";
-  entry.citation = "Hoffmann, Yuan 2000, section 3.2";
+  entry.citation = "Hoffmann, Yuan 2000, section 4.1";
   entry.accuracy_settings = {{{"method", "homotopy"}}};
   return entry;
 }

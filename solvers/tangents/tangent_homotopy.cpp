@@ -7,7 +7,6 @@
 #include "solvers/numeric/bilinear_product.hpp"
 #include "solvers/tangents/squeezed_tangents.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
-#include "solvers/tangents/tangent_refinement.hpp"
 
 namespace gcs {
 namespace {
@@ -15,11 +14,6 @@ namespace {
 using Complex = std::complex<double>;
 constexpr int unknowns = TangentHomotopy::unknowns;
 using Vector = ComplexVector<unknowns>;
-using End = TrackingEnd<unknowns>;
-
-Complex random_phase(std::mt19937_64& random) {
-  return std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(random() >> 11U) * 0x1p-53);
-}
 
 /// x² − 1, m − y², n − g², y³ − 1, n² − 1: weights 2, 2, 2, 3 and 4.
 SystemValue<unknowns> start_system(const Vector& at) {
@@ -38,84 +32,6 @@ SystemValue<unknowns> start_system(const Vector& at) {
 }
 
 double largest(const Eigen::Matrix3d& matrix) { return matrix.cwiseAbs().maxCoeff(); }
-
-/// The lines of ends, one after the other.
-class EndCollector {
- public:
-  EndCollector(const FourSpheres& spheres, const TangentHomotopy& homotopy, WorkCounters& work)
-      : spheres_(spheres), homotopy_(homotopy), work_(work) {}
-
-  PathRecord take(const End& end) {
-    line_of_path_.emplace_back();
-    if (end.kind == End::Kind::failed) return {PathRecord::End::failed, end.cause, 0, {}};
-    const Eigen::Vector3cd u = end.x.head<3>();
-    if (nearness_to_isotropic(u) <= isotropic) {
-      ++to_infinity_;
-      return {PathRecord::End::at_infinity, "", 0, {}, end.winding_number, 0};
-    }
-    const ComplexTangent line = homotopy_.line(end.x);
-    if (end.winding_number == 1 && take_simple(line)) return {PathRecord::End::regular, "", 0, {}, 1, 0};
-    if (take_multiple(line)) return {PathRecord::End::singular, "", 0, {}, end.winding_number, 0};
-    return {PathRecord::End::failed, "the line where it ends is no common tangent to rounding", 0, {}};
-  }
-
-  /// The simple line where the path ends, if it does so.
-  const std::optional<ComplexTangent>& line_of_path(std::size_t path) const { return line_of_path_[path]; }
-
-  /// Of a singular line with a single end it is not known what it is: none of multiplicity 0 is kept.
-  FoundTangents lines() const {
-    FoundTangents result;
-    for (std::size_t i = 0; i < found_.lines.size(); ++i) {
-      FoundTangent line = found_.lines[i];
-      line.multiplicity = singular_ends_[i] == 0 ? 1 : singular_ends_[i] / 2;
-      if (line.multiplicity > 0) result.lines.push_back(line);
-    }
-    result.at_infinity = to_infinity_ / 2;
-    return result;
-  }
-
- private:
-  template <class Scalar>
-  bool refined(Tangent<Scalar>& line) {
-    const TangentRefinement refinement = refine(spheres_, line);
-    work_.newton_iterations += refinement.iterations;
-    return refinement.is_regular;
-  }
-
-  /// In R where the line is real.
-  bool take_simple(ComplexTangent line) {
-    if (!refined(line)) return false;
-    Tangent<double> real{line.point.real(), line.direction.real()};
-    const bool is_real = is_nearly_real(line) && refined(real);
-    if (is_real) line = {real.point.cast<Complex>(), real.direction.cast<Complex>()};
-    if (!found_.find(line)) add({line, is_real, 1}, 0);
-    line_of_path_.back() = line;
-    return true;
-  }
-
-  bool take_multiple(const ComplexTangent& line) {
-    const auto found = multiple_tangent(spheres_, line, is_nearly_real(line), 1);
-    if (!found) return false;
-    if (const auto known = found_.find(found->line))
-      ++singular_ends_[*known];
-    else
-      add(*found, 1);
-    return true;
-  }
-
-  void add(const FoundTangent& line, int singular_ends) {
-    found_.lines.push_back(line);
-    singular_ends_.push_back(singular_ends);
-  }
-
-  const FourSpheres& spheres_;
-  const TangentHomotopy& homotopy_;
-  WorkCounters& work_;
-  FoundTangents found_;
-  std::vector<int> singular_ends_;  ///< of each line
-  std::vector<std::optional<ComplexTangent>> line_of_path_;
-  int to_infinity_ = 0;
-};
 
 }  // namespace
 
@@ -169,6 +85,10 @@ ComplexTangent TangentHomotopy::line(const Vector& x) const {
   return line_through<Complex>(frame_ * u, frame_ * scaled_point(x), origin_);
 }
 
+bool TangentHomotopy::is_at_infinity(const Vector& x) const {
+  return nearness_to_isotropic(Eigen::Vector3cd(x.head<3>())) <= isotropic;
+}
+
 HomotopyValue<unknowns> TangentHomotopy::at(const Vector& x, Complex t) const {
   return straight_line(start_system(x), target(x), gamma_, t);
 }
@@ -186,8 +106,8 @@ std::vector<Vector> TangentHomotopy::starts() {
 namespace {
 
 /// What is left of the paths to the lines of the widened spheres when these are squeezed.
-void squeeze(const FourSpheres& spheres, const Strip& strip, const EndCollector& ends,
-             std::mt19937_64& random, FollowedTangents& followed, WorkCounters& work) {
+void squeeze(const FourSpheres& spheres, const Strip& strip, const TangentEnds& ends, std::mt19937_64& random,
+             FollowedTangents& followed, WorkCounters& work) {
   const FoundTangents wide = std::move(followed.found);
   SqueezedTangents squeezed = squeezed_tangents(spheres, strip, wide, random, work);
   followed.found = std::move(squeezed.found);
@@ -211,14 +131,14 @@ class PathFollower {
 
   FollowedTangents straight(const FourSpheres& spheres) {
     const TangentHomotopy homotopy(spheres, random_);
-    EndCollector ends(spheres, homotopy, work_);
+    TangentEnds ends(spheres, work_);
     return walk(homotopy, ends);
   }
 
   FollowedTangents squeezed(const FourSpheres& spheres, const Strip& strip) {
     const FourSpheres wide = strip.widened_spheres();
     const TangentHomotopy homotopy(wide, random_);
-    EndCollector ends(wide, homotopy, work_);
+    TangentEnds ends(wide, work_);
     FollowedTangents followed = walk(homotopy, ends);
     if (!is_stopped(followed)) squeeze(spheres, strip, ends, random_, followed, work_);
     return followed;
@@ -229,20 +149,9 @@ class PathFollower {
   }
 
  private:
-  FollowedTangents walk(const TangentHomotopy& homotopy, EndCollector& ends) {
-    PathTracker<TangentHomotopy> tracker(homotopy, work_);
-    const std::vector<Vector> starts = TangentHomotopy::starts();
-    FollowedTangents followed;
-    for (const Vector& start : starts) {
-      if (monitor_)
-        monitor_->progress("following paths",
-                           static_cast<double>(followed.paths.size()) / static_cast<double>(starts.size()));
-      if (stop_.stop_requested()) break;
-      followed.paths.push_back(ends.take(tracker.follow(start)));
-    }
-    followed.paths.resize(starts.size(), {PathRecord::End::stopped, "stopped on request", 0, {}});
-    followed.found = ends.lines();
-    return followed;
+  FollowedTangents walk(const TangentHomotopy& homotopy, TangentEnds& ends) {
+    std::vector<PathRecord> paths = follow_tangent_paths(homotopy, ends, stop_, monitor_, work_);
+    return {ends.lines(), std::move(paths)};
   }
 
   std::mt19937_64 random_;

@@ -22,9 +22,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "solvers/interface/strategy_interface.hpp"
-#include "solvers/tangents/found_tangents.hpp"
-#include "solvers/tracking/path_tracker.hpp"
+#include "solvers/tangents/tangent_ends.hpp"
 
 namespace gcs {
 
@@ -38,6 +36,8 @@ class TangentHomotopy {
   HomotopyValue<unknowns> at(const ComplexVector<unknowns>& x, std::complex<double> t) const;
   /// Of a zero at t = 1; not finite when u is isotropic.
   ComplexTangent line(const ComplexVector<unknowns>& x) const;
+  /// Whether u is isotropic.
+  bool is_at_infinity(const ComplexVector<unknowns>& x) const;
   /// The 24 zeros at t = 0.
   static std::vector<ComplexVector<unknowns>> starts();
 
@@ -55,11 +55,6 @@ class TangentHomotopy {
   std::array<Eigen::Vector2d, 2> weight_;  ///< the coefficients of m and n
   std::complex<double> gamma_;
   Eigen::Vector3cd patch_;  ///< a
-};
-
-struct FollowedTangents {
-  FoundTangents found;
-  std::vector<PathRecord> paths;  ///< one for each start; `stopped` those that a stop left out
 };
 
 /// Follows all paths and polishes the lines where they end like common_tangents: a regular end is a simple

@@ -37,6 +37,7 @@ class Count(unittest.TestCase):
 
     def test_a_bound_says_what_it_is_of(self):
         bodies = ["p1 p2 p3", "p1 p2 p7 p8", "p2 p3 p4", "p3 p4 p5 p6", "p5 p6 p7", "p6 p7 p8"]
+        self.assertIn("cubic and a quartic", run("count", "tangents-durand").stdout)
         ring = self.counts("disulfide")["bound"]["ring"]
         self.assertEqual(sorted(" ".join(body) for body in ring), bodies)
         text = run("count", "disulfide").stdout

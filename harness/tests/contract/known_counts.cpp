@@ -9,9 +9,10 @@ namespace {
 /// On S and real: table 1 of Imbach, Mathis, Schreck 2016 for octahedron, disulfide and dodecagon. The
 /// disulfide's 18 real ones are those of Porta et al. 2007. Complex: bounds of Capco et al. 2018 in the plane
 /// and of Bartzos, Emiris, Schicho 2020 in space, which are met; at the icosahedra's lengths some of the
-/// generic solutions are at infinity. Lines: Hoffmann and Yuan 2000, section 3 (12 tangents) and table 2 (24
-/// solutions, four by four mirror images). The rest, and the icosahedra in place of the published 32, were
-/// computed by independent programs.
+/// generic solutions are at infinity. Lines: Hoffmann and Yuan 2000, section 4.1 (12 tangents) and table 2 (24
+/// solutions, four by four mirror images). The rest: polyhedral and monodromy, which share nothing but their
+/// tracker, and plan-scan, which proves the real ones; the icosahedra's S in place of the published 32: the
+/// tubes of full-space mode=certified.
 constexpr std::array<KnownCounts, 15> list{{
     {"octahedron", 4, 4, 8},
     {"disulfide", 8, 18, 32},

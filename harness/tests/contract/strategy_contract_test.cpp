@@ -39,12 +39,16 @@ bool has_choice(const StrategyEntry& entry, std::string_view name, std::string_v
   });
 }
 
-/// All strategies, those with a direct method by homotopy and those that can prove a path so as well.
+/// All strategies, those with a direct method by homotopy and by the paths of published systems, and those that can
+/// prove a path so as well.
 std::vector<Subject> subjects() {
   std::vector<Subject> result;
   for (const StrategyEntry& entry : all_strategies()) {
     result.push_back({entry});
     if (has_choice(entry, "method", "homotopy")) result.push_back({entry, {{"method", "homotopy"}}});
+    if (has_choice(entry, "system", "cubic"))
+      for (const char* system : {"quadrics", "cubic"})
+        result.push_back({entry, {{"method", "published"}, {"system", system}}});
     if (has_choice(entry, "mode", "certified")) result.push_back({entry, {{"mode", "certified"}}});
   }
   return result;

@@ -54,7 +54,7 @@ TEST_CASE("monodromy finds the dodecagon's solutions from nothing, and again fro
 }
 
 TEST_CASE("where the bound is not met a trace test completes the list") {
-  // 16 solutions with a fixed frame against a bound of 32; found by independent programs (g16a); for the
+  // 16 solutions with a fixed frame against a bound of 32, as many as polyhedral finds (g16a); for the
   // pyramid Hoffmann and Yuan 2000 have 24 real ones in their frame, 6 up to reflection.
   const SolveRun run = solved("g16a");
   CHECK(run.status == RunStatus::complete);

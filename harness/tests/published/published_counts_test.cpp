@@ -1,4 +1,4 @@
-/// Numbers of solutions and iteration counts that are published or were found by independent programs.
+/// Numbers of solutions and iteration counts that are published, or proven by another method.
 /// [I] is Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point Distance Problems by
 /// Homotopy, 2016.
 
@@ -73,21 +73,21 @@ TEST_CASE("S holds 8 solutions of the disulfide bond") { check_count(problem_of(
 
 TEST_CASE("S holds 2 solutions of the dodecagon") { check_count(problem_of("dodecagon"), 2); }
 
-// Independent program; [I] prints no lengths for its running example.
+// [I] prints no lengths for its running example. There are no more real ones: plan-scan, with proof.
 TEST_CASE("S holds 2 solutions of K3,3 whichever constraint is bent") {
   check_count(problem_of("k33"), 2);
   check_count_for_every_bend(problem_of("k33"), 2);
 }
 
-// [I] Table 1 says 32, which no reading of the printed data gives. Independent programs find 174 with the
-// edge 11-10 of an icosahedron and 284 with the edge 11-8 as printed, by strict steps and both ways around.
+// [I] Table 1 says 32, which no reading of the printed data gives (results/sweeps/readings.md). The tubes of
+// full-space mode=certified prove 174 with the edge 11-10 of an icosahedron and 284 with the edge 11-8 as printed.
 TEST_CASE("S holds 174 solutions of the icosahedron") { check_count(problem_of("icosahedron"), 174); }
 
 TEST_CASE("S holds 284 solutions of the icosahedron as printed") {
   check_count(problem_of("icosahedron-printed"), 284);
 }
 
-// Independent program. [I] does not say which constraint it bends; the published 8 comes with 4-5 (a10).
+// [I] bends the last constraint (7.3.1) and does not print their order; the published 8 comes with 4-5 (a10).
 TEST_CASE("on the disulfide bond the bent constraint decides how many of the 18 solutions S holds") {
   ProblemStatement problem = problem_of("disulfide");
   for (std::size_t bent = 0; bent < problem.constraints.size(); ++bent) {

@@ -63,7 +63,7 @@ void check_refused(const std::filesystem::path& file, const Json& sound, const s
 TEST_CASE("what a search has found serves again, to the same bits") {
   const TestFolder folder;
   const std::string file = (folder / "start.json").string();
-  // 8 classes each: Bartzos et al. 2020 for the octahedron; an independent program for g16a.
+  // 8 classes each: Bartzos et al. 2020 for the octahedron; what polyhedral finds for g16a.
   for (const std::string id : {"octahedron", "g16a"}) {
     const SolveRun found = solved(problem_of(id), {{"save_start", file}});
     const SolveRun again = solved(problem_of(id), {{"start", file}});

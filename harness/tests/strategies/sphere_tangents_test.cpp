@@ -270,6 +270,75 @@ TEST_CASE("the 24 paths lead to the lines that the direct method finds") {
   }
 }
 
+/// The paths of a published system, with this many ends of each kind.
+void expect_paths(const ProblemStatement& problem, const std::string& system, unsigned finite,
+                  unsigned at_infinity) {
+  const SolveRun run = solved(problem, {{"method", "published"}, {"system", system}});
+  INFO(system << ": " << run.reason);
+  CHECK(run.counts.paths == finite + at_infinity);
+  CHECK(run.counts.at_infinity == at_infinity);
+  CHECK(run.counts.failed_paths == 0U);
+  CHECK(run.failed_checks.empty());
+}
+
+// Bézout: 2·2·2·2·2·2 = 64 and 2·3·4 = 24; Durand 1998 saw 40 of the 64 run to infinity.
+TEST_CASE("the paths of the published systems end at both directions of 12 lines, or at infinity") {
+  const auto expect_lines = [](const ProblemStatement& problem) {
+    expect_paths(problem, "quadrics", 24, 40);
+    expect_paths(problem, "cubic", 24, 0);
+    const SolveRun direct = solved(problem);
+    for (const std::string system : {"quadrics", "cubic"}) {
+      const SolveRun run = solved(problem, {{"method", "published"}, {"system", system}});
+      CHECK(run.status == RunStatus::complete);
+      CHECK(have_same_lines(direct, run));
+    }
+  };
+  for (const std::string id : {"tangents-durand", "tangents-12-real", "tangents-equal-radii"})
+    expect_lines(load_instance(id).problem);
+  Dice dice(22);
+  for (int i = 0; i < 20; ++i) expect_lines(dice.problem(Eigen::Matrix3d::Identity()));
+}
+
+TEST_CASE("what the published systems' paths do is counted where it is not as a rule") {
+  // Multiple lines: as many paths, at three places.
+  const ProblemStatement fourfold = load_instance("tangents-fourfold").problem;
+  for (const std::string system : {"quadrics", "cubic"}) {
+    expect_paths(fourfold, system, 24, system == "cubic" ? 0 : 40);
+    CHECK(solved(fourfold, {{"method", "published"}, {"system", system}}).solutions.size() == 3);
+  }
+  // Centres on two parallel lines send two lines to infinity, with both directions.
+  Eigen::Matrix<double, 3, 4> centers;
+  centers << 0, 0.1, 2, 2.2, 0, 1, 0, 2, 0, 0.5, 0, 1;
+  const ProblemStatement parallel = spheres(centers, {1, 0.9, 0.8, 0.95});
+  const unsigned escaped = 2 * static_cast<unsigned>(solved(parallel).counts.at_infinity.value());
+  REQUIRE(escaped > 0);
+  expect_paths(parallel, "quadrics", 24 - escaped, 40 + escaped);
+  // Collinear centres without a common tangent.
+  centers << 0, 1, 2.5, 4, 0, 0, 0, 0, 0, 0, 0, 0;
+  const ProblemStatement collinear = spheres(centers, {1, 1, 1, 2});
+  const SolveRun none = solved(collinear, {{"method", "published"}});
+  CHECK(none.counts.paths == 64U);
+  CHECK(none.counts.at_infinity == 64U);
+  CHECK(none.status == RunStatus::complete);
+}
+
+TEST_CASE("the cubic system refuses coplanar centres, and the quadrics have their lines") {
+  Dice dice(23);
+  Eigen::Matrix<double, 3, 4> centers = dice.centers();
+  centers.row(2).setZero();
+  const ProblemStatement flat = spheres(centers, dice.distances());
+  const SolveRun cubic = solved(flat, {{"method", "published"}, {"system", "cubic"}});
+  CHECK(cubic.status == RunStatus::gave_up);
+  CHECK_THAT(cubic.reason, Catch::Contains("coplanar"));
+  CHECK(have_same_lines(solved(flat), solved(flat, {{"method", "published"}, {"system", "quadrics"}})));
+}
+
+TEST_CASE("no paths are counted where none is followed") {
+  const SolveRun direct = solved(load_instance("tangents-durand").problem);
+  CHECK(direct.counts.paths.value_or(0) == 0);
+  CHECK(direct.particulars.empty());
+}
+
 TEST_CASE("the paths have ends where centres are nearly coplanar and nearly collinear") {
   // The relative width of three points on a strip of this breadth is some hundredths.
   Dice dice(17);

@@ -55,7 +55,7 @@ RunFile pyramid_run(double offset) {
                    {"octahedron", "octahedron.json", "00ff", 12, 3}};
   run.tables = {{"hoffmann-yuan", {"hoffmann-yuan", "octahedron"}}};
   CellRecord algebraic = toy::with_all(toy::cell({"octahedron", "cayley-menger", {}}, 0, 0, 1.5e-4), 4, 8);
-  algebraic.counts.generic = 8;
+  algebraic.particulars = {{"total_degree", 15}};
   run.cells = {scan_cell(offset), std::move(algebraic)};
   run.curves = {{"hoffmann-yuan", 9.15, {0, 90, 150}, {1.5, 12, 9.15}}};
   return run;
@@ -68,13 +68,17 @@ RunFile tangents_run() {
                    {"tangents-fourfold", "tangents-fourfold.json", "04ff", 4, 3}};
   run.tables = {{"tangents", {"tangents-durand", "tangents-fourfold"}}};
   CellRecord simple = toy::with_all(toy::cell({"tangents-durand", "sphere-tangents", {}}, 0, 0, 2e-3), 4, 12);
-  simple.particulars = {{"bezout_paths", 24}, {"paths_to_infinity", 0}, {"oriented_solutions", 24}};
   simple.solutions.resize(12);
+  CellRecord followed = simple;
+  followed.spec.given = {{"method", "published"}, {"system", "quadrics"}};
+  followed.counts.paths = 64;
+  followed.counts.at_infinity = 39;
+  followed.counts.failed_paths = 2;
   CellRecord multiple =
       toy::with_all(toy::cell({"tangents-fourfold", "sphere-tangents", {}}, 0, 0, 3e-3), 3, 3);
   multiple.solutions.resize(3);
   multiple.solutions[1].multiplicity = 4;
-  run.cells = {std::move(simple), std::move(multiple)};
+  run.cells = {std::move(simple), std::move(followed), std::move(multiple)};
   return run;
 }
 

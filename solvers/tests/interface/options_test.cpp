@@ -117,7 +117,7 @@ TEST_CASE("defaults have the texts that results keep") {
   check_texts(
       ThetaScan{},
       {{"delta", "0.2"}, {"dtheta", "1"}, {"max_cells", "100000000"}, {"method", "events"}, {"start", "0"}});
-  check_texts(SphereTangents{}, {{"method", "direct"}});
+  check_texts(SphereTangents{}, {{"method", "direct"}, {"system", "quadrics"}});
   check_texts(PlanScan{}, {{"max_cells", "100000000"}});
   check_texts(NewtonMultistart{}, {{"starts", "1000"}, {"unseen", "0.5"}});
 }
@@ -150,7 +150,8 @@ TEST_CASE("values come back from their texts") {
                              .start = -1.5,
                              .delta = 1e-20,
                              .scan = {.max_cells = 999'999'999'999}});
-  check_round_trip(SphereTangents{.method = SphereTangents::Method::homotopy});
+  check_round_trip(
+      SphereTangents{.method = SphereTangents::Method::published, .system = PublishedSystem::cubic});
   check_round_trip(PlanScan{.scan = {.max_cells = 1}});
   check_round_trip(NewtonMultistart{.starts = 64, .unseen = 0});
 }
@@ -231,8 +232,8 @@ TEST_CASE("values of a struct are checked as texts are") {
   };
   CHECK(refusal(Monodromy{.arcs = 1}) == "option arcs=1: expected a whole number from 2 to 1000");
   CHECK(refusal(Rcp{.alpha = std::nan("")}) == "option alpha=nan: expected a number from 1e-6 to 0.49");
-  CHECK(refusal(SphereTangents{.method = static_cast<SphereTangents::Method>(2)}) ==
-        "option method=: expected direct|homotopy");
+  CHECK(refusal(SphereTangents{.method = static_cast<SphereTangents::Method>(3)}) ==
+        "option method=: expected direct|homotopy|published");
   CHECK(refusal(Monodromy{.save_start = ""}) == "option save_start=: expected FILE, or none");
   CHECK(refusal(Monodromy{.start = "a", .save_start = "b"}) != "");
   CHECK(refusal(Monodromy{.arcs = 2}) == "");

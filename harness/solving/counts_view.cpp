@@ -75,6 +75,8 @@ BoundNames names_of(const ProblemStatement& problem, const CountBound& bound) {
 
 std::string bound_origin(const BoundNames& names) {
   if (names.parts > 1) return fmt::format("product of the bounds of {} parts", names.parts);
+  if (names.ring.empty() && names.reference.empty())
+    return "Bézout bound of a cubic and a quartic in the line's direction";
   if (names.ring.empty())
     return fmt::format("m-Bézout bound with {} held fixed", fmt::join(names.reference, ", "));
   std::vector<std::string> bodies;

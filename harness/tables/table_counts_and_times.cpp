@@ -19,7 +19,7 @@ struct PaperRow {
   std::string by;
 };
 
-/// Like HOM4PS-2.0 first, which must have followed 2^m paths.
+/// First with 2^m paths, as HOM4PS-2.0 is inferred to have followed.
 std::vector<Variant> complex_variants() {
   return {{"polyhedral", {{"formulation", "coordinates"}}}, {"polyhedral", {}}, {"monodromy", {}}};
 }
@@ -102,7 +102,8 @@ class Builder {
         "axes. "
         "real: 'up to reflection'. on S: solutions on the path S through the sketch, 'up to reflection'.",
         "Beside the times of HOM4PS-2.0 stand those of our polyhedral homotopies, with 2^m paths in the "
-        "coordinates, which HOM4PS-2.0 must have followed, and with few in another formulation, and of "
+        "coordinates, as many as HOM4PS-2.0 is inferred to have followed (it is not printed), and with few "
+        "in another formulation, and of "
         "monodromy, for the same solutions.",
         "Times: preparing and solving once on one thread, median of interleaved repetitions; " +
             std::string(spread_remark) + ". Published times: " + paper_.machine +
@@ -141,10 +142,12 @@ class Builder {
 
   static std::string origin(const RecordedLimit& limit) {
     if (limit.is_exact) return "Exact at generic lengths: recursion over bigraphs, Capco et al. 2018.";
-    if (limit.bound.parts > 1) return bound_origin(limit.bound) + ".";
-    return bound_origin(limit.bound) + (limit.bound.ring.empty()
-                                            ? ", Bartzos, Emiris, Schicho 2020."
-                                            : "; given shapes close in at most 16 ways.");
+    const auto& [reference, ring, parts] = limit.bound;
+    const std::string_view source = parts > 1            ? "."
+                                    : !ring.empty()      ? "; given shapes close in at most 16 ways."
+                                    : !reference.empty() ? ", Bartzos, Emiris, Schicho 2020."
+                                                         : ", Macdonald, Pach, Theobald 2001.";
+    return bound_origin(limit.bound) + std::string(source);
   }
 
   static std::string label(const Variant& variant) { return label_of(variant.on("")); }

@@ -231,11 +231,7 @@ bool seeks_common_tangents(const ProblemStatement& problem) {
 /// cubic and a quartic in the projective plane: 12 lines, by Bézout (Macdonald, Pach, Theobald, Common
 /// tangents to four unit balls in R³, 2001; Hoffmann, Yuan 2000). Isolated lines persist when centres and
 /// radii are moved, so no four centres have more.
-void bound_tangents(const ProblemStatement& problem, TheoreticalCounts& counts) {
-  counts.bound = CountBound{{Natural(12), {}}, {}, {}};
-  for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
-    counts.bound->reference.push_back(point);
-}
+void bound_tangents(TheoreticalCounts& counts) { counts.bound = CountBound{{Natural(12), {}}, {}, {}}; }
 
 }  // namespace
 
@@ -247,7 +243,7 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std:
   TheoreticalCounts counts;
   if (seeks_common_tangents(problem)) {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";
-    bound_tangents(problem, counts);
+    bound_tangents(counts);
   } else if (problem.is_anchored()) {
     counts.why_no_exact = "Positions are fixed, and the count is known only where nothing is.";
     counts.why_no_bound = "Positions are fixed, and the bound is known only where nothing is.";

@@ -22,7 +22,8 @@ struct SolutionCount {
   Natural all_signs() const { return fixed_frame * Natural(static_cast<std::uint64_t>(images.by_signs)); }
 };
 
-/// An upper bound: the m-Bézout bound, or that of a ring of hinged bodies.
+/// An upper bound: the m-Bézout bound, that of a ring of hinged bodies, or that of the tangents of four spheres, by
+/// Bézout for a cubic and a quartic, which has neither reference nor ring.
 struct CountBound {
   SolutionCount count;
   std::vector<int> reference;          ///< entities that make the frame: d points, or a line and a point

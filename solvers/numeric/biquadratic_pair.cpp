@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -97,6 +98,14 @@ bool is_singular(const Eigen::FullPivLU<Eigen::Matrix4d>& lu) {
 }
 
 }  // namespace
+
+int degree(const Biquadratic& p) {
+  int largest = -1;
+  for (int i = 0; i < p.rows(); ++i)
+    for (int j = 0; j < p.cols(); ++j)
+      if (p(i, j) != 0) largest = std::max(largest, i + j);
+  return largest;
+}
 
 Biquadratic shifted(const Biquadratic& p, double dx, double dy) {
   return translation(dx).transpose() * p * translation(dy);

@@ -19,6 +19,9 @@ namespace gcs {
 /// Σ c(i, j) x^i y^j.
 using Biquadratic = Eigen::Matrix3d;
 
+/// The largest i + j of a coefficient that is not 0, in x and y together; −1: there is none.
+int degree(const Biquadratic& p);
+
 /// p(x + dx, y + dy).
 Biquadratic shifted(const Biquadratic& p, double dx, double dy);
 

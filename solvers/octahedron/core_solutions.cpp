@@ -47,6 +47,7 @@ class CoreSolver {
     const DiagonalEquations equations(lengths_, octahedron_);
     const CommonZeros zeros = equations.solve();
     CoreSolutions solutions;
+    solutions.total_degree = equations.total_degree();
     solutions.frame = placer_.base();
     solutions.common_factor = zeros.common_factor;
     std::vector<int> hits;  // eigenvalues that lead to each solution

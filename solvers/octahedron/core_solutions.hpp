@@ -32,6 +32,7 @@ struct CoreSolutions {
   /// Common zeros of two polynomials of bidegree (2, 2): Bézout on P¹ × P¹.
   static constexpr int pairs = 8;
 
+  int total_degree = 0;  ///< of the two equations
   std::vector<CoreSolution> list;
   std::array<int, 3> frame{};  ///< points at the origin, on the x-axis and in the xy-plane
   int at_infinity = 0;

@@ -17,6 +17,8 @@ class DiagonalEquations {
  public:
   DiagonalEquations(const SquaredLengths& lengths, const Octahedron& octahedron);
 
+  /// Bézout's number: the product of the equations' degrees in X and Y together.
+  int total_degree() const { return degree(first_) * degree(second_); }
   CommonZeros solve() const { return common_zeros(first_, second_); }
   Diagonals diagonals(const CommonZero& zero) const {
     return {sum_x_ - 2.0 * zero.x.value(), sum_y_ - 2.0 * zero.y.value()};

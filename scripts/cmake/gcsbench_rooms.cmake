@@ -2,11 +2,12 @@
 # each room's headers are reached through a folder of the build that holds a link to that room alone, so that an
 # include of any other room does not compile.
 
-# gcs_room(STEMS <stem>… [LEFT_OUT <stem>…] [USES <room>…] [LIBRARIES <lib>…] [PRECOMPILED <target>]): the room of the
+# gcs_room(STEMS <stem>… [LEFT_OUT <stem>…] [USES <room>…] [LIBRARIES <lib>…] [PRECOMPILED <target>] [TOGETHER]): the room of the
 # current folder, as the object library gcs_<room> or, in harness/, gcs_harness_<room>. A stem is a source with its
-# header, or either alone. USES: the highest rooms below it, "solvers/model"; what they use is seen too.
+# header, or either alone. USES: the highest rooms below it, "solvers/model"; what they use is seen too. TOGETHER: some
+# sources at a time are compiled as one, which is quicker where they instantiate the same templates.
 function(gcs_room)
-  cmake_parse_arguments(ARG "" "PRECOMPILED" "STEMS;LEFT_OUT;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER" "PRECOMPILED" "STEMS;LEFT_OUT;USES;LIBRARIES" ${ARGN})
   file(RELATIVE_PATH room ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   gcs_room_target(${room} target)
   list(LENGTH ARG_STEMS count)
@@ -41,6 +42,9 @@ function(gcs_room)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${view}/${room} SYMBOLIC)
 
   add_library(${target} OBJECT ${sources})
+  if(ARG_TOGETHER AND GCSBENCH_COMPILE_TOGETHER)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${view}>)
   target_link_libraries(${target} PUBLIC gcs_flags ${ARG_LIBRARIES})
   if(NOT ARG_PRECOMPILED)

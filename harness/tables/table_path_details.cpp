@@ -10,7 +10,7 @@
 namespace gcs {
 namespace {
 
-constexpr const char* place = "table 2";
+constexpr const char* printed_in = "table 2";
 
 using Number = std::optional<double>;
 
@@ -136,7 +136,7 @@ class Builder {
   }
 
   const PrintedFigure* printed(const Quantity& quantity, const InstanceSummary& instance, int column) const {
-    return paper_.find(place, quantity.row, instance.id, columns[column].method);
+    return paper_.find(printed_in, quantity.row, instance.id, columns[column].method);
   }
 
   static bool is_shown(const Block& block, const Quantity& quantity, int column) {

@@ -79,7 +79,7 @@ TEST_CASE("S holds 2 solutions of K3,3 whichever constraint is bent") {
   check_count_for_every_bend(problem_of("k33"), 2);
 }
 
-// [I] Table 1 says 32, which no reading of the printed data gives (results/sweeps/readings.md). The tubes of
+// [I] Table 1 says 32, which no reading with the icosahedron's graph gives (results/sweeps/readings.md). The tubes of
 // full-space mode=certified prove 174 with the edge 11-10 of an icosahedron and 284 with the edge 11-8 as printed.
 TEST_CASE("S holds 174 solutions of the icosahedron") { check_count(problem_of("icosahedron"), 174); }
 

@@ -2,9 +2,9 @@
 # each room's headers are reached through a folder of the build that holds a link to that room alone, so that an
 # include of any other room does not compile.
 
-# gcs_room(STEMS <stem>… [LEFT_OUT <stem>…] [USES <room>…] [LIBRARIES <lib>…] [PRECOMPILED <target>] [TOGETHER]): the room of the
-# current folder, as the object library gcs_<room> or, in harness/, gcs_harness_<room>. A stem is a source with its
-# header, or either alone. USES: the highest rooms below it, "solvers/model"; what they use is seen too. TOGETHER: some
+# gcs_room(STEMS <stem>… [LEFT_OUT <stem>…] [USES <room>…] [LIBRARIES <lib>…] [PRECOMPILED <target>] [TOGETHER]): the
+# room of the current folder, as the object library gcs_<room> or, in harness/, gcs_harness_<room>. A stem is a source
+# with its header, or either alone. USES: the highest rooms below it, "solvers/model"; what they use is seen too. TOGETHER: some
 # sources at a time are compiled as one, which is quicker where they instantiate the same templates.
 function(gcs_room)
   cmake_parse_arguments(ARG "TOGETHER" "PRECOMPILED" "STEMS;LEFT_OUT;USES;LIBRARIES" ${ARGN})

@@ -10,16 +10,15 @@ namespace gcs {
 namespace {
 
 using Complex = std::complex<double>;
-using Vector = Eigen::VectorXcd;
-using Matrix = Eigen::MatrixXcd;
 
 /// Where Newton's method settles, if it does so no further than `furthest` from its start.
-std::optional<Vector> settled(const ComplexDistances& equations, const Vector& start, double furthest) {
+std::optional<Eigen::VectorXcd> settled(const ComplexDistances& equations, const Eigen::VectorXcd& start,
+                                        double furthest) {
   constexpr int most_steps = 12;
   constexpr double last_step = 1e-6;  // of the way allowed: the next one is below the rounding
-  Vector x = start;
+  Eigen::VectorXcd x = start;
   for (int i = 0; i < most_steps; ++i) {
-    const Vector step = equations.jacobian(x).partialPivLu().solve(equations.value(x));
+    const Eigen::VectorXcd step = equations.jacobian(x).partialPivLu().solve(equations.value(x));
     x -= step;
     if (!((x - start).norm() <= furthest)) return std::nullopt;
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * x.norm();
@@ -28,7 +27,7 @@ std::optional<Vector> settled(const ComplexDistances& equations, const Vector& s
   return std::nullopt;
 }
 
-ComplexVectorX listed(const Vector& x) { return {x.begin(), x.end()}; }
+ComplexVectorX listed(const Eigen::VectorXcd& x) { return {x.begin(), x.end()}; }
 
 }  // namespace
 
@@ -36,9 +35,10 @@ std::optional<std::array<ComplexVectorX, 2>> close_pair(const DistanceSystem& sy
                                                         const std::vector<DoubleDouble>& squares,
                                                         const ComplexVectorX& mean) {
   const ComplexDistances equations(system, squares);
-  const Vector middle = Eigen::Map<const Vector>(mean.data(), system.unknowns());
-  const Eigen::JacobiSVD<Matrix> svd(equations.jacobian(middle), Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector v = svd.matrixV().rightCols<1>(), w = svd.matrixU().rightCols<1>();
+  const Eigen::VectorXcd middle = Eigen::Map<const Eigen::VectorXcd>(mean.data(), system.unknowns());
+  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(equations.jacobian(middle),
+                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::VectorXcd v = svd.matrixV().rightCols<1>(), w = svd.matrixU().rightCols<1>();
   const Complex value = w.dot(equations.value(middle));
   // f is quadratic: f''(v, v) is the change of its Jacobian along v, times v.
   const Complex bend = w.dot((equations.jacobian(middle + v) - equations.jacobian(middle)) * v);

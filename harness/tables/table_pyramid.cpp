@@ -110,32 +110,13 @@ Table build_scans(const RunFile& run, const Publication& paper) {
   return table;
 }
 
-/// A row of the table of 6p: a count of classes, of which the fixed frame has two mirror images each.
-void add_octahedron_count(Table& table, const RunFile& run, const Publication& paper,
-                          const std::string& label, std::optional<Natural> Counts::*count) {
-  TableRow row{label, {printed_entry(table, paper.find("section 4.1", label, "6p", ""))}, {}};
-  for (const std::string& id : octahedra()) {
-    if (!shows(run, id)) continue;
-    const CellRecord* cell = run.find(algebraic().on(id));
-    const bool counted = cell != nullptr && cell->counts.*count;
-    row.cells.push_back(answer_entry(
-        table, cell, counted ? std::optional(2 * (cell->counts.*count)->approximate()) : std::nullopt));
-  }
-  table.rows.push_back(std::move(row));
-}
-
-/// That of our two equations, from their coefficients.
-void add_total_degree(Table& table, const RunFile& run, const Publication& paper) {
-  TableRow row{
-      "total degree", {printed_entry(table, paper.find("section 4.1", "total degree", "6p", ""))}, {}};
-  for (const std::string& id : octahedra()) {
-    if (!shows(run, id)) continue;
-    row.cells.push_back(particular_entry(table, run.find(algebraic().on(id)), "total_degree"));
-    row.cells.back().notes.push_back(
-        table.footnote("Of two equations in two squared diagonals, the product of the degrees of their "
-                       "terms. Of degree 2 in each "
-                       "diagonal, they have 8 common zeros, 16 solutions with mirror images."));
-  }
+/// A row of the table of 6p: what is printed, and what `entry` makes of the cell of each octahedron.
+template <typename Entry>
+void add_octahedron_row(Table& table, const RunFile& run, const std::string& label, TableCell printed,
+                        const Entry& entry) {
+  TableRow row{label, {std::move(printed)}, {}};
+  for (const std::string& id : octahedra())
+    if (shows(run, id)) row.cells.push_back(entry(run.find(algebraic().on(id))));
   table.rows.push_back(std::move(row));
 }
 
@@ -146,13 +127,31 @@ Table build_octahedra(const RunFile& run, const Publication& paper) {
   table.groups = {{"published", {""}}};
   for (const std::string& id : octahedra())
     if (shows(run, id)) table.groups.push_back({id, {""}});
-  add_total_degree(table, run, paper);
-  add_octahedron_count(table, run, paper, "finite roots", &Counts::complex_up_to_reflection);
-  add_octahedron_count(table, run, paper, "real roots", &Counts::real_up_to_reflection);
-  TableRow times{"time", {empty_entry()}, {}};
-  for (const std::string& id : octahedra())
-    if (shows(run, id)) times.cells.push_back(time_entry(table, run.find(algebraic().on(id))));
-  table.rows.push_back(std::move(times));
+  const auto printed = [&](const std::string& row) {
+    return printed_entry(table, paper.find("section 4.1", row, "6p", ""));
+  };
+  // From the coefficients of our two equations.
+  const auto total_degree = [&](const CellRecord* cell) {
+    TableCell entry = particular_entry(table, cell, "total_degree");
+    entry.notes.push_back(table.footnote(
+        "Of two equations in two squared diagonals, the product of the degrees of their terms. Of degree 2 "
+        "in each diagonal, they have 8 common zeros, 16 solutions with mirror images."));
+    return entry;
+  };
+  // Of each class the fixed frame has two mirror images.
+  const auto twice = [&](std::optional<Natural> Counts::*count) {
+    return [&table, count](const CellRecord* cell) {
+      const bool counted = cell != nullptr && cell->counts.*count;
+      return answer_entry(table, cell,
+                          counted ? std::optional(2 * (cell->counts.*count)->approximate()) : std::nullopt);
+    };
+  };
+  add_octahedron_row(table, run, "total degree", printed("total degree"), total_degree);
+  add_octahedron_row(table, run, "finite roots", printed("finite roots"),
+                     twice(&Counts::complex_up_to_reflection));
+  add_octahedron_row(table, run, "real roots", printed("real roots"), twice(&Counts::real_up_to_reflection));
+  add_octahedron_row(table, run, "time", empty_entry(),
+                     [&table](const CellRecord* cell) { return time_entry(table, cell); });
   table.remarks = {"Ours: cayley-menger. Counted in the 'fixed frame': mirror images apart.",
                    paper.instance_remarks.at("octahedron"), times_remark(run),
                    "Published: " + paper.citation + ", section 4.1."};

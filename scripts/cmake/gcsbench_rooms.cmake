@@ -4,8 +4,8 @@
 
 # gcs_room(STEMS <stem>… [LEFT_OUT <stem>…] [USES <room>…] [LIBRARIES <lib>…] [PRECOMPILED <target>] [TOGETHER]): the
 # room of the current folder, as the object library gcs_<room> or, in harness/, gcs_harness_<room>. A stem is a source
-# with its header, or either alone. USES: the highest rooms below it, "solvers/model"; what they use is seen too. TOGETHER: some
-# sources at a time are compiled as one, which is quicker where they instantiate the same templates.
+# with its header, or either alone. USES: the highest rooms below it, "solvers/model"; what they use is seen too.
+# TOGETHER: some sources at a time are compiled as one, which is quicker where they instantiate the same templates.
 function(gcs_room)
   cmake_parse_arguments(ARG "TOGETHER" "PRECOMPILED" "STEMS;LEFT_OUT;USES;LIBRARIES" ${ARGN})
   file(RELATIVE_PATH room ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})

@@ -1,18 +1,8 @@
 #include "solvers/reduction/simplex_coordinates.hpp"
 
+#include "solvers/numeric/bilinear_product.hpp"
+
 namespace gcs {
-namespace {
-
-std::complex<double> product(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b) {
-  return (a.array() * b.array()).sum();
-}
-
-/// Eigen's would conjugate.
-Eigen::Vector3cd cross(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-}  // namespace
 
 Simplex columns(const Simplex& positions, const std::vector<int>& points) {
   Simplex result(3, static_cast<Eigen::Index>(points.size()));
@@ -29,9 +19,9 @@ SimplexFrame::SimplexFrame(const Simplex& base) : origin_(base.col(0)), axes_(Ei
     return;
   }
   const Eigen::Vector3cd second = base.col(2) - origin_;
-  const Eigen::Vector3cd v = second - e * (product(second, e) / product(e, e));
-  axes_.col(1) = v - e * (product(v, e) / product(e, e));
-  axes_.col(2) = cross(e, axes_.col(1));
+  const Eigen::Vector3cd v = second - e * (bilinear_product(second, e) / bilinear_product(e, e));
+  axes_.col(1) = v - e * (bilinear_product(v, e) / bilinear_product(e, e));
+  axes_.col(2) = cross_product(e, axes_.col(1));
 }
 
 SimplexCoordinates SimplexFrame::coordinates(const Eigen::Vector3cd& point) const {
@@ -39,8 +29,8 @@ SimplexCoordinates SimplexFrame::coordinates(const Eigen::Vector3cd& point) cons
   const Eigen::Vector3cd offset = point - origin_;
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3cd axis = axes_.col(i);
-    const std::complex<double> square = product(axis, axis);
-    if (square != 0.0) result[i] = product(offset, axis) / square;
+    const std::complex<double> square = bilinear_product(axis, axis);
+    if (square != 0.0) result[i] = bilinear_product(offset, axis) / square;
   }
   return result;
 }

@@ -244,7 +244,7 @@ void repeat(Work& work, const TimingSettings& settings, const TimeBudget& left) 
 void plan_repetitions(std::vector<Work>& cells, const TimingSettings& settings) {
   std::vector<CellRecord*> open;
   for (Work& work : cells) {
-    if (work.record.is_right() && (work.record.planned == 0 || settings.repetitions))
+    if (work.task->is_timed && work.record.is_right() && (work.record.planned == 0 || settings.repetitions))
       open.push_back(&work.record);
   }
   const auto is_cheaper = [](const CellRecord* a, const CellRecord* b) {

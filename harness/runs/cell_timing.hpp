@@ -22,6 +22,7 @@ struct CellTask {
   const StrategyEntry* entry = nullptr;
   const Scene* scene = nullptr;
   bool keeps_solutions = false;  ///< in the record, for tables that show them
+  bool is_timed = true;          ///< false: solved once, for its answer
   /// Gives what holds the answer against the reference; empty, or null where there is none: certificates do.
   /// Called before a cell is solved for the first time, so that cells that are known cost nothing.
   std::function<const AccuracyJudge*(Monitor& progress)> judge = {};

@@ -100,10 +100,12 @@ bool is_selected(const TableRequest& request, const Variant& variant) {
 void add_task(std::vector<CellTask>& tasks, CellTask task) {
   const auto known = std::find_if(tasks.begin(), tasks.end(),
                                   [&](const CellTask& other) { return other.spec == task.spec; });
-  if (known == tasks.end())
+  if (known == tasks.end()) {
     tasks.push_back(std::move(task));
-  else
-    known->keeps_solutions = known->keeps_solutions || task.keeps_solutions;
+    return;
+  }
+  known->keeps_solutions = known->keeps_solutions || task.keeps_solutions;
+  known->is_timed = known->is_timed || task.is_timed;
 }
 
 /// The external programs that were asked for, which no table names. Their entries refer to the request.
@@ -142,7 +144,7 @@ std::vector<CellTask> tasks_of(const TableRequest& request, LoadedInstances& loa
     for (const std::string& id : ids_for(kind, request, loaded))
       for (const auto& [variant, entry] : columns) {
         if (!variant.is_for(id)) continue;
-        CellTask task{variant.on(id), entry, &loaded.scene(id), kind.shows_solutions};
+        CellTask task{variant.on(id), entry, &loaded.scene(id), kind.shows_solutions, kind.shows_times};
         if (kind.measures_accuracy)
           task.judge = [judge = &loaded.judges[loaded.number(id)]](Monitor& monitor) {
             return judge->judge(monitor);

@@ -17,6 +17,8 @@ constexpr std::string_view hoffmann = "hoffmann-yuan-2000";
 constexpr bool free_columns = true;
 constexpr bool shows_solutions = true;
 constexpr bool measures_accuracy = true;
+constexpr bool shows_times = true;
+constexpr std::vector<Drawing> (*no_drawing)(const RunFile&) = nullptr;
 
 /// The run as far as one table speaks of it.
 RunFile part_of(const RunFile& run, const RequestedTable& table) {
@@ -105,6 +107,12 @@ std::span<const TableKind> table_kinds() {
                 paper_instances, free_columns, !shows_solutions, table1_variants, build_table1},
       TableKind{"table2", "details of tracking S (Imbach et al., Table 2), and ratios of times", imbach,
                 paper_instances, free_columns, !shows_solutions, table2_variants, build_table2},
+      TableKind{"printed", "what the printed text of Algorithms 1 to 4 needs (Imbach et al.)", imbach,
+                sketched_instances, free_columns, !shows_solutions, printed_variants, build_printed,
+                no_drawing, !measures_accuracy, load_instance, !shows_times},
+      TableKind{"swap", "changing the plan near boundaries, over alpha (Imbach et al., section 4)", imbach,
+                sketched_instances, free_columns, !shows_solutions, swap_variants, build_swap, no_drawing,
+                !measures_accuracy, load_instance, !shows_times},
       TableKind{"hoffmann-yuan", "five points and a line (Hoffmann, Yuan, Tables 1 and 2, Fig. 7)", hoffmann,
                 pyramid_instances, !free_columns, shows_solutions, pyramid_variants, build_pyramid,
                 draw_pyramid},
@@ -172,6 +180,15 @@ Publications load_publications() {
     if (publications.count(kind.source) == 0)
       publications[std::string(kind.source)] = load_publication(std::string(kind.source));
   return publications;
+}
+
+const std::vector<std::string>& sketched_instances() {
+  static const std::vector<std::string> ids = [] {
+    std::vector<std::string> all = shipped_instances();
+    std::erase_if(all, [](const std::string& id) { return !load_instance(id).problem.sketch; });
+    return all;
+  }();
+  return ids;
 }
 
 const std::vector<std::string>& paper_instances() {

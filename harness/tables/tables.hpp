@@ -42,6 +42,7 @@ struct TableKind {
   std::vector<Drawing> (*draw)(const RunFile& run) = nullptr;  ///< null: no figure
   bool measures_accuracy = false;  ///< answers are held against references, and not certified
   Instance (*load)(const std::string& argument) = load_instance;
+  bool shows_times = true;  ///< otherwise its cells are solved once
 };
 
 /// All tables of `gcsbench tables`, in the order of `all`.
@@ -89,6 +90,15 @@ std::vector<Variant> table2_variants();
 /// Table 2, and the ratios between the strategies that follow from it.
 std::vector<Table> build_table2(const RunFile& run, const Publication& paper);
 Table build_ratios(const RunFile& run, const Publication& paper);
+
+/// Shipped instances that have a sketch.
+const std::vector<std::string>& sketched_instances();
+std::vector<Variant> printed_variants();
+/// What the printed text of Algorithms 1 to 4 needs, deviation by deviation.
+std::vector<Table> build_printed(const RunFile& run, const Publication& paper);
+std::vector<Variant> swap_variants();
+/// Algorithm 1 with and without changes of the plan, over α.
+std::vector<Table> build_swap(const RunFile& run, const Publication& paper);
 
 /// Those of the papers, and some of which a part can be left out.
 const std::vector<std::string>& ablation_instances();

@@ -72,8 +72,7 @@ Corner corner_of(const Instruction& instruction, int slot, const Eigen::Matrix3X
 double boundary_measure(const Instruction& instruction, int slot, const Eigen::Matrix3Xd& points) {
   const Corner corner = corner_of(instruction, slot, points);
   if (!corner.has_line) return 0;
-  const double other = (corner.point - center_of(instruction.spheres[slot], points)).norm();
-  const double larger = std::max(corner.radius, other);
+  const double larger = std::max(corner.radius, radius_of(instruction, slot, points));
   return larger > 0 ? (corner.point - corner.foot).norm() / larger : 0;
 }
 
@@ -87,14 +86,20 @@ double crossing_sine(const Instruction& instruction, int slot, const Eigen::Matr
   return std::abs(normal.stableNormalized().dot(to_third));
 }
 
-Eigen::Vector3d shifted_reference(const Instruction& instruction, int slot, const Eigen::Matrix3Xd& points) {
+std::optional<Eigen::Vector3d> shifted_reference(const Instruction& instruction, int slot,
+                                                 const Eigen::Matrix3Xd& points, const ShiftRule& rule) {
   constexpr double nearest_angle = 0.5;  // cosine of 60 degrees: the sine stays above √3/2
   const Corner corner = corner_of(instruction, slot, points);
   const Eigen::Vector3d to_foot = corner.foot - corner.point;
   const double v = to_foot.norm();
-  const bool usable = corner.has_line && v > 1e-8 * corner.radius && v <= nearest_angle * corner.radius;
-  const Eigen::Vector3d direction = usable ? Eigen::Vector3d(to_foot / v) : corner.sideways;
-  return corner.point + corner.radius * direction;
+  const bool is_defined = corner.has_line && v > 0;
+  if (rule.towards_projection && !is_defined) return std::nullopt;
+  const bool is_usable = is_defined && v > 1e-8 * corner.radius && v <= nearest_angle * corner.radius;
+  const Eigen::Vector3d direction =
+      rule.towards_projection || is_usable ? Eigen::Vector3d(to_foot / v) : corner.sideways;
+  const double distance =
+      rule.larger_radius ? std::max(corner.radius, radius_of(instruction, slot, points)) : corner.radius;
+  return corner.point + distance * direction;
 }
 
 }  // namespace gcs

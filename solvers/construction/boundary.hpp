@@ -19,10 +19,20 @@ double boundary_measure(const Instruction& instruction, int slot, const Eigen::M
 /// to the determinant of the unit normals.
 double crossing_sine(const Instruction& instruction, int slot, const Eigen::Matrix3Xd& points);
 
-/// Algorithm 4: the fixed copy for sphere `slot` that puts γ above 1/√2.
-/// Deviations: for interCS the distance is the circle's radius (the printed max(r, a) can leave γ below α),
-/// and where the direction to the projection is undefined, or so near to the direction of the centre that the
-/// spheres would touch, the direction at a right angle to the centre's is taken (γ = 1/√2, sine = 1).
-Eigen::Vector3d shifted_reference(const Instruction& instruction, int slot, const Eigen::Matrix3Xd& points);
+/// Where Algorithm 4 is followed as printed.
+struct ShiftRule {
+  /// For interCS the copy goes to the larger of the circle's radius and the sphere's, which can leave γ below
+  /// α (r = 1, a_i6 = 12: γ = 1/√(1 + 12²) = 0.083); false: to the circle's radius, and γ ≥ 1/√2.
+  bool larger_radius = false;
+  /// The copy goes towards the projection of the point on the line, whatever the angle; false: at a right
+  /// angle to the centre's direction where the projection is undefined, or so near to that direction that the
+  /// spheres would touch (γ = 1/√2, sine = 1).
+  bool towards_projection = false;
+};
+
+/// Algorithm 4: the fixed copy for sphere `slot` that puts γ above 1/√2, if it is not followed as printed.
+/// Nothing where the printed text has no direction: the point lies on the line, or the line is undefined.
+std::optional<Eigen::Vector3d> shifted_reference(const Instruction& instruction, int slot,
+                                                 const Eigen::Matrix3Xd& points, const ShiftRule& rule = {});
 
 }  // namespace gcs

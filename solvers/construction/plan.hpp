@@ -72,6 +72,11 @@ inline Eigen::Vector3d center_of(const PlanSphere& sphere, const Eigen::Matrix3X
   return points.col(sphere.center);
 }
 
+/// Radius of sphere `slot` of an instruction in a figure.
+inline double radius_of(const Instruction& instruction, int slot, const Eigen::Matrix3Xd& points) {
+  return (points.col(instruction.place) - center_of(instruction.spheres[slot], points)).norm();
+}
+
 /// Places one point: the intersection of the instruction's spheres with these radii on its branch; false
 /// where it is empty. `points` holds the centres and receives the point.
 bool place(const Instruction& instruction, const std::array<double, 3>& radii, Eigen::Matrix3Xd& points);

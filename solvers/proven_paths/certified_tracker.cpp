@@ -58,6 +58,7 @@ TrackedPath CertifiedTracker::run() {
   if (failure != Failure::none) return finish(TrackedPath::End::failed, cause(failure));
   take();
   while (!stretch_.closes) {
+    if (options_.stops_at_first && !path_.crossings.empty()) return finish(TrackedPath::End::reached, "");
     if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
     if (work.iterations >= options_.max_steps)
       return finish(TrackedPath::End::failed, "max_steps reached before the path closed");

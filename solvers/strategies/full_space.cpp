@@ -8,8 +8,9 @@
 /// mode=fast is tracking/series_tracker.hpp on tracking/distance_curve.hpp, mode=paper is
 /// tracking/euler_newton_tracker.hpp on tracking/paper_homotopies.hpp, mode=certified is
 /// proven_paths/certified_tracker.hpp: it proves that S closes and the number and order of its crossings.
+/// Baselines: until=first stops at the first solution, as [I]'s reference 11; mode=newton is Newton's method.
 ///
-/// Claims the solutions on S. Fails, and says where, when S is singular or nearly so, or too long for
+/// Claims the solutions on S, or some real ones of a baseline. Fails, and says where, when S is singular or nearly so, or too long for
 /// max_steps. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point Distance Problems by
 /// Homotopy, 2016.
 
@@ -19,6 +20,7 @@
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/proven_paths/path_jumps.hpp"
 #include "solvers/tracking/distance_curve.hpp"
+#include "solvers/tracking/newton_from_sketch.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_options.hpp"
 #include "solvers/tracking/path_report.hpp"
@@ -54,6 +56,8 @@ class FullSpaceStrategy final : public Strategy {
         return solve_as_published(request.scene, context);
       case FullSpace::Mode::certified:
         return solve_with_proof(request.scene, context);
+      case FullSpace::Mode::newton:
+        return solve_by_newton(request.scene, context);
       case FullSpace::Mode::fast:
         break;
     }
@@ -78,6 +82,12 @@ class FullSpaceStrategy final : public Strategy {
       name_jumps(scene, points, context, report);
     }
     return report;
+  }
+
+  static SolveReport solve_by_newton(const Scene& scene, const TrackerContext& context) {
+    PaperDistanceHomotopy homotopy(scene);
+    return report_of_newton(scene, newton_from_sketch(homotopy, context),
+                            [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
   }
 
   /// A path that left S is no complete answer, however it ends.

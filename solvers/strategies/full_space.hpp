@@ -6,7 +6,7 @@
 namespace gcs {
 
 struct FullSpace {
-  enum class Mode { fast, paper, certified };
+  enum class Mode { fast, paper, certified, newton };
   enum class Jumps { ignored, named };
 
   static constexpr std::string_view strategy = "full-space";
@@ -21,9 +21,9 @@ struct FullSpace {
 
   template <class Self, class Visitor>
   static void options(Self& self, Visitor&& option) {
-    option("mode", self.mode, OneOf<Mode>{"fast|paper|certified"},
+    option("mode", self.mode, OneOf<Mode>{"fast|paper|certified|newton"},
            "fast: Taylor series in arc length; paper: Euler-Newton as published; certified: a chain of "
-           "tubes, each proven to hold one arc of S");
+           "tubes, each proven to hold one arc of S; newton: no path, Newton's method from the sketch");
     PathSettings::options(self.tracking, option,
                           "largest step; auto: 1 (fast and certified, in units of the scene; further than "
                           "10 away a tenth of that), 0.1 (paper, in the file's unit)");

@@ -7,31 +7,36 @@
 /// changed (Algorithms 2–4): an argument is exchanged for a new driving parameter, an earlier exchange is
 /// undone, or a reference point is shifted.
 ///
-/// Where [I] is silent or wrong:
-/// - The first plan is derived with the fewest driving parameters (construction/derive.hpp), or given by the
-///   file.
-/// - For interCS the printed shift, at the larger of circle radius and a_i6, can leave γ below α
-///   (r = 1, a_i6 = 12: 0.083); the circle's radius gives γ ≥ 1/√2.
-/// - γ does not see p_i1 = p_i3, nor p' = c for interCS, where the intersection is as badly determined as at
-///   a tangency. measure=guarded also watches the sine of the angle of intersection; with measure=published
-///   (γ alone) trackers get stuck there, mode=paper on the icosahedron among them.
-/// - Algorithm 4 is undefined where p_(i+1) lies on the line of the centres: a direction at a right angle is
-///   taken.
-/// - Algorithm 3's restoring branch names the wrong driving parameter: what leaves is the current one and its
-///   reference.
-/// - (h4)–(h6) are not proven beforehand: a radius that vanishes on S ends the tracking with that reason.
+/// Where the text of [I] cannot be followed, each with the option that follows it nevertheless
+/// (as=printed: all of them):
+/// - measure: γ does not see p_i1 = p_i3, nor p' = c for interCS, where the intersection is as badly determined
+///   as at a tangency. The mended measure also watches the sine of the angle of intersection.
+/// - shift: for interCS the printed shift, to the larger of circle radius and a_i6, can leave γ below α
+///   (r = 1, a_i6 = 12: 0.083), against Proposition 2; to the circle's radius gives γ ≥ 1/√2.
+/// - direction: Algorithm 4 is undefined where p_(i+1) lies on the line of the centres: a direction at a right
+///   angle is taken there.
+/// - restoring: the second branch of Algorithm 3 removes the driving parameter of the instruction that it
+///   restores, which has none: what has to leave is the current one and its reference. As printed H_R keeps an
+///   unknown without an equation, and the path ends there, with that reason.
+/// - turning: the tangent is carried over a change by the derivative of ϕ'∘ϕ, where ϕ is about to have none;
+///   mended, by ϕ'∘ϕ at both ends of the last step.
+/// Where it is silent: the first plan is derived with the fewest driving parameters
+/// (construction/derive.hpp), or given by the file; (h4)–(h6) are not proven beforehand: a radius that vanishes
+/// on S ends the tracking with that reason.
 ///
 /// mode=fast is tracking/series_tracker.hpp on tracking/plan_curve.hpp: exact derivatives through the plan. A
 /// step may pass a boundary configuration; γ is looked at where steps end. mode=paper is
 /// tracking/euler_newton_tracker.hpp on tracking/paper_homotopies.hpp. swap=off keeps the first plan and only
-/// finds the branch again (§3.4): an ablation.
+/// finds the branch again (§3.4): an ablation. Baselines: until=first stops at the first solution; mode=newton
+/// is Newton's method on the reduced system, as [I]'s reference 4 has it.
 ///
-/// Claims the solutions on S. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point
-/// Distance Problems by Homotopy, 2016.
+/// Claims the solutions on S, or some real ones of a baseline. Imbach, Mathis, Schreck, A Robust and Efficient
+/// Method for Solving Point Distance Problems by Homotopy, 2016.
 
 #include "solvers/strategies/rcp.hpp"
 
 #include "solvers/construction/derive.hpp"
+#include "solvers/tracking/newton_from_sketch.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_options.hpp"
 #include "solvers/tracking/path_report.hpp"
@@ -49,7 +54,13 @@ class RcpStrategy final : public Strategy {
     plan_options_.swap = asked.swap;
     plan_options_.partial = asked.derivatives == Rcp::Derivatives::partial;
     plan_options_.rule.alpha = asked.alpha;
-    plan_options_.rule.watch_sine = asked.measure == Rcp::Measure::guarded;
+    plan_options_.rule.watch_sine = !asked.is_printed(asked.measure);
+    plan_options_.rule.shift = {asked.is_printed(asked.shift), asked.is_printed(asked.direction)};
+    plan_options_.rule.restores_as_printed = asked.is_printed(asked.restoring);
+    plan_options_.turns_as_printed = asked.is_printed(asked.turning);
+    if (mode_ == Rcp::Mode::fast && ends_where_undefined())
+      throw OptionError(
+          "options as, direction, restoring, turning: only mode=paper follows the printed text");
   }
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
@@ -67,11 +78,8 @@ class RcpStrategy final : public Strategy {
     const TrackerContext context{request.stop, request.monitor};
     const Plan plan = plan_ ? *plan_ : first_plan(scene, plan_options_.rule);
     const Figure sketch = in_plan_frame(scene, plan, *scene.sketch());
-    if (mode_ == Rcp::Mode::paper) {
-      PaperPlanHomotopy homotopy(scene, plan, sketch, plan_options_);
-      EulerNewtonTracker tracker(homotopy, options_.paper, context);
-      return report_of(scene, tracker.run(), homotopy);
-    }
+    if (mode_ == Rcp::Mode::paper) return solve_as_published(scene, plan, sketch, context);
+    if (mode_ == Rcp::Mode::newton) return solve_by_newton(scene, plan, sketch, context);
     return report_once_refined(options_.fast, [&](const SeriesTrackerOptions& options) {
       PlanCurve curve(scene, plan, sketch,
                       {options.order, options.tolerance, plan_options_.swap, plan_options_.rule});
@@ -81,6 +89,33 @@ class RcpStrategy final : public Strategy {
   }
 
  private:
+  bool ends_where_undefined() const {
+    return plan_options_.rule.shift.towards_projection || plan_options_.rule.restores_as_printed ||
+           plan_options_.turns_as_printed;
+  }
+
+  SolveReport solve_as_published(const Scene& scene, const Plan& plan, const Figure& sketch,
+                                 const TrackerContext& context) const {
+    PaperPlanHomotopy homotopy(scene, plan, sketch, plan_options_);
+    EulerNewtonTracker tracker(homotopy, options_.paper, context);
+    SolveReport report = report_of(scene, tracker.run(), homotopy);
+    const PlanChange& changes = homotopy.changes();
+    report.particulars = {{"exchanges", changes.exchanges},
+                          {"restorations", changes.restorations},
+                          {"shifts", changes.shifts},
+                          {"shifts_in_vain", changes.shifts_in_vain}};
+    return report;
+  }
+
+  SolveReport solve_by_newton(const Scene& scene, const Plan& plan, const Figure& sketch,
+                              const TrackerContext& context) const {
+    PlanHomotopyOptions options = plan_options_;
+    options.swap = false;
+    PaperPlanHomotopy homotopy(scene, plan, sketch, options);
+    return report_of_newton(scene, newton_from_sketch(homotopy, context),
+                            [&](const Eigen::VectorXd& y) { return homotopy.figure(y); });
+  }
+
   template <class Curve>
   static SolveReport report_of(const Scene& scene, const TrackedPath& path, const Curve& curve) {
     SolveReport report = path_report(scene, path, [&](const Eigen::VectorXd& y) { return curve.figure(y); });

@@ -33,9 +33,13 @@ concept Homotopy = requires(H homotopy, const Eigen::VectorXd& y, Eigen::VectorX
   /// Coordinates that do not depend on how the homotopy is written (the figure and t), for closing and
   /// results.
   { homotopy.figure_coordinates(y) } -> std::same_as<Eigen::VectorXd>;
-  /// Called after every accepted step from y to `point`; true if it rewrote the homotopy, with `point` in the
-  /// new coordinates and `tangent` along the step just made, in the new coordinates too.
+  /// Called after every accepted step from y to `point`, where the path has this tangent; true if it rewrote
+  /// the homotopy, with `point` and `tangent` in the new coordinates.
   { homotopy.after_step(y, point, tangent) } -> std::same_as<bool>;
+  /// Why it could not be rewritten as it should, which ends the path; empty: it could.
+  { homotopy.undefined() } -> std::convertible_to<std::string>;
+  /// What is peculiar about the figure at y, for a path that gets stuck there; empty: nothing.
+  { homotopy.configuration(y) } -> std::convertible_to<std::string>;
   /// Called when a correction failed: true if another branch of the homotopy may be tried from y; called
   /// again with the outcome false to take it back.
   { homotopy.try_other_branch(y) } -> std::same_as<bool>;
@@ -47,7 +51,8 @@ struct EulerNewtonOptions {
   double step_max = 0.1;
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
-  bool keep_points = false;  ///< in TrackedPath::points, as figure_coordinates
+  bool stops_at_first = false;  ///< at the first solution
+  bool keep_points = false;     ///< in TrackedPath::points, as figure_coordinates
 };
 
 template <Homotopy H>
@@ -58,6 +63,8 @@ class EulerNewtonTracker {
 
   TrackedPath run() {
     here_ = homotopy_.start();
+    if (const std::string cause = homotopy_.undefined(); !cause.empty())
+      return finish(TrackedPath::End::failed, cause);
     if (!first_tangent())
       return finish(TrackedPath::End::failed,
                     "the Jacobian is singular at the sketch: hypothesis (h1) fails there");
@@ -66,20 +73,21 @@ class EulerNewtonTracker {
     if (options_.keep_points) path_.points.push_back(start_);
     while (homotopy_.work().iterations < options_.max_steps) {
       if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
-      if (!step()) return finish(TrackedPath::End::failed, step_too_small(t_of(here_)));
+      if (!step())
+        return finish(TrackedPath::End::failed, step_too_small(t_of(here_)) + homotopy_.configuration(here_));
       const bool closed = closes();
       record_crossing();
       path_.length += (there_ - here_).norm();
       if (options_.keep_points) path_.points.push_back(homotopy_.figure_coordinates(there_));
       if (closed) return finish(TrackedPath::End::closed, "");
+      if (options_.stops_at_first && !path_.crossings.empty()) return finish(TrackedPath::End::reached, "");
       previous_ = std::exchange(here_, there_);
-      if (!next_tangent())
-        return finish(TrackedPath::End::failed,
-                      "the Jacobian is singular near t = " + std::to_string(t_of(here_)));
+      if (!next_tangent()) return finish(TrackedPath::End::failed, no_tangent());
       if (context_.monitor && homotopy_.work().iterations % 256 == 0)
         context_.monitor->progress("tracking S", -1);
     }
-    return finish(TrackedPath::End::failed, "max_steps reached before the path closed");
+    return finish(TrackedPath::End::failed,
+                  "max_steps reached before the path closed" + homotopy_.configuration(here_));
   }
 
  private:
@@ -118,7 +126,14 @@ class EulerNewtonTracker {
   }
 
   bool next_tangent() {
-    return continued_tangent() && (!homotopy_.after_step(previous_, here_, tangent_) || continued_tangent());
+    if (!continued_tangent()) return false;
+    const bool is_rewritten = homotopy_.after_step(previous_, here_, tangent_);
+    return homotopy_.undefined().empty() && (!is_rewritten || continued_tangent());
+  }
+
+  std::string no_tangent() {
+    const std::string cause = homotopy_.undefined();
+    return cause.empty() ? "the Jacobian is singular near t = " + std::to_string(t_of(here_)) : cause;
   }
 
   /// The tangent at here_ that makes an acute angle with the last one.

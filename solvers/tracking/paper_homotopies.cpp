@@ -1,6 +1,9 @@
 #include "solvers/tracking/paper_homotopies.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <limits>
 
 namespace gcs {
 
@@ -48,7 +51,8 @@ Figure PaperDistanceHomotopy::figure(const Eigen::VectorXd& coordinates) const {
 
 PaperPlanHomotopy::PaperPlanHomotopy(const Scene& scene, Plan plan, const Figure& sketch,
                                      const PlanHomotopyOptions& options)
-    : unit_(std::ldexp(1.0, scene.unit_exponent())),
+    : scene_(scene),
+      unit_(std::ldexp(1.0, scene.unit_exponent())),
       dimension_(scene.dimension()),
       lengths_(scene.length_paths()),
       plan_(std::move(plan)),
@@ -82,13 +86,26 @@ Eigen::VectorXd PaperPlanHomotopy::parameters(const Eigen::Matrix3Xd& points, do
 
 Eigen::VectorXd PaperPlanHomotopy::start() {
   note_plan(sketch_, 0);
-  if (options_.swap && needs_change(plan_, options_.rule, sketch_) &&
-      change_plan(plan_, options_.rule, sketch_)) {
-    ++work_.plan_changes;
-    note_plan(sketch_, 0);
-  }
+  points_ = sketch_;
+  change(0);
   find_branch(sketch_);
   return parameters(sketch_, 0);
+}
+
+bool PaperPlanHomotopy::change(double t) {
+  if (!options_.swap || !needs_change(plan_, options_.rule, points_)) return false;
+  const PlanChange change = change_plan(plan_, options_.rule, points_);
+  changes_.exchanges += change.exchanges;
+  changes_.restorations += change.restorations;
+  changes_.shifts += change.shifts;
+  changes_.shifts_in_vain += change.shifts_in_vain;
+  if (change.undefined)
+    undefined_ = fmt::format("{} (placing {} near t = {:.6g})", change.undefined->why,
+                             scene_.problem().name(change.undefined->place), t);
+  if (!change.is_any()) return false;
+  ++work_.plan_changes;
+  note_plan(points_, t);
+  return true;
 }
 
 bool PaperPlanHomotopy::evaluate(const Eigen::VectorXd& y, std::size_t first, Eigen::Matrix3Xd& points) {
@@ -171,16 +188,48 @@ bool PaperPlanHomotopy::after_step(const Eigen::VectorXd& before, Eigen::VectorX
   if (!options_.swap) return false;
   evaluate(y, 0, points_);
   if (!needs_change(plan_, options_.rule, points_)) return false;
-  shifted_points_ = points_;
-  evaluate(before, 0, shifted_points_);
-  if (!change_plan(plan_, options_.rule, points_)) return false;
-  ++work_.plan_changes;
+  double t_before = 0;
+  if (!place_before(before, y, tangent, t_before)) return false;
+  if (!change(y[y.size() - 1])) return false;
   find_branch(points_);
-  note_plan(points_, y[y.size() - 1]);
-  const double t_before = before[before.size() - 1];
   y = parameters(points_, y[y.size() - 1]);
   tangent = (y - parameters(shifted_points_, t_before)).normalized();
   return true;
+}
+
+/// In shifted_points_.
+bool PaperPlanHomotopy::place_before(const Eigen::VectorXd& before, const Eigen::VectorXd& y,
+                                     const Eigen::VectorXd& tangent, double& t) {
+  shifted_points_ = points_;
+  const Eigen::VectorXd from =
+      options_.turns_as_printed ? Eigen::VectorXd(y - difference_step(0) * tangent) : before;
+  t = from[from.size() - 1];
+  if (evaluate(from, 0, shifted_points_)) return true;
+  undefined_ = "ϕ is not defined next to the point at which the plan is to be changed";
+  return false;
+}
+
+std::string PaperPlanHomotopy::configuration(const Eigen::VectorXd& y) {
+  if (plan_.instructions().empty() || !evaluate(y, 0, points_)) return "";
+  const auto nearest = [&](bool by_sine) {
+    const Instruction* found = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Instruction& instruction : plan_.instructions())
+      for (int slot = 1; slot < instruction.count; ++slot) {
+        const double measure = by_sine ? crossing_sine(instruction, slot, points_)
+                                       : boundary_measure(instruction, slot, points_);
+        if (measure >= least) continue;
+        least = measure;
+        found = &instruction;
+      }
+    return std::pair{found, least};
+  };
+  const auto [by_gamma, gamma] = nearest(false);
+  const auto [by_sine, sine] = nearest(true);
+  if (by_gamma == nullptr) return "";
+  return fmt::format(
+      "; the least γ is {:.2g}, of {}; the spheres of {} meet at the smallest angle, of sine {:.2g}", gamma,
+      scene_.problem().name(by_gamma->place), scene_.problem().name(by_sine->place), sine);
 }
 
 bool PaperPlanHomotopy::try_other_branch(const Eigen::VectorXd& y) {

@@ -19,6 +19,8 @@ class PaperDistanceHomotopy {
   bool jacobian(const Eigen::VectorXd& y, const Eigen::VectorXd& f, Eigen::MatrixXd& jacobian);
   Eigen::VectorXd figure_coordinates(const Eigen::VectorXd& y) const { return y; }
   bool after_step(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&) { return false; }
+  std::string undefined() const { return ""; }
+  std::string configuration(const Eigen::VectorXd&) const { return ""; }
   bool try_other_branch(const Eigen::VectorXd&) { return false; }
   void take_back_branch() {}
   WorkCounters& work() { return work_; }
@@ -38,6 +40,9 @@ class PaperDistanceHomotopy {
 /// How PaperPlanHomotopy deviates from the published one.
 struct PlanHomotopyOptions {
   ExchangeRule rule;
+  /// The tangent is carried over a change of the plan by the derivative of ϕ'∘ϕ, as printed; false: by ϕ'∘ϕ
+  /// at both ends of the last step, since ϕ's derivative is worst just where the plan has to be changed.
+  bool turns_as_printed = false;
   /// False: instead of changing the plan, a failed correction within α of a boundary configuration is tried
   /// again on the other branch of the nearest instruction.
   bool swap = true;
@@ -47,8 +52,7 @@ struct PlanHomotopyOptions {
 };
 
 /// [b]H_R(A+, t) in R^d × R, with the plan changed by Algorithm 2 after a step (§4), the direction carried
-/// over by ϕ'∘ϕ (§7.1; applied to both ends of the last step, since ϕ's derivative is worst just where the
-/// plan has to be changed), and derivatives by re-evaluating the plan (§7.2).
+/// over by ϕ'∘ϕ (§7.1), and derivatives by re-evaluating the plan (§7.2).
 class PaperPlanHomotopy {
  public:
   /// `plan` and `sketch` in the plan's frame and the scene's unit.
@@ -59,14 +63,24 @@ class PaperPlanHomotopy {
   bool jacobian(const Eigen::VectorXd& y, const Eigen::VectorXd& f, Eigen::MatrixXd& jacobian);
   Eigen::VectorXd figure_coordinates(const Eigen::VectorXd& y);
   bool after_step(const Eigen::VectorXd& before, Eigen::VectorXd& y, Eigen::VectorXd& tangent);
+  std::string undefined() const { return undefined_; }
+  /// The instruction nearest to a boundary configuration, and the one whose spheres meet at the smallest angle.
+  std::string configuration(const Eigen::VectorXd& y);
   bool try_other_branch(const Eigen::VectorXd& y);
   void take_back_branch();
   WorkCounters& work() { return work_; }
   /// The plans of the accepted points, as in PathRecord.
   const std::vector<PlanUse>& plans() const { return plans_; }
+  /// All that Algorithm 2 did.
+  const PlanChange& changes() const { return changes_; }
   Figure figure(const Eigen::VectorXd& coordinates) const;
 
  private:
+  /// Algorithm 2 at points_ where it is due; true if the plan is another one now.
+  bool change(double t);
+  /// A figure just before `y` on the path.
+  bool place_before(const Eigen::VectorXd& before, const Eigen::VectorXd& y, const Eigen::VectorXd& tangent,
+                    double& t);
   bool evaluate(const Eigen::VectorXd& y, std::size_t first, Eigen::Matrix3Xd& points);
   void removed_residual(const Eigen::Matrix3Xd& points, double t, Eigen::VectorXd& f) const;
   /// ϕ': the driving parameters and t of a figure.
@@ -74,6 +88,7 @@ class PaperPlanHomotopy {
   void find_branch(const Eigen::Matrix3Xd& points);
   void note_plan(const Eigen::Matrix3Xd& points, double t);
 
+  const Scene& scene_;
   double unit_;
   int dimension_;
   std::vector<std::array<int, 2>> ends_;
@@ -86,6 +101,8 @@ class PaperPlanHomotopy {
   WorkCounters work_;
   double driving_sum_ = 0;
   std::vector<PlanUse> plans_;
+  PlanChange changes_;
+  std::string undefined_;
 };
 
 }  // namespace gcs

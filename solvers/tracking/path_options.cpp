@@ -21,6 +21,7 @@ PathOptions path_options(const PathSettings& settings, double paper_step_max) {
   path.fast.max_steps = path.paper.max_steps = settings.max_steps;
   path.fast.orientation = path.paper.orientation =
       settings.orientation == PathSettings::Orientation::forward ? 1 : -1;
+  path.fast.stops_at_first = path.paper.stops_at_first = settings.until == PathSettings::Until::first;
   path.fast.order = settings.order;
   path.fast.tolerance = settings.tolerance;
   return path;

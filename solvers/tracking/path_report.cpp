@@ -27,6 +27,8 @@ PathRecord::End record_end(TrackedPath::End end) {
   switch (end) {
     case TrackedPath::End::closed:
       return PathRecord::End::closed;
+    case TrackedPath::End::reached:
+      return PathRecord::End::regular;
     case TrackedPath::End::stopped:
       return PathRecord::End::stopped;
     case TrackedPath::End::failed:
@@ -38,6 +40,7 @@ PathRecord::End record_end(TrackedPath::End end) {
 SolveStatus report_status(TrackedPath::End end) {
   switch (end) {
     case TrackedPath::End::closed:
+    case TrackedPath::End::reached:
       return SolveStatus::complete;
     case TrackedPath::End::stopped:
       return SolveStatus::stopped;
@@ -64,6 +67,7 @@ class PathReporter {
   }
 
   SolveReport run(const TrackedPath& path) {
+    if (path.end == TrackedPath::End::reached) report_.claim = Claim::some_real;
     report_.status = report_status(path.end);
     report_.reason = path.cause;
     report_.work = path.work;
@@ -155,6 +159,14 @@ std::optional<std::string> why_no_path(const Scene& scene) {
 SolveReport path_report(const Scene& scene, const TrackedPath& path,
                         const std::function<Figure(const Eigen::VectorXd&)>& figure_of) {
   return PathReporter(scene, figure_of).run(path);
+}
+
+SolveReport report_of_newton(const Scene& scene, const TrackedPath& path,
+                             const std::function<Figure(const Eigen::VectorXd&)>& figure_of) {
+  SolveReport report = path_report(scene, path, figure_of);
+  report.claim = Claim::some_real;
+  report.paths.clear();
+  return report;
 }
 
 SolveReport report_once_refined(SeriesTrackerOptions options,

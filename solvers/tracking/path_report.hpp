@@ -22,6 +22,10 @@ std::optional<std::string> why_no_path(const Scene& scene);
 SolveReport path_report(const Scene& scene, const TrackedPath& path,
                         const std::function<Figure(const Eigen::VectorXd&)>& figure_of);
 
+/// The same of newton_from_sketch: no path, and a claim of some real solutions.
+SolveReport report_of_newton(const Scene& scene, const TrackedPath& path,
+                             const std::function<Figure(const Eigen::VectorXd&)>& figure_of);
+
 /// What `track` reports; where a crossing did not refine, what it reports with a thousandth of the tolerance,
 /// with the work of both. In a scene that nearly moves t hardly changes along S, so that an error of the
 /// series moves a crossing far.

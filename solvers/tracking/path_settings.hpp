@@ -7,10 +7,12 @@ namespace gcs {
 
 struct PathSettings {
   enum class Orientation { forward, backward };
+  enum class Until { closed, first };
 
   std::optional<double> step_max = {};
   std::int64_t max_steps = 1'000'000;
   Orientation orientation = Orientation::forward;
+  Until until = Until::closed;
   int order = 12;
   double tolerance = 1e-7;
 
@@ -22,6 +24,7 @@ struct PathSettings {
            "the tracker gives up after so many steps");
     option("orientation", self.orientation, OneOf<Orientation>{"forward|backward"},
            "leave the sketch towards growing or falling t");
+    option("until", self.until, OneOf<Until>{"closed|first"}, "first: only as far as the first solution");
     option("order", self.order, Range{4, 40}, "order of the series (fast, certified)");
     option("tolerance", self.tolerance, Range{1e-14, 1e-5},
            "size of the last terms of the series, in units of the scene (fast, certified)");

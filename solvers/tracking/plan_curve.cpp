@@ -139,7 +139,7 @@ void PlanCurve::border_and_invert(const Eigen::VectorXd& tangent) {
 std::optional<Plan> PlanCurve::changed_plan() const {
   if (!options_.swap || !needs_change(plan_, options_.exchange, points_)) return std::nullopt;
   Plan plan = plan_;
-  if (!change_plan(plan, options_.exchange, points_)) return std::nullopt;
+  if (!change_plan(plan, options_.exchange, points_).is_any()) return std::nullopt;
   return plan;
 }
 

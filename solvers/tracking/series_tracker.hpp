@@ -72,6 +72,7 @@ struct SeriesTrackerOptions {
   double step_max_far = 0;
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
+  bool stops_at_first = false;  ///< at the first solution
 };
 
 /// Backward evaluation must meet the old point within this fraction of the step. A jump misses it by the
@@ -120,6 +121,7 @@ class SeriesTracker {
       record_crossings(closing > 0 ? closing : step_);
       path_.length += closing > 0 ? closing : step_;
       if (closing > 0) return finish(TrackedPath::End::closed, "");
+      if (options_.stops_at_first && !path_.crossings.empty()) return finish(TrackedPath::End::reached, "");
       std::swap(here_, there_);
       report_progress();
     }

@@ -28,10 +28,10 @@ struct PathTouch {
 };
 
 struct TrackedPath {
-  enum class End { closed, failed, stopped };
-  End end = End::failed;
-  std::string cause;  ///< a sentence, empty when closed
-  double length = 0;  ///< arc length tracked, in the coordinates of the tracker
+  enum class End { closed, reached, failed, stopped };
+  End end = End::failed;  ///< reached: the solution at which the tracker was to stop
+  std::string cause;      ///< a sentence, empty when closed or reached
+  double length = 0;      ///< arc length tracked, in the coordinates of the tracker
   std::vector<PathCrossing> crossings;
   std::vector<PathTouch> touches;  ///< what the tracker takes for crossings near them is in `crossings` too
   /// Accepted ones, the start first, where the tracker was to keep them.

@@ -60,13 +60,13 @@ class Silence final : public Monitor {
 std::vector<CellRecord> measure_answers(const std::vector<std::string>& answers,
                                         const TimingSettings& settings,
                                         const std::vector<CellRecord>& known = {},
-                                        bool keeps_solutions = false) {
+                                        bool keeps_solutions = false, bool is_timed = true) {
   const Scene scene(toy::instance().problem);
   const StrategyEntry entry = toy_entry("toy");
   std::vector<CellTask> tasks;
   for (const std::string& answer : answers) {
     const OptionMap given = answer.empty() ? OptionMap{} : OptionMap{{"answer", answer}};
-    tasks.push_back({{"toy", "toy", given}, &entry, &scene, keeps_solutions});
+    tasks.push_back({{"toy", "toy", given}, &entry, &scene, keeps_solutions, is_timed});
   }
   Silence silence;
   solve_log.clear();
@@ -100,6 +100,15 @@ TEST_CASE("right answers are timed as often as asked") {
     REQUIRE(cell.repetitions.size() == 5);
     CHECK(cell.repetitions.front().wall_s > 0);
   }
+}
+
+TEST_CASE("what is not timed is solved once, and timed when a run is resumed for its time") {
+  const auto untimed = measure_answers({""}, repetitions(5), {}, false, false);
+  CHECK(untimed.front().is_right());
+  CHECK(untimed.front().repetitions.empty());
+  CHECK(solve_log.size() == 1);
+  const auto timed = measure_answers({""}, repetitions(5), untimed);
+  CHECK(timed.front().repetitions.size() == 5);
 }
 
 TEST_CASE("solutions are kept where they are wanted, also when a run without them is resumed") {

@@ -62,13 +62,13 @@ long double sine_by_definition(const Instruction& instruction, int slot, const E
 
 /// The instruction after the exchange of `slot` at this figure.
 Instruction shifted(Instruction instruction, int slot, const Eigen::Matrix3Xd& points) {
-  instruction.spheres[slot].reference = shifted_reference(instruction, slot, points);
+  instruction.spheres[slot].reference = shifted_reference(instruction, slot, points).value();
   instruction.spheres[slot].constraint = -1;
   return instruction;
 }
 
 /// Radius of the sphere or circle on which the point moves when `slot` lets go of it.
-double radius_of(const Instruction& instruction, int slot, const Eigen::Matrix3Xd& points) {
+double pivot_radius(const Instruction& instruction, int slot, const Eigen::Matrix3Xd& points) {
   const Vector p = points.col(3).cast<long double>();
   const Vector c0 = center_of(instruction.spheres[0], points).cast<long double>();
   if (slot == 1) return static_cast<double>((p - c0).norm());
@@ -78,7 +78,7 @@ double radius_of(const Instruction& instruction, int slot, const Eigen::Matrix3X
 
 /// Proposition 2, extended to what the paper leaves undefined.
 void check_shift(const Instruction& before, int slot, const Eigen::Matrix3Xd& points) {
-  const double a = radius_of(before, slot, points);
+  const double a = pivot_radius(before, slot, points);
   const Instruction after = shifted(before, slot, points);
   const double gamma = static_cast<double>(measure_by_definition(after, slot, points));
   CHECK(gamma >= root_half - 1e-7);
@@ -269,4 +269,39 @@ TEST_CASE("the printed shift of interCS would leave the measure below the thresh
   printed.spheres[2].reference = points.col(3) + 12 * Eigen::Vector3d(0, -1, 0);
   CHECK(boundary_measure(printed, 2, points) == Approx(0.083).margin(1e-3));
   check_shift(spheres, 2, points);
+}
+
+TEST_CASE("the printed shift to the larger radius leaves the measure at 1/√(1 + (a/r)²)") {
+  const Instruction spheres = instruction_of(3);
+  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 4);
+  points.col(0) << 0, 0, 1;
+  points.col(1) << 0, 0, -2;
+  points.col(2) << 13, 0, 0;  // a_i6 = 12, nearly in line with the circle's centre
+  points.col(3) << std::cos(1e-6), std::sin(1e-6), 0;
+  const auto after = [&](bool larger_radius) {
+    Instruction instruction = spheres;
+    instruction.spheres[2].reference = shifted_reference(spheres, 2, points, {larger_radius, true}).value();
+    instruction.spheres[2].constraint = -1;
+    return boundary_measure(instruction, 2, points);
+  };
+  CHECK(after(true) == Approx(1 / std::sqrt(145)).epsilon(1e-5));
+  CHECK(after(false) == Approx(root_half).epsilon(1e-5));
+}
+
+TEST_CASE("the printed shift goes towards the projection at any angle, and nowhere without one") {
+  RandomNumbers random(6);
+  for (int sample = 0; sample < 500; ++sample) {
+    const int dimension = 2 + sample % 2;
+    const Instruction instruction = instruction_of(dimension);
+    const Eigen::Matrix3Xd points = random_configuration(dimension, 1, random);
+    const Eigen::Vector3d p = points.col(3), along = points.col(1) - points.col(0), arm = p - points.col(0);
+    const Eigen::Vector3d to_foot = along * (arm.dot(along) / along.squaredNorm()) - arm;
+    const auto reference = shifted_reference(instruction, 1, points, {false, true});
+    REQUIRE(reference);
+    CHECK((*reference - p - arm.norm() * to_foot.normalized()).norm() <= 1e-10 * arm.norm());
+  }
+  Eigen::Matrix3Xd flat = Eigen::Matrix3Xd::Zero(3, 4);
+  flat.row(0) << 1, 3, 0, 2;
+  CHECK_FALSE(shifted_reference(instruction_of(2), 1, flat, {false, true}));
+  CHECK(shifted_reference(instruction_of(2), 1, flat));
 }

@@ -64,12 +64,12 @@ void walk(const Scene& scene, const ExchangeRule& rule, int figures, RandomNumbe
     const Eigen::Matrix3Xd points = in_plan_frame(scene, plan, figure).points;
     const Plan before = plan;
     const bool needed = needs_change(plan, rule, points);
-    const bool changed = change_plan(plan, rule, points);
+    const bool changed = change_plan(plan, rule, points).is_any();
     // Algorithm 2 also restores what could stay exchanged, so that it may change more than it has to.
     if (needed) CHECK(changed);
     CHECK(changed != same_spheres(before, plan));
     CHECK_FALSE(needs_change(plan, rule, points));
-    CHECK_FALSE(change_plan(plan, rule, points));
+    CHECK_FALSE(change_plan(plan, rule, points).is_any());
     CHECK(static_cast<int>(plan.removed().size()) == plan.driving_parameters());
     CHECK(plan.driving_parameters() == driving_at_first + exchanged(plan));
     events.worst_rebuilding = std::max(events.worst_rebuilding, rebuilding_error(scene, plan, points));
@@ -124,7 +124,7 @@ TEST_CASE("far from all boundaries nothing is changed") {
   Plan plan = triangle_plan();
   const Plan before = plan;
   CHECK_FALSE(needs_change(plan, {}, triangle(1, 1)));
-  CHECK_FALSE(change_plan(plan, {}, triangle(1, 1)));
+  CHECK_FALSE(change_plan(plan, {}, triangle(1, 1)).is_any());
   CHECK(same_spheres(plan, before));
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("near a boundary the smaller radius is exchanged for a driving paramet
   Plan plan = triangle_plan();
   const Eigen::Matrix3Xd flat = triangle(0.7, 0.05);
   REQUIRE(needs_change(plan, rule, flat));
-  REQUIRE(change_plan(plan, rule, flat));
+  REQUIRE(change_plan(plan, rule, flat).is_any());
   const Instruction& last = plan.instructions()[2];
   // |p1 p3| = 0.7 and |p2 p3| = 1.3: the arguments were swapped so that the larger one stays.
   CHECK(last.spheres[0].constraint == 2);
@@ -146,11 +146,11 @@ TEST_CASE("near a boundary the smaller radius is exchanged for a driving paramet
 
   SECTION("while the original is near its boundary, the exchange stays") {
     const Plan before = plan;
-    CHECK_FALSE(change_plan(plan, rule, triangle(0.7, -0.05)));
+    CHECK_FALSE(change_plan(plan, rule, triangle(0.7, -0.05)).is_any());
     CHECK(same_spheres(plan, before));
   }
   SECTION("when the original is far from its boundary, it comes back") {
-    REQUIRE(change_plan(plan, rule, triangle(1, 1)));
+    REQUIRE(change_plan(plan, rule, triangle(1, 1)).is_any());
     CHECK(plan.driving_parameters() == 0);
     CHECK(plan.removed().empty());
     CHECK_FALSE(plan.instructions()[2].original[1]);
@@ -159,7 +159,7 @@ TEST_CASE("near a boundary the smaller radius is exchanged for a driving paramet
   SECTION("(sc1): when the original's radii change places, the other constraint is exchanged") {
     const Eigen::Matrix3Xd beyond = triangle(1.2, 0.05);
     CHECK(needs_change(plan, rule, beyond));
-    REQUIRE(change_plan(plan, rule, beyond));
+    REQUIRE(change_plan(plan, rule, beyond).is_any());
     CHECK(plan.instructions()[2].spheres[0].constraint == 1);
     CHECK(plan.instructions()[2].spheres[1].is_driven());
     CHECK(plan.removed() == std::vector<int>{2});
@@ -175,10 +175,10 @@ TEST_CASE("a sphere driven from the start is shifted near its boundary and has n
   driven.reference << 2, 0.1, 0;
   plan.renew_indices();
   REQUIRE(plan.removed() == std::vector<int>{2});
-  CHECK_FALSE(change_plan(plan, rule, triangle(1, 1)));
+  CHECK_FALSE(change_plan(plan, rule, triangle(1, 1)).is_any());
   const Eigen::Matrix3Xd near = triangle(1, 0);
   REQUIRE(boundary_distance(plan, rule, near) <= rule.alpha);
-  REQUIRE(change_plan(plan, rule, near));
+  REQUIRE(change_plan(plan, rule, near).is_any());
   CHECK(boundary_distance(plan, rule, near) > 0.7);
   CHECK(plan.driving_parameters() == 1);
   CHECK(plan.removed() == std::vector<int>{2});
@@ -192,4 +192,53 @@ TEST_CASE("without watching the sine, centres that come together are not noticed
   points(0, 1) = 0.02;
   CHECK_FALSE(needs_change(plan, {0.1, false}, points));
   CHECK(needs_change(plan, {0.1, true}, points));
+}
+
+TEST_CASE("as printed, an exchange cannot be undone: the plan stays and the point is named") {
+  ExchangeRule rule;
+  rule.restores_as_printed = true;
+  Plan plan = triangle_plan();
+  REQUIRE(change_plan(plan, rule, triangle(0.7, 0.05)).exchanges == 1);
+  const Plan before = plan;
+  const PlanChange change = change_plan(plan, rule, triangle(1, 1));
+  REQUIRE(change.undefined);
+  CHECK(change.undefined->place == 2);
+  CHECK_FALSE(change.is_any());
+  CHECK(same_spheres(plan, before));
+  CHECK(plan.driving_parameters() == 1);
+}
+
+TEST_CASE("as printed, there is no shift from the line of the centres") {
+  ExchangeRule rule;
+  rule.shift.towards_projection = true;
+  Plan plan = triangle_plan();
+  const Plan before = plan;
+  const PlanChange change = change_plan(plan, rule, triangle(0.7, 0));
+  REQUIRE(change.undefined);
+  CHECK_FALSE(change.is_any());
+  CHECK(same_spheres(plan, before));
+}
+
+TEST_CASE("shifts against Proposition 2 are counted, and there are none where it holds") {
+  // p4 on the circle of radius 1 about the axis of p1 and p2, which p3 meets at 12: to within α of tangency.
+  std::vector<Instruction> instructions(4);
+  for (int p = 0; p < 4; ++p) {
+    instructions[p].place = p;
+    instructions[p].count = p;
+  }
+  int constraint = 0;
+  for (int p = 1; p < 4; ++p)
+    for (int i = 0; i < p; ++i) instructions[p].spheres[i] = {i, constraint++, Eigen::Vector3d::Zero()};
+  Eigen::Matrix3Xd points(3, 4);
+  points << 0, 0, 13, std::cos(1e-3), 0, 0, 0, std::sin(1e-3), 1, -2, 0, 0;
+  for (const bool as_printed : {true, false}) {
+    ExchangeRule rule;
+    rule.shift.larger_radius = as_printed;
+    rule.watch_sine = false;
+    Plan plan(3, 6, instructions);
+    const PlanChange change = change_plan(plan, rule, points);
+    CHECK(change.shifts == 1);
+    CHECK(change.shifts_in_vain == (as_printed ? 1 : 0));
+    CHECK(needs_change(plan, rule, points) == as_printed);
+  }
 }

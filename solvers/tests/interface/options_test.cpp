@@ -95,10 +95,19 @@ std::string next_to(const std::string& number, bool is_whole, int direction) {
 
 TEST_CASE("defaults have the texts that results keep") {
   const OptionMap path{{"max_steps", "1000000"},   {"mode", "fast"},     {"order", "12"},
-                       {"orientation", "forward"}, {"step_max", "auto"}, {"tolerance", "1e-7"}};
+                       {"orientation", "forward"}, {"step_max", "auto"}, {"tolerance", "1e-7"},
+                       {"until", "closed"}};
   OptionMap full_space = path, rcp = path;
   full_space.insert({{"jumps", "ignored"}});
-  rcp.insert({{"alpha", "0.1"}, {"derivatives", "partial"}, {"measure", "guarded"}, {"swap", "on"}});
+  rcp.insert({{"alpha", "0.1"},
+              {"as", "mended"},
+              {"derivatives", "partial"},
+              {"direction", "as"},
+              {"measure", "as"},
+              {"restoring", "as"},
+              {"shift", "as"},
+              {"swap", "on"},
+              {"turning", "as"}});
   check_texts(FullSpace{}, full_space);
   check_texts(Rcp{}, rcp);
 
@@ -126,6 +135,7 @@ TEST_CASE("values come back from their texts") {
   const PathSettings tracking{.step_max = 0.1 + 0.2,
                               .max_steps = 750'000'000,
                               .orientation = PathSettings::Orientation::backward,
+                              .until = PathSettings::Until::first,
                               .order = 40,
                               .tolerance = 1.0 / 3e9};
   check_round_trip(
@@ -133,7 +143,12 @@ TEST_CASE("values come back from their texts") {
   check_round_trip(Rcp{.mode = Rcp::Mode::paper,
                        .tracking = tracking,
                        .alpha = 0.3,
-                       .measure = Rcp::Measure::published,
+                       .as = Rcp::Text::printed,
+                       .measure = Rcp::Choice::printed,
+                       .shift = Rcp::Choice::mended,
+                       .direction = Rcp::Choice::printed,
+                       .restoring = Rcp::Choice::mended,
+                       .turning = Rcp::Choice::mended,
                        .swap = false,
                        .derivatives = Rcp::Derivatives::whole});
   const HomotopySettings paths{.order = 14,

@@ -1,0 +1,152 @@
+/// What the text of Algorithms 1 to 4 of Imbach, Mathis, Schreck needs, and what changing the plan is worth.
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "harness/tables/table_entries.hpp"
+#include "harness/tables/tables.hpp"
+
+namespace gcs {
+namespace {
+
+/// What rcp's options call the places of the text that are mended.
+constexpr std::array<const char*, 5> deviations{"measure", "shift", "direction", "restoring", "turning"};
+
+/// Several times what S takes on any shipped instance where it closes: who makes more is stuck.
+constexpr const char* most_steps = "200000";
+
+Variant as_published(OptionMap given) {
+  given.emplace("mode", "paper");
+  given.emplace("max_steps", most_steps);
+  return {"rcp", std::move(given)};
+}
+
+/// A row: what of the text is followed to the letter, and how it is asked for.
+struct Reading {
+  std::string label;
+  Variant variant;
+};
+
+std::vector<Reading> readings() {
+  std::vector<Reading> all{{"nothing", as_published({})}};
+  for (const char* deviation : deviations)
+    all.push_back({fmt::format("{} alone", deviation), as_published({{deviation, "printed"}})});
+  all.push_back({"everything", as_published({{"as", "printed"}})});
+  for (const char* deviation : deviations)
+    all.push_back({fmt::format("everything but {}", deviation),
+                   as_published({{"as", "printed"}, {deviation, "mended"}})});
+  return all;
+}
+
+/// "closed", or a word for another end with its reason below.
+TableCell end_entry(Table& table, const CellRecord* cell) {
+  if (cell != nullptr && cell->is_right()) return {"closed", {}};
+  return time_entry(table, cell);
+}
+
+/// Also of a path that does not close: what it met before.
+TableCell so_far(const CellRecord* cell, std::optional<double> value) {
+  return cell == nullptr || !value ? empty_entry() : TableCell{number_text(*value), {}};
+}
+
+void add_path_entries(Table& table, TableRow& row, const CellRecord* cell) {
+  row.cells.push_back(end_entry(table, cell));
+  row.cells.push_back(so_far(cell, on_path(cell)));
+  row.cells.push_back(so_far(
+      cell, cell == nullptr ? std::nullopt : std::optional(static_cast<double>(cell->work.iterations))));
+  row.cells.push_back(so_far(cell, cell == nullptr ? std::nullopt : cell->work.smallest_step));
+}
+
+const std::vector<std::string> path_columns{"end", "on S", "iterations", "smallest δ"};
+
+std::optional<double> counted(const CellRecord* cell, const char* name) {
+  const auto count = cell == nullptr ? std::nullopt : cell->particular(name);
+  return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
+}
+
+constexpr const char* path_remark =
+    "on S: solutions met before the end, up to reflection; iterations: accepted steps; δ: in (A+, t), in the "
+    "file's unit.";
+
+/// α from far below the published 0.1 to nearly the 1/2 of Proposition 2, and no change at all.
+std::vector<Reading> exchanges() {
+  std::vector<Reading> all;
+  for (const char* alpha : {"0.02", "0.05", "0.1", "0.2", "0.3", "0.45"})
+    all.push_back(
+        {fmt::format("α = {}", alpha),
+         as_published(alpha == std::string_view("0.1") ? OptionMap{} : OptionMap{{"alpha", alpha}})});
+  all.push_back({"swap=off", as_published({{"swap", "off"}})});
+  return all;
+}
+
+}  // namespace
+
+std::vector<Variant> printed_variants() {
+  std::vector<Variant> variants;
+  for (Reading& reading : readings()) variants.push_back(std::move(reading.variant));
+  return variants;
+}
+
+std::vector<Table> build_printed(const RunFile& run, const Publication& paper) {
+  Table table;
+  table.name = "printed";
+  table.caption = "What the printed text of Algorithms 1 to 4 needs: rcp, mode=paper";
+  table.stub = "to the letter";
+  table.groups = {{"", path_columns}, {"Algorithm 2", {"exchanges", "restorations", "shifts", "in vain"}}};
+  for (const InstanceSummary& instance : run.instances) {
+    table.rows.push_back({instance.id, {}, {}});
+    for (const Reading& reading : readings()) {
+      const CellRecord* cell = run.find(reading.variant.on(instance.id));
+      TableRow row{reading.label, {}, {}};
+      add_path_entries(table, row, cell);
+      for (const char* count : {"exchanges", "restorations", "shifts", "shifts_in_vain"})
+        row.cells.push_back(so_far(cell, counted(cell, count)));
+      table.rows.push_back(std::move(row));
+    }
+  }
+  table.remarks = {
+      "to the letter: which of rcp's options measure (γ alone), shift (for interCS, to the larger radius), "
+      "direction (of a shift, where it is undefined or flat), restoring (which parameter leaves) and turning "
+      "(by "
+      "the derivative) follow the printed text; the others are mended.",
+      "in vain: shifts that leave γ at α or below, against Proposition 2.", path_remark,
+      "The text: " + paper.citation + "."};
+  return {table};
+}
+
+std::vector<Variant> swap_variants() {
+  std::vector<Variant> variants;
+  for (Reading& reading : exchanges()) variants.push_back(std::move(reading.variant));
+  return variants;
+}
+
+std::vector<Table> build_swap(const RunFile& run, const Publication& paper) {
+  Table table;
+  table.name = "swap";
+  table.caption = "Changing the plan near boundary configurations, over α, and not: rcp, mode=paper";
+  table.groups = {{"", path_columns}};
+  table.groups[0].columns.emplace_back("plan changes");
+  for (const InstanceSummary& instance : run.instances) {
+    table.rows.push_back({instance.id, {}, {}});
+    for (const Reading& reading : exchanges()) {
+      TableRow row{reading.label, {}, {}};
+      const CellRecord* cell = run.find(reading.variant.on(instance.id));
+      add_path_entries(table, row, cell);
+      row.cells.push_back(so_far(cell, cell == nullptr
+                                           ? std::nullopt
+                                           : std::optional(static_cast<double>(cell->work.plan_changes))));
+      table.rows.push_back(std::move(row));
+    }
+  }
+  table.remarks = {
+      "swap=off: the first plan is kept; a correction that fails within α = 0.1 of a boundary configuration "
+      "is "
+      "tried on the branch beyond it (section 3.4). Where it gives up, changing the plan is needed; the "
+      "smallest "
+      "δ says how near to a boundary it came.",
+      path_remark, "Algorithms: " + paper.citation + "."};
+  return {table};
+}
+
+}  // namespace gcs

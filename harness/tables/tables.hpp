@@ -87,9 +87,11 @@ std::vector<Variant> table1_variants();
 std::vector<Table> build_table1(const RunFile& run, const Publication& paper);
 
 std::vector<Variant> table2_variants();
-/// Table 2, and the ratios between the strategies that follow from it.
+/// Table 2, the ratios between the strategies that follow from it, and what they are due to.
 std::vector<Table> build_table2(const RunFile& run, const Publication& paper);
 Table build_ratios(const RunFile& run, const Publication& paper);
+/// Steps, evaluations and eliminations without and with a plan.
+Table build_costs(const RunFile& run);
 
 /// Shipped instances that have a sketch.
 const std::vector<std::string>& sketched_instances();

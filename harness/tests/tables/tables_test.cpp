@@ -22,7 +22,7 @@ std::vector<Variant> variants_of_a_strategy_to_come() { return {{"full-space", {
 
 TEST_CASE("the tables of a run are the approved ones", "[approved]") {
   const TableSet set = build_tables(toy::run_record(), load_publications());
-  REQUIRE(set.tables.size() == 4);
+  REQUIRE(set.tables.size() == 5);
   for (const Table& table : set.tables) check_approved(table.name + ".md", to_markdown(table));
   check_approved("measurements.md", to_markdown(set.measurements));
   CHECK(set.lines ==

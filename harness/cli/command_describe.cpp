@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -51,7 +52,9 @@ struct Description {
   CoreReduction reduction;
   std::vector<Part> parts;  ///< as the option reduce=on takes the scene apart
   TheoreticalCounts counts;
-  std::optional<ConstructionPlan> plan;  ///< empty where S, and so a figure to start from, is not defined
+  std::optional<TimeRange>
+      positive_support;                  ///< empty where S, and so a figure to start from, is not defined
+  std::optional<ConstructionPlan> plan;  ///< likewise
   std::vector<StrategyVerdict> strategies;
 };
 
@@ -101,6 +104,7 @@ Description describe(Instance instance) {
       reduce_to_core(instance.problem, entities_of(description.reference, instance.problem));
   description.parts = analysis.parts(Split::all);
   description.counts = analysis.counts();
+  if (!why_no_path(scene)) description.positive_support = positive_support(scene.length_paths());
   description.plan = construction_plan(scene);
   description.strategies = verdicts({scene, {}, &analysis});
   description.instance = std::move(instance);
@@ -118,11 +122,6 @@ std::vector<std::string> fixed_names(const ProblemStatement& problem) {
   for (int entity = 0; entity < static_cast<int>(problem.points.size() + problem.lines.size()); ++entity)
     if (problem.is_fixed(entity)) result.push_back(problem.name(entity));
   return result;
-}
-
-const DistanceConstraint& bent_constraint(const ProblemStatement& problem) {
-  const int bent = problem.interpolation.bent;
-  return bent >= 0 ? problem.constraints[bent] : problem.constraints.back();
 }
 
 /// The parts of the reference that are used, by the names of the instance format;
@@ -152,10 +151,28 @@ JsonValue freedom_value(const Structure& structure) {
                       {"rigid", json_boolean(structure.generic_rank == structure.unknowns)}});
 }
 
-JsonValue interpolation_value(const ProblemStatement& problem) {
+JsonValue end_value(double t) { return std::isfinite(t) ? json_number(t) : json_null(); }
+
+JsonValue interpolation_value(const Description& description) {
+  const ProblemStatement& problem = description.instance.problem;
   if (!problem.sketch) return json_null();
-  return json_object(
-      {{"bent", json_text(bent_constraint(problem).id)}, {"bend", json_number(problem.interpolation.bend)}});
+  JsonMembers members;
+  const std::vector<BentLength> bends = bent_lengths(problem);
+  if (problem.interpolation.bends) {
+    JsonMembers all;
+    for (const BentLength& bent : bends)
+      all.emplace_back(problem.constraints[bent.constraint].id,
+                       json_array_of(bent.coefficients, json_number));
+    members.emplace_back("bends", json_object(std::move(all)));
+  } else {
+    members.emplace_back("bent", json_text(problem.constraints[bends.front().constraint].id));
+    members.emplace_back("bend", json_number(bends.front().coefficients.front()));
+  }
+  if (const auto& support = description.positive_support) {
+    members.emplace_back("positive_support", json_array({end_value(support->low), end_value(support->high)}));
+    members.emplace_back("compact", json_boolean(support->is_bounded()));
+  }
+  return json_object(std::move(members));
 }
 
 JsonValue core_value(const ProblemStatement& problem, const CoreReduction& reduction) {
@@ -215,7 +232,7 @@ std::string json_description(const Description& description) {
                                        {"degrees_of_freedom", freedom_value(description.structure)},
                                        {"reference", reference_value(description)},
                                        {"sketch", json_boolean(problem.sketch.has_value())},
-                                       {"interpolation", interpolation_value(problem)},
+                                       {"interpolation", interpolation_value(description)},
                                        {"core", core_value(problem, description.reduction)},
                                        {"parts", parts_value(problem, description.parts)},
                                        {"theoretical_counts", counts_value(problem, description.counts)},
@@ -250,8 +267,23 @@ std::string reference_text(const Description& description) {
 
 std::string sketch_text(const ProblemStatement& problem) {
   if (!problem.sketch) return "none";
-  return fmt::format("given; {} is bent by {}, the other lengths change linearly",
-                     bent_constraint(problem).id, problem.interpolation.bend);
+  std::vector<std::string> bent;
+  for (const BentLength& one : bent_lengths(problem))
+    bent.push_back(fmt::format("{} is bent by {}", problem.constraints[one.constraint].id,
+                               fmt::join(one.coefficients, " ")));
+  return bent.empty() ? "given; all lengths change linearly"
+                      : fmt::format("given; {}, the other lengths change linearly", join(bent));
+}
+
+/// Whether S closes, as far as the lengths decide it ([I] (h2)).
+std::string support_text(const TimeRange& support) {
+  if (support.is_bounded())
+    return fmt::format("for t from {:.6g} to {:.6g}: S closes where it is regular (hypothesis h2)",
+                       support.low, support.high);
+  const std::string where = std::isfinite(support.low)    ? fmt::format("for t from {:.6g} on", support.low)
+                            : std::isfinite(support.high) ? fmt::format("for t up to {:.6g}", support.high)
+                                                          : "for every t";
+  return where + ": S may run off to infinity (hypothesis h2 does not hold)";
 }
 
 std::string core_text(const ProblemStatement& problem, const CoreReduction& reduction) {
@@ -321,6 +353,7 @@ std::string text_description(const Description& description) {
   text += row("degrees of freedom", freedom_text(description.structure));
   text += row("reference", reference_text(description));
   text += row("sketch", sketch_text(problem));
+  if (description.positive_support) text += row("lengths >= 0", support_text(*description.positive_support));
   text += row("core to solve", core_text(problem, description.reduction));
   text += parts_text(problem, description.parts);
   text += row("placed after it", placed_text(problem, description.reduction));

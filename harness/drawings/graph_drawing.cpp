@@ -35,10 +35,11 @@ std::set<int> held(const ProblemStatement& problem) {
   return entities;
 }
 
-int bent_constraint(const ProblemStatement& problem) {
-  if (!problem.sketch) return -1;
-  return problem.interpolation.bent >= 0 ? problem.interpolation.bent
-                                         : static_cast<int>(problem.constraints.size()) - 1;
+std::set<int> bent_constraints(const ProblemStatement& problem) {
+  std::set<int> bent;
+  if (problem.sketch)
+    for (const BentLength& length : bent_lengths(problem)) bent.insert(length.constraint);
+  return bent;
 }
 
 std::string edge_svg(const Eigen::Vector2d& a, const Eigen::Vector2d& b, bool is_bent) {
@@ -82,7 +83,7 @@ std::string edge_name(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
 std::string graph_svg(const ProblemStatement& problem, const std::string& title) {
   const Eigen::Matrix2Xd layout = graph_layout(problem);
   const auto place = [&](int entity) { return on_page(layout.col(entity)); };
-  const int bent = bent_constraint(problem);
+  const std::set<int> bent = bent_constraints(problem);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"85mm\" height=\"85mm\" viewBox=\"0 0 {0} {0}\" "
       "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{1}\" role=\"img\">\n<title>{2}</title>\n"
@@ -90,7 +91,7 @@ std::string graph_svg(const ProblemStatement& problem, const std::string& title)
       width, font, html_escaped(title));
   for (std::size_t c = 0; c < problem.constraints.size(); ++c) {
     const auto& [a, b] = problem.constraints[c].between;
-    text += edge_svg(place(a), place(b), static_cast<int>(c) == bent);
+    text += edge_svg(place(a), place(b), bent.count(static_cast<int>(c)) > 0);
   }
   text += "</g>\n";
   if (problem.constraints.size() <= most_named_constraints)

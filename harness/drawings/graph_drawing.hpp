@@ -15,7 +15,7 @@ namespace gcs {
 Eigen::Matrix2Xd graph_layout(const ProblemStatement& problem);
 
 /// The whole SVG document, of a well posed problem. Points are discs, lines are squares; those that fix the
-/// frame, or are given, are dark. The bent constraint is dashed. Constraints are named where there is room
+/// frame, or are given, are dark. Bent constraints are dashed. Constraints are named where there is room
 /// for it.
 std::string graph_svg(const ProblemStatement& problem, const std::string& title);
 

@@ -63,7 +63,16 @@ JsonValue sketch_value(const ProblemStatement& problem) {
   return positions;
 }
 
+JsonValue bends_value(const ProblemStatement& problem) {
+  JsonMembers members;
+  for (const BentLength& bent : *problem.interpolation.bends)
+    members.emplace_back(problem.constraints[static_cast<std::size_t>(bent.constraint)].id,
+                         json_array_of(bent.coefficients, json_number));
+  return json_object(std::move(members));
+}
+
 JsonValue interpolation_value(const ProblemStatement& problem) {
+  if (problem.interpolation.bends) return json_object({{"bends", bends_value(problem)}});
   JsonMembers members;
   if (const int bent = problem.interpolation.bent; bent >= 0)
     members.emplace_back("bent", json_text(problem.constraints[static_cast<std::size_t>(bent)].id));

@@ -61,7 +61,11 @@ std::string graph_html(const StoredScene& scene) {
         most_drawn_entities);
   std::string caption = "Constraint graph. Black: what fixes the frame, or is given.";
   if (!instance.problem.lines.empty()) caption += " Squares: lines.";
-  if (instance.problem.sketch) caption += " Dashed: the constraint whose length is bent along S.";
+  if (instance.problem.sketch) {
+    const std::size_t bent = bent_lengths(instance.problem).size();
+    if (bent == 1) caption += " Dashed: the constraint whose length is bent along S.";
+    if (bent > 1) caption += " Dashed: the constraints whose lengths are bent along S.";
+  }
   return figure_html(graph_svg(instance.problem, "Constraint graph of " + instance.id), caption);
 }
 

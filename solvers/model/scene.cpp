@@ -5,8 +5,10 @@
 #include <cmath>
 #include <set>
 
+#include "solvers/model/bend_defect.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/running/errors.hpp"
 #include "solvers/structure/structure.hpp"
 
 namespace gcs {
@@ -61,6 +63,13 @@ Reference point_reference(const ProblemStatement& problem) {
 
 Reference default_reference(const ProblemStatement& problem) {
   return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
+}
+
+void require_sound_bends(const ProblemStatement& problem) {
+  for (const BentLength& bent : bent_lengths(problem))
+    if (const auto defect = bend_defect(problem, bent))
+      throw InputError("problem", "/interpolation/bends/" + problem.constraints[bent.constraint].id,
+                       defect->what, defect->remedy);
 }
 
 /// Rows are the frame's axes.
@@ -194,7 +203,8 @@ Reference line_reference(const ProblemStatement& problem) {
 }
 
 Scene::Scene(ProblemStatement problem)
-    : Scene((require_well_posed(problem, "problem"), std::move(problem)), Unchecked()) {}
+    : Scene((require_well_posed(problem, "problem"), require_sound_bends(problem), std::move(problem)),
+            Unchecked()) {}
 
 Scene::Scene(ProblemStatement problem, Unchecked)
     : problem_(std::move(problem)), anchored_(problem_.is_anchored()) {
@@ -213,15 +223,26 @@ Scene::Scene(ProblemStatement problem, Unchecked)
 
   if (!problem_.sketch) return;
   sketch_ = in_frame(problem_.sketch->scaled(-unit_exponent_));
-  const int bent = problem_.interpolation.bent >= 0 ? problem_.interpolation.bent : constraint_count() - 1;
   for (int i = 0; i < constraint_count(); ++i) {
     const auto [a, b] = problem_.constraints[i].between;
     LengthPath path;
     if (problem_.is_point(a) && problem_.is_point(b))
       path.at_sketch = (sketch_->points.col(a) - sketch_->points.col(b)).norm();
     path.at_target = target_lengths_[i];
-    path.bend = i == bent ? std::ldexp(problem_.interpolation.bend, -unit_exponent_) : 0;
     length_paths_.push_back(path);
+  }
+  for (const BentLength& bent : bent_lengths(problem_))
+    bend(length_paths_[bent.constraint], bent.coefficients);
+}
+
+/// Zeros at the end do not make it a polynomial of a higher degree.
+void Scene::bend(LengthPath& path, const std::vector<double>& coefficients) const {
+  for (std::size_t i = coefficients.size(); i-- > 0;) {
+    const double coefficient = std::ldexp(coefficients[i], -unit_exponent_);
+    if (i == 0)
+      path.bend = coefficient;
+    else if (coefficient != 0 || !path.higher.empty())
+      path.higher.insert(path.higher.begin(), coefficient);
   }
 }
 

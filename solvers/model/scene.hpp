@@ -17,7 +17,8 @@ namespace gcs {
 class Scene {
  public:
   /// Throws InputError with "problem" for the file's name unless the problem is well posed (see
-  /// require_well_posed). Precondition: names are unique, and constraints are between two of the entities.
+  /// require_well_posed) and nothing is wrong with its bends (see bend_defect). Precondition: names are unique,
+  /// constraints are between two of the entities, and bends are of constraints.
   explicit Scene(ProblemStatement problem);
   /// The same without looking: of a problem that was read from a file or is a part of one, or that no figure need
   /// satisfy.
@@ -63,6 +64,7 @@ class Scene {
  private:
   struct Unchecked {};
   Scene(ProblemStatement problem, Unchecked);
+  void bend(LengthPath& path, const std::vector<double>& coefficients) const;
 
   ProblemStatement problem_;
   int unit_exponent_ = 0;

@@ -27,6 +27,13 @@ bool ProblemStatement::is_anchored() const {
   return false;
 }
 
+std::vector<BentLength> bent_lengths(const ProblemStatement& problem) {
+  const InterpolationChoice& choice = problem.interpolation;
+  if (choice.bends) return *choice.bends;
+  if (problem.constraints.empty()) return {};
+  return {{choice.bent >= 0 ? choice.bent : static_cast<int>(problem.constraints.size()) - 1, {choice.bend}}};
+}
+
 FrameImages frame_images(const ProblemStatement& problem) {
   const int points = static_cast<int>(problem.points.size());
   if (problem.is_anchored()) return {1, 1};

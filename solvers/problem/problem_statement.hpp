@@ -58,11 +58,23 @@ struct Reference {
   int height = -1;
 };
 
+/// a(t) = (1 − t)·a_sketch + t·a_target + t(1 − t)·(c_0 + c_1 t + c_2 t² + …) for one constraint, which any
+/// polynomial with these ends is.
+struct BentLength {
+  int constraint = -1;
+  std::vector<double>
+      coefficients;  ///< c_0, c_1, …, in the file's unit of length; any number, but most_coefficients
+
+  static constexpr std::size_t most_coefficients = 16;
+};
+
 /// How lengths travel from the sketch (t = 0) to the targets (t = 1): linearly, except for constraint `bent`,
 /// a(t) = −bend·t² + (a_target − a_sketch + bend)·t + a_sketch. −1: the last constraint.
 struct InterpolationChoice {
   int bent = -1;
   double bend = 2;  ///< in the file's unit of length
+  /// In place of the two: all constraints that are bent, each once; the others are linear.
+  std::optional<std::vector<BentLength>> bends{};
 };
 
 /// One term of a given construction plan: `place` at the given distances from the points named.
@@ -101,6 +113,9 @@ struct ProblemStatement {
   /// True when positions are given, so that no motion or reflection is divided out.
   bool is_anchored() const;
 };
+
+/// The constraints that are bent, however `interpolation` says so.
+std::vector<BentLength> bent_lengths(const ProblemStatement& problem);
 
 /// How many mirror images of a solution a frame tells apart.
 struct FrameImages {

@@ -37,7 +37,9 @@ CertifiedTracker::CertifiedTracker(const Scene& scene, const SeriesTrackerOption
       known_as_box_(0, curve_.coordinates()),
       here_(system_, data_.lengths, options.order),
       there_(system_, data_.lengths, options.order),
-      series_(curve_.coordinates(), options.order) {}
+      series_(curve_.coordinates(), options.order) {
+  options_.far = times_far_away(scene.length_paths());
+}
 
 TrackedPath CertifiedTracker::run() {
   if (!data_.is_finite())
@@ -62,6 +64,8 @@ TrackedPath CertifiedTracker::run() {
     if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
     if (work.iterations >= options_.max_steps)
       return finish(TrackedPath::End::failed, "max_steps reached before the path closed");
+    if (auto far_away = runs_off(options_.far, exit_.point.mid[curve_.coordinates() - 1]))
+      return finish(TrackedPath::End::failed, *std::move(far_away));
     if (!advance()) return finish(TrackedPath::End::failed, path_.cause);
     take();
     if (context_.monitor && work.iterations % 256 == 0) context_.monitor->progress("proving S", -1);
@@ -100,8 +104,9 @@ CertifiedTracker::Failure CertifiedTracker::next_tube(double ahead) {
   if (!curve_.advance(y, tangent, series_) || !there_.expand(series_)) return Failure::corrector;
   stretch_ = {};
   const double needed = ahead / first_reach;
-  const double most = std::min(
-      {options_.step_max, series_.step_for(options_.tolerance), there_.promising_half_length(), 2 * needed});
+  const double longest = std::max(options_.step_max, options_.step_max_far * from.lpNorm<Eigen::Infinity>());
+  const double most =
+      std::min({longest, series_.step_for(options_.tolerance), there_.promising_half_length(), 2 * needed});
   const Eigen::ArrayXd room = there_.room_for(exit_.point, exit_.spread);
   Failure failure = Failure::proof;
   for (double h = std::max(most, needed); h >= needed; h = std::max(h * shrink, h > needed ? needed : 0))

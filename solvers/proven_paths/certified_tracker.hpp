@@ -37,7 +37,7 @@ std::optional<std::string> why_not_proven(const Scene& scene);
 
 class CertifiedTracker {
  public:
-  /// `options.tolerance` and `options.step_max` bound the first trial of a step only; nothing that is proven
+  /// `options.tolerance` and the largest steps of `options` bound the first trial of a step only; nothing that is proven
   /// depends on them. Precondition: see why_not_proven.
   CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options, const TrackerContext& context);
 

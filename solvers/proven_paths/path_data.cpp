@@ -71,9 +71,16 @@ EnclosedLength enclose_length(const Scene& scene, int constraint) {
   // A target length is the nearest double of a decimal, or the rounded root of one.
   const double given = scene.problem().constraints[constraint].given.value;
   const double target_error = (half_ulp + rounding_of(given) / given) * path.at_target;
-  const double bend = scene.problem().interpolation.bend;
-  return {path, (of_sketch + -path.at_sketch).radius() + std::abs((of_sketch + -path.at_sketch).mid),
-          target_error, path.bend == 0 ? 0 : std::ldexp(rounding_of(bend), -scene.unit_exponent())};
+  // A coefficient in the scene's unit is that of the file exactly, but for underflow.
+  const auto coefficient_error = [&](double coefficient) {
+    const double in_file = std::ldexp(coefficient, scene.unit_exponent());
+    return coefficient == 0 ? 0 : std::ldexp(rounding_of(in_file), -scene.unit_exponent());
+  };
+  EnclosedLength length{path,
+                        (of_sketch + -path.at_sketch).radius() + std::abs((of_sketch + -path.at_sketch).mid),
+                        target_error, coefficient_error(path.bend)};
+  for (const double coefficient : path.higher) length.higher_errors.push_back(coefficient_error(coefficient));
+  return length;
 }
 
 }  // namespace

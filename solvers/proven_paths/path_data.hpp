@@ -12,6 +12,9 @@
 
 namespace gcs {
 
+/// More than what rounding takes from a sum of up to 2000 numbers of one sign.
+inline constexpr double round_up = 1 + 0x1p-40;
+
 /// All vectors y with |y_i − mid_i| ≤ radius_i.
 struct PointBox {
   Eigen::VectorXd mid;
@@ -24,6 +27,7 @@ struct EnclosedLength {
   double sketch_error = 0;
   double target_error = 0;
   double bend_error = 0;
+  std::vector<double> higher_errors{};  ///< one for each of path.higher
 };
 
 struct PathData {

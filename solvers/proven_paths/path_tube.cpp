@@ -106,7 +106,7 @@ void PathTube::set_weights(const Eigen::ArrayXd& v) {
   axis_weights_ = bounds_.rest.head(axes * m) + reach + few_roundings * bounds_.size.head(axes * m);
   time_weights_.resize(m);
   for (Eigen::Index e = 0; e < m; ++e) {
-    const double slope_move = 2 * std::abs(series_.lengths()[static_cast<std::size_t>(e)].path.bend) * time;
+    const double slope_move = bounds_.curvature[e] * time;
     const double slope = bounds_.slope[e] + slope_move, move = slope * time;
     const double length = bounds_.size[axes * m + e] + bounds_.length_error[e] + move;
     time_weights_[e] = bounds_.pull_rest[e] + slope * (bounds_.length_error[e] + move) +
@@ -227,7 +227,7 @@ void PathTube::set_speed() {
   for (Eigen::Index axis = 0; axis < axes; ++axis)
     push += reach.segment(axis * m, m) * bounds_.speed.segment(axis * m, m);
   for (Eigen::Index e = 0; e < m; ++e) {
-    const double slope_move = 2 * std::abs(series_.lengths()[static_cast<std::size_t>(e)].path.bend) * time;
+    const double slope_move = bounds_.curvature[e] * time;
     const double slope = bounds_.slope[e] + slope_move, move = slope * time;
     const double length = bounds_.size[axes * m + e] + bounds_.length_error[e] + move;
     push[e] += (slope * move + length * slope_move) * bounds_.time_speed;
@@ -299,7 +299,8 @@ void PathTube::residual(const Eigen::VectorXd& y, const Eigen::VectorXd& error, 
     const LengthPath& path = series_.lengths()[static_cast<std::size_t>(e)].path;
     const double a = path.value(y[time]);
     // t is within 1/2 of that on c.
-    const double a_error = bounds_.value_error[e] + (bounds_.slope[e] + std::abs(path.bend)) * error[time];
+    const double a_error =
+        bounds_.value_error[e] + (bounds_.slope[e] + bounds_.curvature[e] / 2) * error[time];
     double sum = -a * a, size = a * a;
     f_error[e] = (std::abs(a) + a_error) * a_error;
     for (int axis = 0; axis < series_.axes(); ++axis) {

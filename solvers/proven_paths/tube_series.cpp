@@ -40,7 +40,11 @@ TubeSeries::TubeSeries(const DistanceSystem& system, std::vector<EnclosedLength>
       order_(order),
       polynomials_(Eigen::MatrixXd::Zero((axes() + 1) * edges(), order + 1)),
       residuals_(edges(), 2 * order + 1),
-      pulls_(edges(), 3) {}
+      pulls_(edges(), 3) {
+  for (int e = 0; e < edges(); ++e)
+    if (const EnclosedLength& length = lengths_[e]; !length.path.higher.empty())
+      polynomial_lengths_.emplace(e, PolynomialLength(length, order));
+}
 
 std::array<int, 2> TubeSeries::ends(int axis, int edge) const {
   const auto [a, b] = system_.edges()[edge];
@@ -95,6 +99,13 @@ void TubeSeries::set_lengths() {
     pulls_(e, 1) = a(e, 1) * slope - 2 * bend * t[1] * a(e, 0);
     pulls_(e, 2) = a(e, 2) * slope - 2 * bend * (t[1] * a(e, 1) + t[2] * a(e, 0));
   }
+  for (auto& [e, length] : polynomial_lengths_) {
+    length.expand(t);
+    const Eigen::VectorXd &value = length.value(), &slope = length.slope();
+    a.row(e) = value;
+    pulls_.row(e) << value[0] * slope[0], value[1] * slope[0] + value[0] * slope[1],
+        value[2] * slope[0] + value[1] * slope[1] + value[0] * slope[2];
+  }
 }
 
 void TubeSeries::set_residuals() {
@@ -137,7 +148,7 @@ void TubeSeries::bound_lengths(TubeBounds& bounds) const {
     }
   const double reach = 2 + bounds.time;
   for (Eigen::ArrayXd* v : {&bounds.value_error, &bounds.length_error, &bounds.length_speed_error,
-                            &bounds.slope, &bounds.slope_error, &bounds.pull_rest})
+                            &bounds.slope, &bounds.slope_error, &bounds.curvature, &bounds.pull_rest})
     v->resize(edges());
   const auto a = polynomials_.bottomRows(edges()).cwiseAbs();
   const double rounding = (order_ + 32) * epsilon;
@@ -150,6 +161,7 @@ void TubeSeries::bound_lengths(TubeBounds& bounds) const {
     bounds.slope_error[e] = 2 * (error + rounding * sum) * reach;
     bounds.length_speed_error[e] = 2 * bounds.slope_error[e] * bounds.time_speed + bend * cut_speed;
     bounds.slope[e] = slope + 2 * bend * moved + bounds.slope_error[e];
+    bounds.curvature[e] = 2 * bend;
     const auto tail = [&](int n) {
       double value = 0, power = std::pow(bounds.h, n);
       for (; n <= order_; ++n, power *= bounds.h) value += a(e, n) * power;
@@ -159,6 +171,20 @@ void TubeSeries::bound_lengths(TubeBounds& bounds) const {
     if (bend != 0)
       bounds.pull_rest[e] +=
           2 * bend * (terms[1] * tail(2) + terms[2] * tail(1) + terms.tail(order_ - 2).sum() * tail(0));
+  }
+  bound_polynomial_lengths(bounds);
+}
+
+void TubeSeries::bound_polynomial_lengths(TubeBounds& bounds) const {
+  for (const auto& [e, length] : polynomial_lengths_) {
+    const LengthBounds of = length.bound(bounds.h);
+    bounds.value_error[e] = of.value_error;
+    bounds.length_error[e] = of.length_error;
+    bounds.length_speed_error[e] = of.length_speed_error;
+    bounds.slope[e] = of.slope;
+    bounds.slope_error[e] = of.slope_error;
+    bounds.curvature[e] = of.curvature;
+    bounds.pull_rest[e] = of.pull_rest;
   }
 }
 

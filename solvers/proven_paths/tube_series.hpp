@@ -2,22 +2,21 @@
 /// The distance equations along a Taylor polynomial c(s) of S, with bounds that hold for |s| ≤ h.
 ///
 /// On c the coordinates' differences Δ(s) of every edge are polynomials, and so is a(t(s)) but for a
-/// remainder where a is bent. The equation (|Δ|² − a²)/2 is thus quadratic in dimension + 1 polynomials, a
+/// remainder where a is bent (here for a quadratic, else in polynomial_length.hpp). The equation (|Δ|² − a²)/2 is thus quadratic in dimension + 1 polynomials, a
 /// being one more coordinate of negative sign: "axis" below runs over the coordinates' axes and then the
 /// length. Coefficients of the residual nearly vanish up to the order of c, so that the sum of their sizes is
 /// a sharp bound. Rounding is enclosed: a sum of floating-point products is off by less than a few units in
 /// the last place of the sum of their sizes.
 
 #include <Eigen/Core>
+#include <map>
 #include <vector>
 
 #include "solvers/numeric/arc_series.hpp"
 #include "solvers/proven_paths/path_data.hpp"
+#include "solvers/proven_paths/polynomial_length.hpp"
 
 namespace gcs {
-
-/// More than what rounding takes from a sum of up to 2000 numbers of one sign.
-inline constexpr double round_up = 1 + 0x1p-40;
 
 /// Bounds for |s| ≤ h; entry axis · edges + edge, or one per edge.
 struct TubeBounds {
@@ -29,6 +28,7 @@ struct TubeBounds {
   Eigen::ArrayXd value_error;                       ///< of the exact a(t) against the one in floating point
   Eigen::ArrayXd length_error, length_speed_error;  ///< of the exact a(t(s)) against its polynomial
   Eigen::ArrayXd slope, slope_error;        ///< |a'(t(s))| for the exact a, and the error of the computed one
+  Eigen::ArrayXd curvature;                 ///< |a''(t)| for t within 1/2 of those on c
   Eigen::ArrayXd pull_rest;                 ///< of the polynomial of a·a' in s, the terms of order ≥ 3
   Eigen::ArrayXd residual, residual_speed;  ///< |f(c(s))| and |df(c(s))/ds| for the exact equations
 };
@@ -63,15 +63,17 @@ class TubeSeries {
   void set_lengths();
   void set_residuals();
   void bound_lengths(TubeBounds& bounds) const;
+  void bound_polynomial_lengths(TubeBounds& bounds) const;
   void bound_residuals(TubeBounds& bounds) const;
 
   DistanceSystem system_;
   std::vector<EnclosedLength> lengths_;
   int order_;
   ArcSeries curve_;
-  Eigen::MatrixXd polynomials_;  ///< (axes + 1)·edges × (order + 1)
-  Eigen::MatrixXd residuals_;    ///< edges × (2·order + 1)
-  Eigen::MatrixXd pulls_;        ///< edges × 3
+  Eigen::MatrixXd polynomials_;                         ///< (axes + 1)·edges × (order + 1)
+  Eigen::MatrixXd residuals_;                           ///< edges × (2·order + 1)
+  Eigen::MatrixXd pulls_;                               ///< edges × 3
+  std::map<int, PolynomialLength> polynomial_lengths_;  ///< by edge; those of a degree above two
 };
 
 }  // namespace gcs

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "solvers/model/bend_defect.hpp"
 #include "solvers/reading/instance_names.hpp"
 #include "solvers/reading/nearest_name.hpp"
 
@@ -179,6 +180,24 @@ class PlanReader {
   std::vector<PlanStep> steps_;
 };
 
+int named_constraint(const JsonCursor& cursor, const std::string& id, const ProblemStatement& problem) {
+  const auto constraint = constraint_number(problem, id);
+  if (!constraint) cursor.fail_unknown("there is no constraint '" + id + "'", id, constraint_ids(problem));
+  return *constraint;
+}
+
+std::vector<BentLength> read_bends(const JsonCursor& bends, const ProblemStatement& problem) {
+  std::vector<BentLength> all;
+  for (const auto& [id, cursor] : bends.members()) {
+    BentLength bent{named_constraint(cursor, id, problem), {}};
+    for (const JsonCursor& coefficient : cursor.elements())
+      bent.coefficients.push_back(coefficient.number().value);
+    if (const auto defect = bend_defect(problem, bent)) cursor.fail(defect->what, defect->remedy);
+    all.push_back(std::move(bent));
+  }
+  return all;
+}
+
 }  // namespace
 
 Reference read_reference(const JsonCursor& reference, const ProblemStatement& problem) {
@@ -196,14 +215,17 @@ Reference read_reference(const JsonCursor& reference, const ProblemStatement& pr
 }
 
 InterpolationChoice read_interpolation(const JsonCursor& interpolation, const ProblemStatement& problem) {
-  interpolation.allow_members({"bent", "bend"});
+  interpolation.allow_members({"bent", "bend", "bends"});
   InterpolationChoice choice;
-  if (const auto bent = interpolation.optional("bent")) {
-    const std::string id = bent->name();
-    const auto constraint = constraint_number(problem, id);
-    if (!constraint) bent->fail_unknown("there is no constraint '" + id + "'", id, constraint_ids(problem));
-    choice.bent = *constraint;
+  if (const auto bends = interpolation.optional("bends")) {
+    if (interpolation.has("bent") || interpolation.has("bend"))
+      interpolation.fail("'bends' and a single bent constraint exclude each other",
+                         "give either 'bends', or 'bent' and 'bend'");
+    choice.bends = read_bends(*bends, problem);
+    return choice;
   }
+  if (const auto bent = interpolation.optional("bent"))
+    choice.bent = named_constraint(*bent, bent->name(), problem);
   if (const auto bend = interpolation.optional("bend")) {
     choice.bend = bend->number().value;
     if (!(choice.bend > 0)) {

@@ -11,7 +11,7 @@ namespace gcs {
 /// Precondition: entities are read.
 Reference read_reference(const JsonCursor& reference, const ProblemStatement& problem);
 
-/// Reads `interpolation`. Precondition: constraints are read.
+/// Reads `interpolation`. Precondition: constraints and the sketch are read.
 InterpolationChoice read_interpolation(const JsonCursor& interpolation, const ProblemStatement& problem);
 
 /// Reads `construction`; the result places every point that is not fixed. A file may leave out the first

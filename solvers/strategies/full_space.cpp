@@ -1,8 +1,8 @@
 /// Tracks S in full space, R^m × R ([I] §2.2, §7.1).
 ///
 /// S is the component through the sketch of {(X, t) : |p_j − p_k| = a_i(t)}, with the lengths a_i(t) going
-/// from those of the sketch (t = 0) to the given ones (t = 1) and on, one of them bent so that t stays
-/// bounded ([I] (h2)). Where the Jacobian has full rank on it ([I] (h1)) S is a closed curve; it is followed
+/// from those of the sketch (t = 0) to the given ones (t = 1) and on, one or more of them bent so that t stays
+/// bounded ([I] (h2)), or none. Where the Jacobian has full rank on it ([I] (h1)) S is a closed curve; it is followed
 /// through the folds of t until it is back at the sketch, and every crossing of t = 1 is a solution.
 ///
 /// mode=fast is tracking/series_tracker.hpp on tracking/distance_curve.hpp, mode=paper is
@@ -10,9 +10,9 @@
 /// proven_paths/certified_tracker.hpp: it proves that S closes and the number and order of its crossings.
 /// Baselines: until=first stops at the first solution, as [I]'s reference 11; mode=newton is Newton's method.
 ///
-/// Claims the solutions on S, or some real ones of a baseline. Fails, and says where, when S is singular or nearly so, or too long for
-/// max_steps. Imbach, Mathis, Schreck, A Robust and Efficient Method for Solving Point Distance Problems by
-/// Homotopy, 2016.
+/// Claims the solutions on S, or some real ones of a baseline. Fails, and says where, when S is singular or nearly so,
+/// runs off to infinite t, or is too long for max_steps. Imbach, Mathis, Schreck, A Robust and Efficient Method for
+/// Solving Point Distance Problems by Homotopy, 2016.
 
 #include "solvers/strategies/full_space.hpp"
 
@@ -51,9 +51,10 @@ class FullSpaceStrategy final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     const TrackerContext context{request.stop, request.monitor};
+    const PathOptions path = for_scene(options_, request.scene);
     switch (mode_) {
       case FullSpace::Mode::paper:
-        return solve_as_published(request.scene, context);
+        return solve_as_published(request.scene, path.paper, context);
       case FullSpace::Mode::certified:
         return solve_with_proof(request.scene, context);
       case FullSpace::Mode::newton:
@@ -61,7 +62,7 @@ class FullSpaceStrategy final : public Strategy {
       case FullSpace::Mode::fast:
         break;
     }
-    return report_once_refined(options_.fast, [&](const SeriesTrackerOptions& options) {
+    return report_once_refined(path.fast, [&](const SeriesTrackerOptions& options) {
       DistanceCurve curve(request.scene, wide_reference(request.scene), options.order, options.tolerance);
       SeriesTracker tracker(curve, options, context);
       return path_report(request.scene, tracker.run(),
@@ -70,9 +71,10 @@ class FullSpaceStrategy final : public Strategy {
   }
 
  private:
-  SolveReport solve_as_published(const Scene& scene, const TrackerContext& context) const {
+  SolveReport solve_as_published(const Scene& scene, const EulerNewtonOptions& options,
+                                 const TrackerContext& context) const {
     PaperDistanceHomotopy homotopy(scene);
-    EulerNewtonTracker tracker(homotopy, options_.paper, context);
+    EulerNewtonTracker tracker(homotopy, options, context);
     TrackedPath path = tracker.run();
     std::vector<Eigen::VectorXd> points = std::move(path.points);
     SolveReport report =

@@ -76,11 +76,12 @@ class RcpStrategy final : public Strategy {
   SolveReport solve(const SolveRequest& request) override {
     const Scene& scene = request.scene;
     const TrackerContext context{request.stop, request.monitor};
+    const PathOptions path = for_scene(options_, scene);
     const Plan plan = plan_ ? *plan_ : first_plan(scene, plan_options_.rule);
     const Figure sketch = in_plan_frame(scene, plan, *scene.sketch());
-    if (mode_ == Rcp::Mode::paper) return solve_as_published(scene, plan, sketch, context);
+    if (mode_ == Rcp::Mode::paper) return solve_as_published(scene, plan, sketch, path.paper, context);
     if (mode_ == Rcp::Mode::newton) return solve_by_newton(scene, plan, sketch, context);
-    return report_once_refined(options_.fast, [&](const SeriesTrackerOptions& options) {
+    return report_once_refined(path.fast, [&](const SeriesTrackerOptions& options) {
       PlanCurve curve(scene, plan, sketch,
                       {options.order, options.tolerance, plan_options_.swap, plan_options_.rule});
       SeriesTracker tracker(curve, options, context);
@@ -95,9 +96,9 @@ class RcpStrategy final : public Strategy {
   }
 
   SolveReport solve_as_published(const Scene& scene, const Plan& plan, const Figure& sketch,
-                                 const TrackerContext& context) const {
+                                 const EulerNewtonOptions& options, const TrackerContext& context) const {
     PaperPlanHomotopy homotopy(scene, plan, sketch, plan_options_);
-    EulerNewtonTracker tracker(homotopy, options_.paper, context);
+    EulerNewtonTracker tracker(homotopy, options, context);
     SolveReport report = report_of(scene, tracker.run(), homotopy);
     const PlanChange& changes = homotopy.changes();
     report.particulars = {{"exchanges", changes.exchanges},

@@ -265,9 +265,15 @@ PartProblem part_problem(const ProblemStatement& whole, const Part& part) {
     if (whole.is_point(entity)) result.points.push_back(entity);
   }
   problem.interpolation.bend = whole.interpolation.bend;
+  if (whole.interpolation.bends) problem.interpolation.bends.emplace();
   for (const int i : part.constraints) {
     if (i == whole.interpolation.bent)
       problem.interpolation.bent = static_cast<int>(problem.constraints.size());
+    if (whole.interpolation.bends)
+      for (const BentLength& bent : *whole.interpolation.bends)
+        if (bent.constraint == i)
+          problem.interpolation.bends->push_back(
+              {static_cast<int>(problem.constraints.size()), bent.coefficients});
     problem.constraints.push_back(whole.constraints[i]);
     for (int& entity : problem.constraints.back().between) entity = numbers.number[entity];
   }

@@ -43,7 +43,7 @@ std::vector<Part> decompose(const ProblemStatement& problem, Split split);
 
 /// A part with several points or the first one as a problem of its own: base and points in the order of the
 /// problem, lines in the first part. Its frame is the base; in the first part it is the problem's if that
-/// lies in it. With the sketch of what is in it, and with the bent constraint if that is; a construction plan
+/// lies in it. With the sketch of what is in it, and with the bent constraints that are; a construction plan
 /// of the whole is of no use for it.
 struct PartProblem {
   ProblemStatement problem;

@@ -9,6 +9,30 @@ LengthSeries::LengthSeries(std::vector<LengthPath> paths, int order) : paths_(st
   const auto m = static_cast<Eigen::Index>(paths_.size());
   for (Eigen::VectorXd* v : {&value_, &slope_, &quadratic_, &cubic_, &quartic_}) v->setZero(m);
   for (Eigen::VectorXd* v : {&offset_, &offset2_}) v->setZero(order + 1);
+  int highest = 0;
+  for (std::size_t i = 0; i < paths_.size(); ++i)
+    if (!paths_[i].higher.empty()) {
+      polynomials_.push_back({static_cast<Eigen::Index>(i), {}});
+      highest = std::max(highest, std::min(2 * paths_[i].degree(), order));
+    }
+  if (highest > 0) powers_.setZero(highest + 1, order + 1);
+}
+
+void LengthSeries::expand(Polynomial& of, double t0) const {
+  const std::vector<double> a = paths_[static_cast<std::size_t>(of.edge)].expansion(t0);
+  of.half_square.assign(2 * a.size() - 1, 0);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < a.size(); ++j) of.half_square[i + j] += a[i] * a[j] / 2;
+}
+
+/// The n-th coefficients of the powers, which begin with order k.
+void LengthSeries::set_powers(int n) {
+  powers_(1, n - 1) = offset_[n - 1];
+  for (Eigen::Index k = 2; k < powers_.rows(); ++k) {
+    double sum = 0;
+    for (Eigen::Index i = 1; i <= n - k + 1; ++i) sum += offset_[i] * powers_(k - 1, n - i);
+    powers_(k, n) = sum;
+  }
 }
 
 void LengthSeries::start(double t0) {
@@ -23,6 +47,7 @@ void LengthSeries::start(double t0) {
     cubic_[e] = b * c;
     quartic_[e] = c * c / 2;
   }
+  for (Polynomial& polynomial : polynomials_) expand(polynomial, t0);
 }
 
 double LengthSeries::shortest(double t) const {
@@ -41,6 +66,14 @@ void LengthSeries::known(int n, Eigen::Ref<Eigen::VectorXd> result) {
   for (int i = 2; i < n - 1; ++i) fourth += offset2_[i] * offset2_[n - i];
   offset2_[n] = square;
   result = quadratic_ * square + cubic_ * cube + quartic_ * fourth;
+  if (polynomials_.empty()) return;
+  set_powers(n);
+  for (const Polynomial& of : polynomials_) {
+    double sum = 0;
+    for (Eigen::Index k = 2; k < powers_.rows() && k < std::ssize(of.half_square); ++k)
+      sum += of.half_square[static_cast<std::size_t>(k)] * powers_(k, n);
+    result[of.edge] = sum;
+  }
 }
 
 EdgeSeries::EdgeSeries(Eigen::Index edges, int dimension, int order)

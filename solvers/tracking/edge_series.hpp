@@ -11,7 +11,8 @@
 
 namespace gcs {
 
-/// Series of a(t(s))²/2 for all lengths. [I] Definition 1 makes a(t) a polynomial of degree at most two.
+/// Series of a(t(s))²/2 for all lengths. With a(t) of degree two at most, as nearly always, they are made for all
+/// lengths at once from (t − t0)², (t − t0)³ and (t − t0)⁴; the others are made one by one.
 class LengthSeries {
  public:
   LengthSeries(std::vector<LengthPath> paths, int order);
@@ -34,6 +35,17 @@ class LengthSeries {
   std::vector<LengthPath> paths_;
   Eigen::VectorXd value_, slope_, quadratic_, cubic_, quartic_;  // a²/2 in powers of t − t0
   Eigen::VectorXd offset_, offset2_;                             // series of t − t0 and (t − t0)²
+
+  /// A length of a higher degree.
+  struct Polynomial {
+    Eigen::Index edge = 0;
+    std::vector<double> half_square;  ///< a²/2 in powers of t − t0
+  };
+  void expand(Polynomial& of, double t0) const;
+  void set_powers(int n);
+
+  std::vector<Polynomial> polynomials_;
+  Eigen::MatrixXd powers_;  ///< (k, n): coefficient n of (t − t0)^k; no rows where no length needs them
 };
 
 /// Differences of the end points of all edges as series. All axes of one order are one array, so that the

@@ -52,6 +52,7 @@ struct EulerNewtonOptions {
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
   bool stops_at_first = false;  ///< at the first solution
+  TimeRange far{};              ///< S is given up beyond it
   bool keep_points = false;     ///< in TrackedPath::points, as figure_coordinates
 };
 
@@ -81,6 +82,8 @@ class EulerNewtonTracker {
       if (options_.keep_points) path_.points.push_back(homotopy_.figure_coordinates(there_));
       if (closed) return finish(TrackedPath::End::closed, "");
       if (options_.stops_at_first && !path_.crossings.empty()) return finish(TrackedPath::End::reached, "");
+      if (auto cause = runs_off(options_.far, t_of(there_)))
+        return finish(TrackedPath::End::failed, *std::move(cause));
       previous_ = std::exchange(here_, there_);
       if (!next_tangent()) return finish(TrackedPath::End::failed, no_tangent());
       if (context_.monitor && homotopy_.work().iterations % 256 == 0)

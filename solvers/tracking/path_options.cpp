@@ -27,4 +27,9 @@ PathOptions path_options(const PathSettings& settings, double paper_step_max) {
   return path;
 }
 
+PathOptions for_scene(PathOptions path, const Scene& scene) {
+  path.fast.far = path.paper.far = times_far_away(scene.length_paths());
+  return path;
+}
+
 }  // namespace gcs

@@ -25,7 +25,7 @@
 /// as that series errs the crossings are not known, and the extremum is recorded, too.
 ///
 /// It fails (with a named cause) where S is singular, or passes a singularity closer than the smallest step,
-/// and where a length vanishes, beyond which the squared equations describe another problem.
+/// where a length vanishes, beyond which the squared equations describe another problem, and where S runs off.
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +73,7 @@ struct SeriesTrackerOptions {
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
   bool stops_at_first = false;  ///< at the first solution
+  TimeRange far{};              ///< S is given up beyond it
 };
 
 /// Backward evaluation must meet the old point within this fraction of the step. A jump misses it by the
@@ -123,6 +124,8 @@ class SeriesTracker {
       if (closing > 0) return finish(TrackedPath::End::closed, "");
       if (options_.stops_at_first && !path_.crossings.empty()) return finish(TrackedPath::End::reached, "");
       std::swap(here_, there_);
+      if (auto cause = runs_off(options_.far, here_.coefficient(0)[t_row()]))
+        return finish(TrackedPath::End::failed, *std::move(cause));
       report_progress();
     }
     return finish(TrackedPath::End::failed, "max_steps reached before the path closed");

@@ -2,10 +2,12 @@
 /// What a tracker of S brings back.
 
 #include <Eigen/Core>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "solvers/model/interpolation.hpp"
 #include "solvers/running/work.hpp"
 
 namespace gcs {
@@ -47,6 +49,13 @@ inline constexpr double least_step = 1e-10;
 /// The cause of giving up so.
 inline std::string step_too_small(double t) {
   return "the step became too small near t = " + std::to_string(t);
+}
+
+/// Why a tracker gives S up where its t is beyond `far`, of which see times_far_away; nothing where it is not.
+inline std::optional<std::string> runs_off(const TimeRange& far, double t) {
+  if (t > far.low && t < far.high) return std::nullopt;
+  return "S runs off to t = " + std::string(t > 0 ? "" : "-") +
+         "infinity: no length vanishes on that side (hypothesis h2)";
 }
 
 /// The outside world of a tracker.

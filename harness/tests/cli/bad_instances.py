@@ -110,5 +110,11 @@ BAD_FILES = {
     "sketch with coincident points": (changed(sketch=dict(TOY["sketch"], p3=[0, 0])), "/sketch"),
     "sketch in another dimension": (changed(sketch=dict(TOY["sketch"], p3=[0, 0, 1])), "/sketch/p3"),
     "bent constraint that is not there": (changed(interpolation={"bent": "a9"}), "/interpolation/bent"),
+    "bends and a bent constraint": (changed(interpolation={"bent": "a1", "bends": {}}), "/interpolation"),
+    "bends of a constraint that is not there": (changed(interpolation={"bends": {"a9": [1]}}), "/interpolation/bends/a9"),
+    "bends that are no list": (changed(interpolation={"bends": {"a1": 1}}), "/interpolation/bends/a1"),
+    "too many coefficients": (changed(interpolation={"bends": {"a1": [1] * 17}}), "/interpolation/bends/a1"),
+    "a length that is not positive on the way": (
+        changed(interpolation={"bends": {"a1": [1], "a2": [0, -90]}}), "/interpolation/bends/a2"),
     "reference to an unknown point": (changed(reference={"origin": "p9", "axis": "p1"}), "/reference/origin"),
 }

@@ -170,6 +170,23 @@ class ListAndDescribe(command_line.CommandLine):
         self.assertEqual(len(plan["instructions"]), 8)
         self.assertIsNone(json.loads(run("describe", "prism", "--json").stdout)["construction"])
 
+    def test_where_lengths_are_positive(self):
+        # 5 + t + 4t(1 - t) vanishes at (5 ± √105)/8, and nothing else between. All lengths grow: the second one, from
+        # √13 to 5, is the first to vanish for falling t.
+        ends = {'{"a1": [4]}': [(5 - 105**0.5) / 8, (5 + 105**0.5) / 8], "{}": [-13**0.5 / (5 - 13**0.5), None]}
+        for bends, expected in ends.items():
+            file = self.write(changed(interpolation={"bends": json.loads(bends)}))
+            data = json.loads(run("describe", file, "--json").stdout)["interpolation"]
+            self.assertEqual(data["bends"], json.loads(bends))
+            self.assertEqual(data["compact"], None not in expected)
+            for end, there in zip(data["positive_support"], expected):
+                self.assertEqual(end is None, there is None)
+                if there is not None:
+                    self.assertAlmostEqual(end, there, delta=1e-12)
+            text = run("describe", file).stdout
+            self.assertIn("S closes where it is regular" if data["compact"] else "S may run off to infinity", text)
+        self.assertIn("a5 is bent by 2, the other lengths", run("describe", self.write(TOY)).stdout)
+
     def test_why_a_strategy_does_not_apply(self):
         data = json.loads(run("describe", self.write(changed(sketch=None)), "--json").stdout)
         verdict = {one["name"]: one for one in data["strategies"]}["full-space"]

@@ -42,6 +42,8 @@ SPACE = {
     "sketch": {"p1": [0, 0, 0], "L": {"point": [1, 0, 0], "direction": [0, 1, 0]}},
 }
 
+BENT = {**PLANE, "id": "bent", "interpolation": {"bends": {"a1": [2, -0.5], "a3": []}}}
+
 REMOVED = object()
 
 BROKEN = [
@@ -70,6 +72,11 @@ BROKEN = [
     (PLANE, ["sketch", "p1"], [0, "0"]),
     (PLANE, ["fixed"], {"p1": [0, 0, 0]}),
     (PLANE, ["interpolation", "bend"], 0),
+    (BENT, ["interpolation", "bend"], 2),
+    (BENT, ["interpolation", "bent"], "a1"),
+    (BENT, ["interpolation", "bends", "a1"], 2),
+    (BENT, ["interpolation", "bends", "a1"], ["2"]),
+    (BENT, ["interpolation", "bends", "a1"], [1] * 17),
     (PLANE, ["construction", 0, "from", 0], ["p1"]),
     (PLANE, ["construction", 0, "place"], REMOVED),
     (PLANE, ["published", 0, "value"], "2"),
@@ -103,7 +110,7 @@ def complaints(validator, folder):
             continue
         for error in validator.iter_errors(json.loads(file.read_text(encoding="utf-8"))):
             yield f"{file.name}: {error.json_path}: {error.message}"
-    for document in (PLANE, SPACE):
+    for document in (PLANE, SPACE, BENT):
         for error in validator.iter_errors(document):
             yield f"the sound '{document['id']}' is refused: {error.json_path}: {error.message}"
     for document, path, value in BROKEN:

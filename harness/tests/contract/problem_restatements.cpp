@@ -130,6 +130,8 @@ Restatement constraints_permuted(const ProblemStatement& problem, std::mt19937_6
   int& bent = restated.interpolation.bent;
   if (bent < 0) bent = static_cast<int>(now.size()) - 1;
   renumbering.apply(bent);
+  if (restated.interpolation.bends)
+    for (BentLength& length : *restated.interpolation.bends) renumbering.apply(length.constraint);
   for (PlanStep& step : restated.construction)
     for (PlanStep::Radius& radius : step.from) renumbering.apply(radius.constraint);
   return result;
@@ -173,6 +175,9 @@ Restatement scaled(const ProblemStatement& problem, int exponent) {
   for (auto& line : restated.fixed_lines)
     if (line) scale(*line, factor);
   restated.interpolation.bend *= factor;
+  if (restated.interpolation.bends)
+    for (BentLength& length : *restated.interpolation.bends)
+      for (double& coefficient : length.coefficients) coefficient *= factor;
   return result;
 }
 

@@ -60,6 +60,18 @@ TEST_CASE("every restatement restates something") {
   CHECK(Scene(larger).unit_exponent() == Scene(problem).unit_exponent() + 5);
 }
 
+TEST_CASE("bends by polynomials are restated with their constraints") {
+  ProblemStatement problem = load_instance("octahedron").problem;
+  problem.interpolation.bends = {{3, {1, -0.5}}, {8, {0.25}}};
+  std::mt19937_64 random(1);
+  const ProblemStatement order = constraints_permuted(problem, random).problem;
+  const std::vector<BentLength>& bends = *order.interpolation.bends;
+  REQUIRE(bends.size() == 2);
+  CHECK(order.constraints[bends[0].constraint].id == problem.constraints[3].id);
+  CHECK(order.constraints[bends[1].constraint].id == problem.constraints[8].id);
+  CHECK(scaled(problem, 5).problem.interpolation.bends->front().coefficients == std::vector<double>{32, -16});
+}
+
 TEST_CASE("squared lengths and fixed positions are restated too") {
   const ProblemStatement squared = load_instance("disulfide").problem;
   CHECK(scaled(squared, -3).problem.constraints[0].given.value == squared.constraints[0].given.value / 64);

@@ -48,6 +48,14 @@ TEST_CASE("a constraint graph shows every entity and every constraint") {
   }
 }
 
+TEST_CASE("every bent constraint is dashed") {
+  ProblemStatement problem = load_instance("octahedron").problem;
+  problem.interpolation.bends = {{0, {1}}, {4, {1, 2}}, {7, {0.5}}};
+  CHECK(occurrences(graph_svg(problem, ""), "stroke-dasharray") == 3);
+  problem.interpolation.bends.emplace();
+  CHECK(occurrences(graph_svg(problem, ""), "stroke-dasharray") == 0);
+}
+
 TEST_CASE("planar graphs with enough triangles are drawn without crossings") {
   for (const std::string id : {"octahedron", "icosahedron"}) {
     const ProblemStatement problem = load_instance(id).problem;

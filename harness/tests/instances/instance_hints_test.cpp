@@ -147,6 +147,35 @@ TEST_CASE("an interpolation that no path can follow is refused") {
   check_refused(with(plane(), "/interpolation/bend", "2"), "/interpolation/bend", "a number is needed");
 }
 
+TEST_CASE("bends by polynomials are read, and refused where no path can follow them") {
+  const auto bent = [](const json& bends) { return with(plane(), "/interpolation", {{"bends", bends}}); };
+  const auto choice = parsed(bent({{"a3", {1.5, -0.25, 1e-3}}, {"a1", json::array()}})).problem.interpolation;
+  REQUIRE(choice.bends);
+  REQUIRE(choice.bends->size() == 2);
+  for (const gcs::BentLength& length : *choice.bends) {
+    const bool third = length.constraint == 2;
+    CHECK((third || length.constraint == 0));
+    CHECK(length.coefficients == (third ? std::vector<double>{1.5, -0.25, 1e-3} : std::vector<double>{}));
+  }
+  CHECK(parsed(bent(json::object())).problem.interpolation.bends->empty());
+
+  const std::string place = "/interpolation/bends";
+  check_refused(with(plane(), place, {{"a3", {1}}}), "/interpolation", "exclude each other");
+  check_refused(bent({{"a4", {1}}}), place + "/a4", "no constraint 'a4'");
+  check_refused(bent({{"a3", 1}}), place + "/a3", "an array is needed");
+  check_refused(bent(json::array({1})), place, "an object is needed");
+  check_refused(bent({{"a3", {1, "2"}}}), place + "/a3/1", "a number is needed");
+  check_refused(bent({{"a3", std::vector<int>(17, 1)}}), place + "/a3", "at most 16");
+  // The sketch's a1 is 2 long and the given one 3: 2 + t + c·t(1 − t) is least at (c + 1)/(2c), where it vanishes for
+  // (c + 1)² = −8c, c = −5 − √24.
+  CHECK(parsed(bent({{"a1", {-9.8989}}})).problem.interpolation.bends);
+  check_refused(bent({{"a1", {-9.899}}}), place + "/a1", "'a1' is not positive near t = 0.4");
+  check_refused(bent({{"a2", {1}}, {"a3", {0, 0, -100}}}), place + "/a3", "keep it above 0");
+  json without_sketch = bent({{"a1", {-100}}});
+  without_sketch.erase("sketch");
+  CHECK(parsed(without_sketch).problem.interpolation.bends);
+}
+
 TEST_CASE("a construction plan that cannot be carried out is refused") {
   const std::string last = "/construction/2";
   check_refused(with(plane(), last + "/place", "p9"), last + "/place", "no point 'p9'");

@@ -39,6 +39,14 @@ void check_same(const ProblemStatement& a, const ProblemStatement& b) {
       CHECK(same(a.sketch->lines[i], b.sketch->lines[i]));
     CHECK(a.interpolation.bent == b.interpolation.bent);
     CHECK(a.interpolation.bend == b.interpolation.bend);
+    REQUIRE(a.interpolation.bends.has_value() == b.interpolation.bends.has_value());
+    if (a.interpolation.bends) {
+      REQUIRE(a.interpolation.bends->size() == b.interpolation.bends->size());
+      for (std::size_t i = 0; i < a.interpolation.bends->size(); ++i) {
+        CHECK((*a.interpolation.bends)[i].constraint == (*b.interpolation.bends)[i].constraint);
+        CHECK((*a.interpolation.bends)[i].coefficients == (*b.interpolation.bends)[i].coefficients);
+      }
+    }
   }
   REQUIRE(a.construction.size() == b.construction.size());
   for (std::size_t i = 0; i < a.construction.size(); ++i) {
@@ -96,4 +104,12 @@ TEST_CASE("a given construction plan is part of a problem's text") {
       "plan", "");
   REQUIRE(with_plan.problem.construction.size() == 4);
   check_read_back(with_plan);
+}
+
+TEST_CASE("bends by polynomials, and that nothing is bent, are part of a problem's text") {
+  Instance instance = load_instance("k33");
+  instance.problem.interpolation.bends = {{7, {0.1, -2.5e-3, 1.0 / 3}}, {2, {}}};
+  check_read_back(instance);
+  instance.problem.interpolation.bends.emplace();
+  check_read_back(instance);
 }

@@ -115,3 +115,28 @@ TEST_CASE("given positions are not taken apart") {
   problem.fixed_points[0] = Eigen::Vector3d::Zero();
   CHECK(decompose(problem, Split::all).size() == 1);
 }
+
+TEST_CASE("a part has the bends of its own constraints, and those alone") {
+  ProblemStatement problem = problem_of(samples::chain_of_octahedra(2));
+  problem.interpolation.bends.emplace();
+  for (int i = 0; i < static_cast<int>(problem.constraints.size()); i += 2)
+    problem.interpolation.bends->push_back({i, {static_cast<double>(i), 0.5}});
+  for (const Part& part : decompose(problem, Split::all)) {
+    const PartProblem alone = part_problem(problem, part);
+    std::set<std::string> bent;
+    for (const BentLength& length : *alone.problem.interpolation.bends) {
+      const std::string& id = alone.problem.constraints[length.constraint].id;
+      bent.insert(id);
+      const auto whole = std::ranges::find(problem.constraints, id, &DistanceConstraint::id);
+      CHECK(length.coefficients ==
+            std::vector<double>{static_cast<double>(whole - problem.constraints.begin()), 0.5});
+    }
+    std::set<std::string> expected;
+    for (const int i : part.constraints)
+      if (i % 2 == 0) expected.insert(problem.constraints[i].id);
+    CHECK(bent == expected);
+  }
+  problem.interpolation.bends->clear();
+  const PartProblem alone = part_problem(problem, decompose(problem, Split::all).front());
+  CHECK(alone.problem.interpolation.bends->empty());
+}

@@ -33,6 +33,9 @@ struct Rotation {
     return matrix;
   }
 
+  /// u
+  Complex to(Complex x) const { return (c * x - s) / (s * x + c); }
+
   ProjectiveNumber back(Complex numerator, Complex denominator) const {
     const Complex x = c * numerator + s * denominator;
     const Complex w = c * denominator - s * numerator;
@@ -97,6 +100,12 @@ bool is_singular(const Eigen::FullPivLU<Eigen::Matrix4d>& lu) {
   return pivots.minCoeff() <= 64 * std::numeric_limits<double>::epsilon() * pivots.maxCoeff();
 }
 
+/// On both lines, with norm 1.
+Biquadratic turned(const Biquadratic& p) {
+  const Biquadratic result = turn_x.of_squares().transpose() * p * turn_y.of_squares();
+  return result / result.norm();
+}
+
 }  // namespace
 
 int degree(const Biquadratic& p) {
@@ -112,13 +121,7 @@ Biquadratic shifted(const Biquadratic& p, double dx, double dy) {
 }
 
 CommonZeros common_zeros(const Biquadratic& p, const Biquadratic& q) {
-  const Eigen::Matrix3d x_turned = turn_x.of_squares();
-  const Eigen::Matrix3d y_turned = turn_y.of_squares();
-  Biquadratic f = x_turned.transpose() * p * y_turned;
-  Biquadratic g = x_turned.transpose() * q * y_turned;
-  f /= f.norm();
-  g /= g.norm();
-
+  const Biquadratic f = turned(p), g = turned(q);
   CommonZeros result;
   const Eigen::FullPivLU<Eigen::Matrix4d> leading(sylvester(f, g, 2));
   result.common_factor = is_singular(leading) && is_singular(sylvester(f, g, 0).fullPivLu());
@@ -129,6 +132,13 @@ CommonZeros common_zeros(const Biquadratic& p, const Biquadratic& q) {
   companion.bottomRightCorner<4, 4>() = -leading.solve(sylvester(f, g, 1));
   const Eigen::EigenSolver<Matrix8> solver(companion, false);
   for (int i = 0; i < 8; ++i) result.of_eigenvalue[i] = partners(f, g, solver.eigenvalues()[i]);
+  return result;
+}
+
+CommonZeros common_zeros_over(const std::vector<Complex>& xs, const Biquadratic& p, const Biquadratic& q) {
+  const Biquadratic f = turned(p), g = turned(q);
+  CommonZeros result;
+  for (std::size_t i = 0; i < xs.size(); ++i) result.of_eigenvalue[i] = partners(f, g, turn_x.to(xs[i]));
   return result;
 }
 

@@ -40,7 +40,7 @@ struct CommonZero {
 };
 
 struct CommonZeros {
-  /// One entry for each of the eight eigenvalues: the y that go with it, one as a rule, two where both zeros
+  /// One entry for each of the eight eigenvalues, or roots of the resultant in y: the y that go with it, one as a rule, two where both zeros
   /// in y of one polynomial are zeros of the other to 1e-6 (a double x, or nearly so).
   std::array<std::vector<CommonZero>, 8> of_eigenvalue;
   /// The polynomials have a common factor, to rounding: their zeros are a curve.
@@ -50,5 +50,10 @@ struct CommonZeros {
 /// Coefficients of each polynomial are to be of order 1 at most. The error of a simple zero is of the order
 /// of rounding times its condition, of a double one the square root of that.
 CommonZeros common_zeros(const Biquadratic& p, const Biquadratic& q);
+
+/// The same with the x of the zeros given, each as often as it is one. The entries that are left are empty.
+/// Precondition: there are eight at most.
+CommonZeros common_zeros_over(const std::vector<std::complex<double>>& xs, const Biquadratic& p,
+                              const Biquadratic& q);
 
 }  // namespace gcs

@@ -43,6 +43,11 @@ class Rational {
   friend Rational operator/(const Rational& a, const Rational& b) { return apply(fmpq_div, a, b); }
   /// For FLINT's functions.
   const fmpq* raw() const { return value_; }
+  static Rational from_raw(const fmpq* value) {
+    Rational result;
+    fmpq_set(result.value_, value);
+    return result;
+  }
   friend bool operator==(const Rational& a, const Rational& b) { return fmpq_equal(a.value_, b.value_) != 0; }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solvers/model/distance_system.hpp"
+#include "solvers/octahedron/exact_elimination.hpp"
 #include "solvers/octahedron/exact_squares.hpp"
 #include "solvers/octahedron/octahedron_placer.hpp"
 
@@ -32,7 +33,8 @@ bool same(const CoreSolution& p, const CoreSolution& q) {
 class CoreSolver {
  public:
   CoreSolver(const Scene& scene, const CoreReduction& reduction, const Octahedron& octahedron)
-      : lengths_(scene),
+      : scene_(scene),
+        lengths_(scene),
         octahedron_(with_round_base(octahedron, lengths_)),
         placer_(scene.point_count(), lengths_, octahedron_) {
     const std::vector<DoubleDouble> squares = target_squares(scene);
@@ -43,10 +45,12 @@ class CoreSolver {
     }
   }
 
-  CoreSolutions run(WorkCounters& work) {
+  CoreSolutions run(DiagonalMethod method, WorkCounters& work) {
     const DiagonalEquations equations(lengths_, octahedron_);
-    const CommonZeros zeros = equations.solve();
     CoreSolutions solutions;
+    const CommonZeros zeros = method == DiagonalMethod::univariate
+                                  ? exact_zeros(equations, solutions.elimination)
+                                  : equations.solve();
     solutions.total_degree = equations.total_degree();
     solutions.frame = placer_.base();
     solutions.common_factor = zeros.common_factor;
@@ -137,6 +141,23 @@ class CoreSolver {
     return {square(octahedron_.pair[0]), square(octahedron_.pair[1]), square(octahedron_.pair[2])};
   }
 
+  /// The roots of the polynomial in X, each as often as it is one.
+  CommonZeros exact_zeros(const DiagonalEquations& equations, std::optional<EliminationFacts>& facts) const {
+    const OctahedronPolynomials polynomials = eliminated(scene_, octahedron_);
+    facts = {polynomials.height.degree(), 0, polynomials.real_solutions()};
+    if (polynomials.height.is_zero()) {
+      CommonZeros none;
+      none.common_factor = true;
+      return none;
+    }
+    facts->distinct_real_roots = polynomials.height.real_root_count();
+    std::vector<Complex> squares;
+    for (const PolynomialRoot& root : polynomials.diagonal.roots())
+      squares.insert(squares.end(), static_cast<std::size_t>(root.multiplicity), root.value);
+    return equations.solve_over(squares);
+  }
+
+  const Scene& scene_;
   SquaredLengths lengths_;
   Octahedron octahedron_;
   OctahedronPlacer placer_;
@@ -158,13 +179,14 @@ bool CoreSolutions::are_all_isolated() const {
          });
 }
 
-CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, WorkCounters& work) {
+CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, DiagonalMethod method,
+                         WorkCounters& work) {
   Octahedron octahedron = *find_octahedron(scene, reduction);
-  CoreSolutions best = CoreSolver(scene, reduction, octahedron).run(work);
+  CoreSolutions best = CoreSolver(scene, reduction, octahedron).run(method, work);
   if (best.accounted_for() != pairs) best.at_infinity = stretched_walks(scene, octahedron);
   for (int choice = 1; choice < 3 && best.accounted_for() != pairs; ++choice) {
     std::rotate(octahedron.pair.begin(), octahedron.pair.begin() + 1, octahedron.pair.end());
-    CoreSolutions found = CoreSolver(scene, reduction, octahedron).run(work);
+    CoreSolutions found = CoreSolver(scene, reduction, octahedron).run(method, work);
     found.at_infinity = best.at_infinity;
     if (found.accounted_for() > best.accounted_for()) best = std::move(found);
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "solvers/model/complex_points.hpp"
@@ -27,6 +28,19 @@ struct CoreSolution {
   double tolerance() const { return is_singular ? 1e-5 : 1e-9; }  ///< relative to the figure's squared size
 };
 
+/// How the eight pairs of diagonals are found.
+enum class DiagonalMethod {
+  eigenvalues,  ///< of a matrix in doubles
+  univariate    ///< as the roots of one polynomial, exact and isolated (exact_elimination.hpp)
+};
+
+/// What exact elimination says.
+struct EliminationFacts {
+  int degree = 0;  ///< of the polynomial in the height; −1: it is 0
+  int distinct_real_roots = 0;
+  std::optional<int> real_solutions;  ///< proven, in the fixed frame; nothing where that is not decided
+};
+
 /// What the eight eigenvalues came to.
 struct CoreSolutions {
   /// Common zeros of two polynomials of bidegree (2, 2): Bézout on P¹ × P¹.
@@ -36,9 +50,10 @@ struct CoreSolutions {
   std::vector<CoreSolution> list;
   std::array<int, 3> frame{};  ///< points at the origin, on the x-axis and in the xy-plane
   int at_infinity = 0;
-  int far_away = 0;            ///< eigenvalues that led to no solution but far away
-  bool common_factor = false;  ///< to rounding
-  bool flexible = false;       ///< proven
+  int far_away = 0;                             ///< eigenvalues that led to no solution but far away
+  bool common_factor = false;                   ///< to rounding
+  bool flexible = false;                        ///< proven
+  std::optional<EliminationFacts> elimination;  ///< where they were found so
 
   int accounted_for() const;
   /// Nothing that a curve of solutions may have left behind.
@@ -48,6 +63,7 @@ struct CoreSolutions {
 /// Of the scene's core, which is an octahedron, with each choice of two diagonals until nothing is missing:
 /// of a, a', b, b' that are coplanar, or nearly, at solutions the diagonals say little of where c and c' are.
 /// Adds to `work`.
-CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, WorkCounters& work);
+CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, DiagonalMethod method,
+                         WorkCounters& work);
 
 }  // namespace gcs

@@ -48,4 +48,10 @@ DiagonalEquations::DiagonalEquations(const SquaredLengths& lengths, const Octahe
   second_ = shifted(gram_determinant(lengths, octahedron, c2), dx, dy);
 }
 
+CommonZeros DiagonalEquations::solve_over(const std::vector<std::complex<double>>& squares) const {
+  std::vector<std::complex<double>> products;
+  for (const std::complex<double>& x : squares) products.push_back((sum_x_ - x) / 2.0);
+  return common_zeros_over(products, first_, second_);
+}
+
 }  // namespace gcs

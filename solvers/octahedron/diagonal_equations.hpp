@@ -20,6 +20,8 @@ class DiagonalEquations {
   /// Bézout's number: the product of the equations' degrees in X and Y together.
   int total_degree() const { return degree(first_) * degree(second_); }
   CommonZeros solve() const { return common_zeros(first_, second_); }
+  /// The Y that go with given X, of which there are eight at most.
+  CommonZeros solve_over(const std::vector<std::complex<double>>& squares) const;
   Diagonals diagonals(const CommonZero& zero) const {
     return {sum_x_ - 2.0 * zero.x.value(), sum_y_ - 2.0 * zero.y.value()};
   }

@@ -1,10 +1,9 @@
 #include "solvers/octahedron/exact_squares.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "solvers/model/given_numbers.hpp"
-#include "solvers/numeric/rational_polynomial.hpp"
+#include "solvers/octahedron/exact_determinants.hpp"
 
 namespace gcs {
 namespace {
@@ -12,55 +11,6 @@ namespace {
 /// The signs of a closed walk, but for a common one.
 std::array<int, 4> signs_of(int number) {
   return {1, number & 1 ? -1 : 1, number & 2 ? -1 : 1, number & 4 ? -1 : 1};
-}
-
-// ---- Gram determinants with the squared diagonals as variables
-
-/// Squared distances of an octahedron's points: numbers, and for the first two diagonals variables.
-class SymbolicSquares {
- public:
-  SymbolicSquares(const Scene& scene, const Octahedron& octahedron)
-      : exact_(scene), octahedron_(octahedron) {}
-
-  RationalPolynomial operator()(int p, int q) const {
-    if (p == q) return Rational(0);
-    for (int variable = 0; variable < 2; ++variable) {
-      const auto [a, a2] = octahedron_.pair[static_cast<std::size_t>(variable)];
-      if (std::minmax(p, q) == std::minmax(a, a2)) return RationalPolynomial::variable(variable);
-    }
-    return exact_(p, q);
-  }
-
- private:
-  ExactSquares exact_;
-  const Octahedron& octahedron_;
-};
-
-using Rows = std::vector<std::vector<RationalPolynomial>>;
-
-/// By its first row.
-RationalPolynomial determinant(const Rows& rows) {
-  if (rows.empty()) return Rational(1);
-  RationalPolynomial sum = Rational(0);
-  for (std::size_t column = 0; column < rows.size(); ++column) {
-    Rows minor(rows.begin() + 1, rows.end());
-    for (auto& row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
-    const RationalPolynomial term = rows[0][column] * determinant(minor);
-    sum = column % 2 == 0 ? sum + term : sum - term;
-  }
-  return sum;
-}
-
-/// Of twice the products of the vectors from `apex` to `points`: the Cayley–Menger determinant up to a
-/// factor.
-RationalPolynomial gram_determinant(const SymbolicSquares& squares, int apex,
-                                    const std::vector<int>& points) {
-  Rows rows;
-  for (const int p : points) {
-    auto& row = rows.emplace_back();
-    for (const int q : points) row.push_back(squares(p, apex) + squares(q, apex) - squares(p, q));
-  }
-  return determinant(rows);
 }
 
 /// Of the diagonals aa' and bb'.

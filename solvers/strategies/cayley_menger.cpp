@@ -9,6 +9,11 @@
 /// its isotropic vector, in double-double. Where a, a', b, b' are coplanar two solutions share both diagonals
 /// (c and c' on the same side or on opposite ones) and the pair is a double zero, which both find.
 ///
+/// method=univariate finds the pairs of diagonals in another way: one unknown is eliminated from the two determinants
+/// exactly, and the roots of the polynomial that is left are isolated in balls. How many real octahedra there are in
+/// the fixed frame is then a theorem, where all are simple: as many as a polynomial of degree 16 has real roots, by
+/// Sturm's theorem (octahedron/exact_elimination.hpp). The same section, 4.2; Hoffmann, Vermeer 1995.
+///
 /// Other points may hang on the octahedron: each is placed afterwards, on both sides.
 ///
 /// Nearly singular solutions are settled at the end, with the file's own numbers
@@ -65,7 +70,7 @@ class Reporter {
   SolveReport run(const CoreSolutions& core, const WorkCounters& work) {
     report_.work = work;
     report_.claim = Claim::all_complex;
-    report_.particulars = {{"total_degree", core.total_degree}};
+    report_.particulars = particulars(core);
     if (core.flexible || core.common_factor) return refused(core.flexible);
     for (const CoreSolution& solution : core.list) hang(0, solution.points, solution);
     settle_nearly_singular();
@@ -87,6 +92,16 @@ class Reporter {
     ComplexPoints points;
     int solutions = 0;
   };
+
+  static std::vector<Particular> particulars(const CoreSolutions& core) {
+    std::vector<Particular> counts{{"total_degree", core.total_degree}};
+    if (!core.elimination) return counts;
+    counts.push_back({"eliminated_degree", std::max(core.elimination->degree, 0)});
+    counts.push_back({"eliminated_real_roots", core.elimination->distinct_real_roots});
+    if (core.elimination->real_solutions)
+      counts.push_back({"proven_real_solutions", *core.elimination->real_solutions});
+    return counts;
+  }
 
   SolveReport refused(bool is_proven) {
     report_.status = is_proven ? SolveStatus::infinite : SolveStatus::gave_up;
@@ -243,7 +258,7 @@ SolveReport stopped() {
 
 class CayleyMengerStrategy final : public Strategy {
  public:
-  explicit CayleyMengerStrategy(const CayleyMenger&) {}
+  explicit CayleyMengerStrategy(const CayleyMenger& asked) : method_(asked.method) {}
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
@@ -262,9 +277,12 @@ class CayleyMengerStrategy final : public Strategy {
     if (request.stop.stop_requested()) return stopped();
     const CoreReduction reduction = reduce_to_core(request.scene.problem(), {});
     WorkCounters work;
-    const CoreSolutions core = solve_core(request.scene, reduction, work);
+    const CoreSolutions core = solve_core(request.scene, reduction, method_, work);
     return Reporter(request, reduction, core.frame).run(core, work);
   }
+
+ private:
+  DiagonalMethod method_;
 };
 
 }  // namespace

@@ -1,7 +1,8 @@
 #pragma once
-/// What cayley_menger.cpp can be asked for: it has no options of its own.
+/// What cayley_menger.cpp can be asked for.
 
 #include "solvers/interface/options.hpp"
+#include "solvers/octahedron/core_solutions.hpp"
 
 namespace gcs {
 
@@ -12,9 +13,13 @@ struct CayleyMenger {
   int threads = 1;
   bool certify = false;
   std::optional<bool> reduce = {};
+  DiagonalMethod method = DiagonalMethod::eigenvalues;
 
   template <class Self, class Visitor>
-  static void options(Self&, Visitor&&) {}
+  static void options(Self& self, Visitor&& option) {
+    option("method", self.method, OneOf<DiagonalMethod>{"eigenvalues|univariate"},
+           "eigenvalues: of a matrix in doubles; univariate: roots of one polynomial, eliminated exactly");
+  }
   bool operator==(const CayleyMenger&) const = default;
 };
 

@@ -106,6 +106,12 @@ ProblemStatement hanging_near_its_base(const std::string& square) {
                                {6, 2, "5"}});
 }
 
+std::int64_t particular(const SolveRun& run, const std::string& name) {
+  const auto found = std::find_if(run.particulars.begin(), run.particulars.end(),
+                                  [&](const Particular& count) { return count.name == name; });
+  return found == run.particulars.end() ? -1 : found->value;
+}
+
 int real_ones(const SolveRun& run) {
   const auto& solutions = run.solutions;
   return static_cast<int>(std::count_if(solutions.begin(), solutions.end(),
@@ -313,6 +319,47 @@ TEST_CASE("solutions that doubles do not tell apart are not called complete") {
       solved(hanging_near_its_base("5.0000000000000000000000000001"), "cayley-menger", {{"reduce", "off"}});
   CHECK(run.status == RunStatus::partial);
   CHECK_THAT(run.reason, Catch::Contains("too near each other to be told apart"));
+}
+
+TEST_CASE("the exact polynomial has as many real roots as two other methods find real octahedra") {
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 10; ++i) {
+    const ProblemStatement problem = octahedron_of(random_points(random));
+    const SolveRun exact = solved(problem, "cayley-menger", {{"method", "univariate"}});
+    INFO("octahedron " << i << ": " << exact.reason);
+    CHECK(exact.status == RunStatus::complete);
+    CHECK(exact.solutions.size() == 8);
+    CHECK(exact.failed_checks.empty());
+    CHECK(particular(exact, "eliminated_degree") == 16);
+    CHECK(particular(exact, "proven_real_solutions") == 2 * real_ones(exact));
+    CHECK(real_ones(exact) == real_ones(solved(problem)));
+    CHECK(real_ones(exact) == real_ones(solved(problem, "plan-scan")));
+  }
+}
+
+TEST_CASE("exact elimination tells two solutions near a fold apart") {
+  for (const auto& [square, real] :
+       {std::pair("1.176916470405032644509943149310", 2), {"1.176916470405012644509943149310", 0}}) {
+    const SolveRun run = run_strategy(find_strategy("cayley-menger"), {{"method", "univariate"}},
+                                      Scene(near_fold(square)), {});
+    INFO(square << " " << run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.solutions.size() == 8);
+    CHECK(particular(run, "proven_real_solutions") == 2 * real);
+  }
+}
+
+TEST_CASE("exact elimination too proves that an octahedron flexes, and counts diagonals at infinity") {
+  std::mt19937_64 random(5);
+  Eigen::Matrix3Xd points = (1024 * random_points(random)).array().round() / 1024;
+  Eigen::Matrix3Xd turned = points;
+  for (int p = 0; p < 3; ++p) turned.col(p + 3) << -points(0, p), -points(1, p), points(2, p);
+  CHECK(solved(octahedron_of(turned), "cayley-menger", {{"method", "univariate"}}).status ==
+        RunStatus::infinite);
+  points.col(5) = points.col(4) + points.col(1) - points.col(2);
+  const SolveRun run = solved(octahedron_of(points), "cayley-menger", {{"method", "univariate"}});
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.counts.at_infinity.value_or(0) + run.solutions.size() == 8);
 }
 
 TEST_CASE("cayley-menger says what it is not for") {

@@ -122,7 +122,7 @@ TEST_CASE("defaults have the texts that results keep") {
   check_texts(Monodromy{}, monodromy);
   check_texts(Polyhedral{}, polyhedral);
 
-  check_texts(CayleyMenger{}, {});
+  check_texts(CayleyMenger{}, {{"method", "eigenvalues"}});
   check_texts(
       ThetaScan{},
       {{"delta", "0.2"}, {"dtheta", "1"}, {"max_cells", "100000000"}, {"method", "events"}, {"start", "0"}});
@@ -159,7 +159,7 @@ TEST_CASE("values come back from their texts") {
   check_round_trip(
       Monodromy{.arcs = 20, .trace = false, .start = "old", .save_start = "new", .tracking = paths});
   check_round_trip(Polyhedral{.formulation = Formulation::coordinates, .tracking = paths});
-  check_round_trip(CayleyMenger{});
+  check_round_trip(CayleyMenger{.method = DiagonalMethod::univariate});
   check_round_trip(ThetaScan{.method = ThetaScan::Method::published,
                              .dtheta = 0.01,
                              .start = -1.5,

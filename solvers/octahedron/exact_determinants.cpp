@@ -1,0 +1,44 @@
+#include "solvers/octahedron/exact_determinants.hpp"
+
+#include <algorithm>
+
+namespace gcs {
+namespace {
+
+using Rows = std::vector<std::vector<RationalPolynomial>>;
+
+/// By its first row.
+RationalPolynomial determinant(const Rows& rows) {
+  if (rows.empty()) return Rational(1);
+  RationalPolynomial sum = Rational(0);
+  for (std::size_t column = 0; column < rows.size(); ++column) {
+    Rows minor(rows.begin() + 1, rows.end());
+    for (auto& row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+    const RationalPolynomial term = rows[0][column] * determinant(minor);
+    sum = column % 2 == 0 ? sum + term : sum - term;
+  }
+  return sum;
+}
+
+}  // namespace
+
+RationalPolynomial SymbolicSquares::operator()(int p, int q) const {
+  if (p == q) return Rational(0);
+  for (int variable = 0; variable < 2; ++variable) {
+    const auto [a, a2] = octahedron_.pair[static_cast<std::size_t>(variable)];
+    if (std::minmax(p, q) == std::minmax(a, a2)) return RationalPolynomial::variable(variable);
+  }
+  return exact_(p, q);
+}
+
+RationalPolynomial gram_determinant(const SymbolicSquares& squares, int apex,
+                                    const std::vector<int>& points) {
+  Rows rows;
+  for (const int p : points) {
+    auto& row = rows.emplace_back();
+    for (const int q : points) row.push_back(squares(p, apex) + squares(q, apex) - squares(p, q));
+  }
+  return determinant(rows);
+}
+
+}  // namespace gcs

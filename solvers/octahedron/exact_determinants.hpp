@@ -1,0 +1,31 @@
+#pragma once
+/// Cayley–Menger determinants of an octahedron's points, exactly, with squared diagonals as unknowns.
+
+#include <vector>
+
+#include "solvers/numeric/rational_polynomial.hpp"
+#include "solvers/octahedron/exact_squares.hpp"
+
+namespace gcs {
+
+/// Squared distances of an octahedron's points, in the scene's unit: numbers, and |aa'|² and |bb'|² as the unknowns 0
+/// and 1.
+class SymbolicSquares {
+ public:
+  /// Keeps a reference to the octahedron.
+  SymbolicSquares(const Scene& scene, const Octahedron& octahedron)
+      : exact_(scene), octahedron_(octahedron) {}
+
+  /// Precondition: p and q are not the last pair.
+  RationalPolynomial operator()(int p, int q) const;
+
+ private:
+  ExactSquares exact_;
+  const Octahedron& octahedron_;
+};
+
+/// Of twice the products of the vectors from `apex` to `points`: the Cayley–Menger determinant up to a
+/// positive factor and a sign, so that it is > 0 where that many points of R³ are in general position.
+RationalPolynomial gram_determinant(const SymbolicSquares& squares, int apex, const std::vector<int>& points);
+
+}  // namespace gcs

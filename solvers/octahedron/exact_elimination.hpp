@@ -1,0 +1,43 @@
+#pragma once
+/// An octahedron as one polynomial in one unknown, exactly: the geometric way of Hoffmann, Vermeer 1995 (as Hoffmann,
+/// Yuan 2000, section 4.2, tell of it), which by resultants comes to a univariate polynomial of degree 16.
+///
+/// Points and names as in diagonal_equations.hpp. The resultant P(X) in Y of the Cayley–Menger determinants of
+/// {a, a', b, b', c} and {a, a', b, b', c'} has degree 8: Bézout's number on P¹ × P¹, less one for each pair of
+/// diagonals with X at infinity. With w(X), the Gram determinant of b − a, c − a, a' − a, the resultant Q(v) in X
+/// of P(X) and v² − w(X) has twice that degree; v is six times the volume of the tetrahedron abca', with a sign, which is
+/// to say the height of a' over the plane abc. (Of which unknown theirs is, the paper does not say. Half angles, as in
+/// its section 4.1, have no rational coefficients: there is no rational point on the circle of a' as a rule.)
+///
+/// Theorem. Let abc be a triangle with corners in general position, and Q have no multiple root. Then Q has as many real
+/// roots as there are real octahedra of these lengths in the fixed frame, mirror images apart.
+///
+/// Proof. Roots of P that belong to v ≠ −v are simple too, and 0 is no root of Q. Each root X belongs to one common zero
+/// (X, Y) of the determinants, a simple one, so that a, a', b, b' are not coplanar (else c and c' may each be on two
+/// sides, and the zero is a double one) and it is the zero of one octahedron up to motions of C³ and mirror images, or
+/// Y is at infinity. If X is real, so is Y, as the conjugate zero has the same X, and so are all squared distances. The
+/// Gram matrix of b − a, c − a, a' − a is then real, has a positive definite minor and the determinant w: it is positive
+/// definite, and the octahedron is real, for v² = w > 0, v real; it is indefinite, and there is no real octahedron, for
+/// v imaginary. If Y is at infinity a, c, a' are on a line, so that w = −(a square) < 0 or 0. If X is not real, v is
+/// not, or Q has a double root, which the conjugate X gives too. ∎
+
+#include <optional>
+
+#include "solvers/numeric/integer_polynomial.hpp"
+#include "solvers/octahedron/octahedron.hpp"
+
+namespace gcs {
+
+struct OctahedronPolynomials {
+  /// P, in X = |aa'|² in the scene's unit; 0 where the determinants have a common factor.
+  IntegerPolynomial diagonal;
+  IntegerPolynomial height;     ///< Q; 0 where P is
+  bool has_round_base = false;  ///< the triangle abc is not flat: proven
+
+  /// In the fixed frame, mirror images apart; nothing where the theorem says nothing.
+  std::optional<int> real_solutions() const;
+};
+
+OctahedronPolynomials eliminated(const Scene& scene, const Octahedron& octahedron);
+
+}  // namespace gcs

@@ -68,32 +68,6 @@ bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
   return apart > uncertain * scene.size();
 }
 
-PathRecord record_of(const PathEnd& end) {
-  PathRecord record;
-  switch (end.kind) {
-    case PathEnd::Kind::regular:
-      record.end = PathRecord::End::regular;
-      break;
-    case PathEnd::Kind::singular:
-      record.end = PathRecord::End::singular;
-      break;
-    case PathEnd::Kind::at_infinity:
-      record.end = PathRecord::End::at_infinity;
-      break;
-    case PathEnd::Kind::failed:
-      record.end = PathRecord::End::failed;
-      break;
-    case PathEnd::Kind::stopped:
-      record.end = PathRecord::End::stopped;
-      break;
-  }
-  record.cause = end.cause;
-  if (end.kind == PathEnd::Kind::failed || end.kind == PathEnd::Kind::stopped) return record;
-  record.winding_number = end.winding_number;
-  record.pole_order = end.pole_order;
-  return record;
-}
-
 /// A condition number that leaves three digits or fewer of a correction along the Jacobian's near kernel.
 constexpr double rank_lost = 1e13;
 
@@ -246,7 +220,7 @@ class ComplexReporter {
   }
 
   void add_path(const PathEnd& end) {
-    report_.paths.push_back(record_of(end));
+    report_.paths.push_back(path_record(end));
     if (end.kind != PathEnd::Kind::failed) return;
     LostPaths& lost = missing_.lost[end.cause];
     ++lost.count;
@@ -295,6 +269,32 @@ class ComplexReporter {
 };
 
 }  // namespace
+
+PathRecord path_record(const PathEnd& end) {
+  PathRecord record;
+  switch (end.kind) {
+    case PathEnd::Kind::regular:
+      record.end = PathRecord::End::regular;
+      break;
+    case PathEnd::Kind::singular:
+      record.end = PathRecord::End::singular;
+      break;
+    case PathEnd::Kind::at_infinity:
+      record.end = PathRecord::End::at_infinity;
+      break;
+    case PathEnd::Kind::failed:
+      record.end = PathRecord::End::failed;
+      break;
+    case PathEnd::Kind::stopped:
+      record.end = PathRecord::End::stopped;
+      break;
+  }
+  record.cause = end.cause;
+  if (end.kind == PathEnd::Kind::failed || end.kind == PathEnd::Kind::stopped) return record;
+  record.winding_number = end.winding_number;
+  record.pole_order = end.pole_order;
+  return record;
+}
 
 SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
                            const WorkCounters& work, std::mt19937_64& random) {

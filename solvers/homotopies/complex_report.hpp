@@ -10,6 +10,9 @@
 
 namespace gcs {
 
+/// The end of a path as reports have it.
+PathRecord path_record(const PathEnd& end);
+
 /// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
 /// Newton's method on the real part agrees; a record for every path. The status is partial where paths
 /// failed, where two ended at one regular solution (a step has jumped), where the conjugate of a finite end

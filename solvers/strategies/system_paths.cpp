@@ -1,0 +1,238 @@
+/// The polynomial systems of Hoffmann, Yuan 2000 for 6p and 5p1L, as they stand, solved by paths.
+///
+/// Each system is written down with the exact numbers of the file (systems/octahedron_systems.hpp and
+/// systems/pyramid_systems.hpp), so that its degrees and monomials are those of the instance and not of a theory; its total
+/// degree, a multihomogeneous Bézout number and its mixed volume are computed from it. Its zeros are found by paths
+/// (systems/system_paths.hpp), whose ends are counted as they come; those that are regular are turned into points,
+/// polished by Newton's method on the distances, and reported.
+///
+/// It is a measure of what a way to write a problem costs, and no strategy for hard scenes: multiple solutions, and those
+/// at which a system has no regular zero (a flat octahedron has half angles at infinity), make the status partial.
+/// Step control is a heuristic; where paths are taken for each other, regular ends coincide, and the status is partial.
+
+#include "solvers/strategies/system_paths.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "solvers/homotopies/complex_report.hpp"
+#include "solvers/homotopies/mirror_images.hpp"
+#include "solvers/model/distance_system.hpp"
+#include "solvers/octahedron/octahedron.hpp"
+#include "solvers/running/words.hpp"
+#include "solvers/systems/homogeneous_bound.hpp"
+#include "solvers/systems/octahedron_systems.hpp"
+#include "solvers/systems/pyramid_systems.hpp"
+
+namespace gcs {
+namespace {
+
+using System = SystemPaths::System;
+using Complex = std::complex<double>;
+
+/// Of six points, all of them in it.
+std::optional<Octahedron> whole_octahedron(const Scene& scene) {
+  if (scene.dimension() != 3 || scene.has_lines() || scene.is_anchored() || scene.point_count() != 6)
+    return std::nullopt;
+  const auto octahedron = find_octahedron(scene, reduce_to_core(scene.problem(), {}));
+  return octahedron ? std::optional(with_round_base(*octahedron, SquaredLengths(scene))) : std::nullopt;
+}
+
+SystemOrReason write(const Scene& scene, System system) {
+  const auto octahedron = whole_octahedron(scene);
+  const auto pyramid = octahedron ? std::nullopt : find_pyramid(scene);
+  SystemOrReason written = system == System::quartics       ? octahedron_quartics(scene, *octahedron)
+                           : system == System::parametrised ? pyramid_parametrised(scene, *pyramid)
+                           : octahedron                     ? octahedron_quadrics(scene, *octahedron)
+                                                            : pyramid_quadrics(scene, *pyramid);
+  if (written.system && system == System::echelon)
+    written.system->equations = echelon_form(written.system->equations);
+  return written;
+}
+
+/// Newton's method on the squared distances, in doubles.
+class Polisher {
+ public:
+  Polisher(const Scene& scene, const DistanceSystem& coordinates)
+      : coordinates_(coordinates), system_(square_system(coordinates)) {
+    for (const DoubleDouble& square : target_squares(scene)) squares_.emplace_back(square.value());
+  }
+
+  /// The free coordinates of a placement; nothing where it is none of a solution.
+  std::optional<ComplexVectorX> run(const ComplexPoints& points) const {
+    if (!points.allFinite()) return std::nullopt;
+    ComplexVectorX x(static_cast<std::size_t>(system_.unknowns));
+    for (int p = 0; p < coordinates_.point_count(); ++p)
+      for (int axis = 0; axis < 3; ++axis)
+        if (const int i = coordinates_.unknown(p, axis); i >= 0)
+          x[static_cast<std::size_t>(i)] = points(axis, p);
+    for (int i = 0; i < most_iterations; ++i) {
+      const double correction = improve(x);
+      if (correction <= settled * (1 + largest(x))) return x;
+      if (!(correction <= nearby * (1 + largest(x)))) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr int most_iterations = 8;
+  static constexpr double nearby = 1e-3;    ///< of a correction: further away there is no solution
+  static constexpr double settled = 1e-11;  ///< the next correction is below rounding
+
+  double improve(ComplexVectorX& x) const {
+    const auto n = static_cast<Eigen::Index>(x.size());
+    const ComplexVectorX jacobian = jacobian_at(system_, x), here = squares_at(system_, x);
+    Eigen::VectorXcd excess(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      excess[i] = (here[static_cast<std::size_t>(i)] - squares_[static_cast<std::size_t>(i)]) / 2.0;
+    using Rows = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::VectorXcd change =
+        Eigen::Map<const Rows>(jacobian.data(), n, n).partialPivLu().solve(excess);
+    for (Eigen::Index i = 0; i < n; ++i) x[static_cast<std::size_t>(i)] -= change[i];
+    return change.cwiseAbs().maxCoeff();
+  }
+
+  const DistanceSystem& coordinates_;
+  SquareSystem system_;
+  ComplexVectorX squares_;
+};
+
+/// What the ends of the paths are to the scene.
+struct SortedEnds {
+  std::vector<PathEnd> classes;  ///< regular ends, one for each class, in the frame of the system
+  int extraneous = 0;            ///< finite ends that are none of the problem's
+  int singular = 0;              ///< other finite ones that are not regular
+  int misplaced = 0;             ///< regular ones that are no points
+};
+
+SortedEnds sorted(const Scene& scene, const WrittenSystem& written, const DistanceSystem& coordinates,
+                  const std::vector<PathEnd>& ends, std::mt19937_64& random) {
+  SortedEnds result;
+  const Polisher polisher(scene, coordinates);
+  SolutionSet classes(mirror_axes(scene, coordinates), random);
+  for (const PathEnd& end : ends) {
+    const bool is_regular = end.kind == PathEnd::Kind::regular;
+    if (!is_regular && end.kind != PathEnd::Kind::singular) continue;
+    if (written.is_extraneous && written.is_extraneous(end.x)) {
+      ++result.extraneous;
+    } else if (!is_regular) {
+      ++result.singular;
+    } else if (const auto x = polisher.run(written.place(end.x)); !x) {
+      ++result.misplaced;
+    } else {
+      const int known = classes.size();
+      classes.insert(*x, regular_uncertainty);
+      if (classes.size() == known) continue;
+      result.classes.push_back(end);
+      result.classes.back().x = *x;
+    }
+  }
+  return result;
+}
+
+class SystemPathsStrategy final : public Strategy {
+ public:
+  explicit SystemPathsStrategy(const SystemPaths& asked)
+      : system_(asked.system), start_(asked.start) {}
+
+  std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    const bool is_octahedron = whole_octahedron(request.scene).has_value();
+    const bool is_pyramid = !is_octahedron && find_pyramid(request.scene).has_value();
+    if (!is_octahedron && !is_pyramid) return "no system is written down but of octahedra and of 5p1L";
+    if (system_ == System::quartics && is_pyramid)
+      return "the quartics are of octahedra; 5p1L has system=quadrics, echelon and parametrised";
+    if (system_ == System::parametrised && is_octahedron)
+      return "the parametrised system is of 5p1L; octahedra have system=quartics, quadrics and echelon";
+    return std::nullopt;
+  }
+
+  SolveReport solve(const SolveRequest& request) override {
+    const SystemOrReason written = write(request.scene, system_);
+    SolveReport report;
+    report.claim = Claim::all_complex;
+    report.reason = written.system ? why_not_square(written.system->equations) : written.why_none;
+    if (!report.reason.empty()) return report;
+    WorkCounters work;
+    const auto progress = [&request](std::string_view stage, double fraction) {
+      if (request.monitor && !request.stop.stop_requested()) request.monitor->progress(stage, fraction);
+    };
+    TrackingSetup setup;
+    setup.set = widest_instruction_set();
+    setup.threads = request.threads;
+    const FollowedSystem paths = follow_system_paths(
+        {written.system->equations, start_, setup, request.seed, request.stop, progress}, work);
+    return report_of(request, *written.system, paths, work);
+  }
+
+ private:
+  static std::string why_not_square(const PolynomialSystem& system) {
+    if (static_cast<int>(system.equations.size()) < system.unknowns) return "the equations are dependent";
+    const bool any_constant = std::ranges::any_of(
+        system.equations, [](const RationalPolynomial& equation) { return equation.total_degree() < 1; });
+    return any_constant ? "an equation of the system is constant" : "";
+  }
+
+  SolveReport report_of(const SolveRequest& request, const WrittenSystem& written, const FollowedSystem& paths,
+                        const WorkCounters& work) const {
+    std::mt19937_64 random(request.seed);
+    const DistanceSystem coordinates(request.scene, written.reference);
+    const SortedEnds ends = sorted(request.scene, written, coordinates, paths.ends, random);
+    SolveReport report = complex_report(request.scene, coordinates, ends.classes, work, random);
+    report.paths.clear();
+    for (const PathEnd& end : paths.ends) report.paths.push_back(path_record(end));
+    report.particulars = particulars(request, written.equations, ends);
+    if (paths.is_stopped) {
+      report.status = SolveStatus::stopped;
+      report.reason = "stopped on request";
+    } else if (std::string missing = what_is_missing(paths, ends); !missing.empty()) {
+      report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
+      report.status = SolveStatus::partial;
+    }
+    return report;
+  }
+
+  std::vector<Particular> particulars(const SolveRequest& request, const PolynomialSystem& system,
+                                      const SortedEnds& ends) const {
+    const Supports supports = supports_of(system);
+    const auto number = [](const Natural& value) { return static_cast<std::int64_t>(value.approximate()); };
+    std::vector<Particular> counts{{"unknowns", system.unknowns},
+                                   {"terms", system.terms()},
+                                   {"total_degree", number(system.total_degree())},
+                                   {"homogeneous_bound", number(small_homogeneous_bound(supports).bound)}};
+    if (const auto volume = mixed_volume(supports, request.seed, request.threads, request.stop))
+      counts.push_back({"mixed_volume", number(*volume)});
+    counts.push_back({"extraneous_ends", ends.extraneous});
+    return counts;
+  }
+
+  std::string what_is_missing(const FollowedSystem& paths, const SortedEnds& ends) const {
+    if (!paths.why_none.empty()) return paths.why_none;
+    const auto failed = std::ranges::count_if(
+        paths.ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::failed; });
+    if (failed > 0) return counted(failed, "path") + " failed";
+    if (paths.jumps > 0) return counted(paths.jumps, "path") + " ended where another had: a step has jumped";
+    if (ends.singular > 0)
+      return counted(ends.singular, "path") + " ended at multiple solutions, which are not listed";
+    if (ends.misplaced > 0)
+      return counted(ends.misplaced, "regular end") + " could not be turned into points";
+    const bool any_at_infinity = std::ranges::any_of(
+        paths.ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::at_infinity; });
+    if (system_ == System::quartics && start_ == PathStart::mixed_cells && any_at_infinity)
+      return "half angles are infinite, as where points are flat";
+    return "";
+  }
+
+  System system_;
+  PathStart start_;
+};
+
+}  // namespace
+
+StrategyEntry system_paths_entry() {
+  StrategyEntry entry = entry_of<SystemPathsStrategy, SystemPaths>();
+  entry.summary = "follows the paths of the polynomial systems that Hoffmann and Yuan write down";
+  entry.citation = "Hoffmann, Yuan 2000, sections 4.1 and 4.2";
+  return entry;
+}
+
+}  // namespace gcs

@@ -118,6 +118,9 @@ std::span<const TableKind> table_kinds() {
                 draw_pyramid},
       TableKind{"tangents", "lines at given distances from four points (Hoffmann, Yuan)", hoffmann,
                 tangents_instances, !free_columns, shows_solutions, tangents_variants, build_tangents},
+      TableKind{"three-ways", "systems of equations for 6p, 4p1L and 5p1L, and their paths (Hoffmann, Yuan)",
+                hoffmann, three_ways_instances, !free_columns, !shows_solutions, three_ways_variants,
+                build_three_ways},
       TableKind{"ablation", "one option of a strategy changed at a time, and what is left out", imbach,
                 ablation_instances, free_columns, !shows_solutions, ablation_variants, build_ablation},
   };

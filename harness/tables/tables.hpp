@@ -133,6 +133,12 @@ const std::vector<std::string>& tangents_instances();
 std::vector<Variant> tangents_variants();
 std::vector<Table> build_tangents(const RunFile& run, const Publication& paper);
 
+/// An instance for each problem of Hoffmann and Yuan: 6p, 4p1L, 5p1L.
+const std::vector<std::string>& three_ways_instances();
+std::vector<Variant> three_ways_variants();
+/// Every way to write the problems as equations, and what it costs.
+std::vector<Table> build_three_ways(const RunFile& run, const Publication& paper);
+
 /// Every cell of the run with its repetitions, whatever the tables show of it.
 Table build_measurements(const RunFile& run);
 

@@ -37,6 +37,8 @@
 #include "solvers/octahedron/core_solutions.hpp"
 #include "solvers/octahedron/octahedron.hpp"
 #include "solvers/running/words.hpp"
+#include "solvers/systems/octahedron_systems.hpp"
+#include "solvers/systems/system_facts.hpp"
 
 namespace gcs {
 namespace {
@@ -278,10 +280,19 @@ class CayleyMengerStrategy final : public Strategy {
     const CoreReduction reduction = reduce_to_core(request.scene.problem(), {});
     WorkCounters work;
     const CoreSolutions core = solve_core(request.scene, reduction, method_, work);
-    return Reporter(request, reduction, core.frame).run(core, work);
+    SolveReport report = Reporter(request, reduction, core.frame).run(core, work);
+    if (method_ == DiagonalMethod::univariate) add_facts(request, reduction, report);
+    return report;
   }
 
  private:
+  /// Of the two determinants, exactly; their total degree is there.
+  static void add_facts(const SolveRequest& request, const CoreReduction& reduction, SolveReport& report) {
+    const Octahedron octahedron = *find_octahedron(request.scene, reduction);
+    for (Particular& fact : system_facts(octahedron_determinants(request.scene, octahedron), request))
+      if (fact.name != "total_degree") report.particulars.push_back(std::move(fact));
+  }
+
   DiagonalMethod method_;
 };
 

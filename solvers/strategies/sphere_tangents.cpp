@@ -38,6 +38,8 @@
 
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/systems/system_facts.hpp"
+#include "solvers/systems/tangent_systems.hpp"
 #include "solvers/tangents/degenerate_spheres.hpp"
 #include "solvers/tangents/scene_spheres.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
@@ -185,11 +187,20 @@ class SphereTangentsStrategy final : public Strategy {
     else
       paths = find(request, spheres, local, report);
     if (paths) report_paths(std::move(*paths), report);
+    if (paths && method_ == Method::published) report.particulars = facts(request);
     return report;
   }
 
  private:
   using Method = SphereTangents::Method;
+
+  /// Of the system whose paths were followed.
+  std::vector<Particular> facts(const SolveRequest& request) const {
+    const ExactSpheres spheres = exact_spheres_of(request.scene);
+    if (system_ == PublishedSystem::quadrics) return system_facts(tangent_quadrics(spheres), request);
+    const std::optional<PolynomialSystem> cubic = tangent_cubic(spheres);
+    return cubic ? system_facts(*cubic, request) : std::vector<Particular>();
+  }
 
   std::optional<std::string> why_not_followed(const LocalSpheres& local) const {
     return method_ == Method::published ? why_no_system(local.spheres, system_) : std::nullopt;

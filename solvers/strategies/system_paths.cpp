@@ -20,9 +20,9 @@
 #include "solvers/model/distance_system.hpp"
 #include "solvers/octahedron/octahedron.hpp"
 #include "solvers/running/words.hpp"
-#include "solvers/systems/homogeneous_bound.hpp"
 #include "solvers/systems/octahedron_systems.hpp"
 #include "solvers/systems/pyramid_systems.hpp"
+#include "solvers/systems/system_facts.hpp"
 
 namespace gcs {
 namespace {
@@ -132,8 +132,7 @@ SortedEnds sorted(const Scene& scene, const WrittenSystem& written, const Distan
 
 class SystemPathsStrategy final : public Strategy {
  public:
-  explicit SystemPathsStrategy(const SystemPaths& asked)
-      : system_(asked.system), start_(asked.start) {}
+  explicit SystemPathsStrategy(const SystemPaths& asked) : system_(asked.system), start_(asked.start) {}
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const bool is_octahedron = whole_octahedron(request.scene).has_value();
@@ -172,15 +171,16 @@ class SystemPathsStrategy final : public Strategy {
     return any_constant ? "an equation of the system is constant" : "";
   }
 
-  SolveReport report_of(const SolveRequest& request, const WrittenSystem& written, const FollowedSystem& paths,
-                        const WorkCounters& work) const {
+  SolveReport report_of(const SolveRequest& request, const WrittenSystem& written,
+                        const FollowedSystem& paths, const WorkCounters& work) const {
     std::mt19937_64 random(request.seed);
     const DistanceSystem coordinates(request.scene, written.reference);
     const SortedEnds ends = sorted(request.scene, written, coordinates, paths.ends, random);
     SolveReport report = complex_report(request.scene, coordinates, ends.classes, work, random);
     report.paths.clear();
     for (const PathEnd& end : paths.ends) report.paths.push_back(path_record(end));
-    report.particulars = particulars(request, written.equations, ends);
+    report.particulars = system_facts(written.equations, request);
+    report.particulars.push_back({"extraneous_ends", ends.extraneous});
     if (paths.is_stopped) {
       report.status = SolveStatus::stopped;
       report.reason = "stopped on request";
@@ -189,20 +189,6 @@ class SystemPathsStrategy final : public Strategy {
       report.status = SolveStatus::partial;
     }
     return report;
-  }
-
-  std::vector<Particular> particulars(const SolveRequest& request, const PolynomialSystem& system,
-                                      const SortedEnds& ends) const {
-    const Supports supports = supports_of(system);
-    const auto number = [](const Natural& value) { return static_cast<std::int64_t>(value.approximate()); };
-    std::vector<Particular> counts{{"unknowns", system.unknowns},
-                                   {"terms", system.terms()},
-                                   {"total_degree", number(system.total_degree())},
-                                   {"homogeneous_bound", number(small_homogeneous_bound(supports).bound)}};
-    if (const auto volume = mixed_volume(supports, request.seed, request.threads, request.stop))
-      counts.push_back({"mixed_volume", number(*volume)});
-    counts.push_back({"extraneous_ends", ends.extraneous});
-    return counts;
   }
 
   std::string what_is_missing(const FollowedSystem& paths, const SortedEnds& ends) const {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "solvers/octahedron/exact_squares.hpp"
+#include "solvers/octahedron/exact_determinants.hpp"
 
 namespace gcs {
 namespace {
@@ -135,6 +135,14 @@ SystemOrReason octahedron_quadrics(const Scene& scene, const Octahedron& octahed
     return points;
   };
   return {std::move(written), ""};
+}
+
+PolynomialSystem octahedron_determinants(const Scene& scene, const Octahedron& octahedron) {
+  const SymbolicSquares squares(scene, octahedron);
+  const auto [a, a2] = octahedron.pair[0];
+  const auto [b, b2] = octahedron.pair[1];
+  const auto [c, c2] = octahedron.pair[2];
+  return {2, {gram_determinant(squares, c, {a, a2, b, b2}), gram_determinant(squares, c2, {a, a2, b, b2})}};
 }
 
 SystemOrReason octahedron_quartics(const Scene& scene, const Octahedron& octahedron) {

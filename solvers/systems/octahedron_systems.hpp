@@ -14,6 +14,10 @@ namespace gcs {
 /// coefficients are rational: |p|² = X²/|ab|² + Y²/y_c² + z². Exact.
 SystemOrReason octahedron_quadrics(const Scene& scene, const Octahedron& octahedron);
 
+/// The Cayley–Menger determinants of {a, a', b, b', c} and {a, a', b, b', c'} in |aa'|² and |bb'|², after Michelucci.
+/// Exact.
+PolynomialSystem octahedron_determinants(const Scene& scene, const Octahedron& octahedron);
+
 /// Each of a', b', c' turns about an edge of abc, by an angle whose half has the tangent t: what is left of the quadrics
 /// when the linear ones among their combinations are solved and the circles parametrised. Three equations, of a'b',
 /// b'c' and c'a', of degree 2 in either t and of degree 4 together:

@@ -19,6 +19,23 @@ ComplexVectorX flat(const std::vector<ComplexVectorX>& coefficients, const Quadr
   return all;
 }
 
+/// Whether the error of a singular end, the root of rounding, explains what x misses of 0 in every equation.
+bool is_zero_at(const MonomialSystem& system, const ComplexVectorX& coefficients, const ComplexVectorX& x) {
+  constexpr double tolerance = 1e-9;  // of the terms' sizes; ends that a mean lies between are further apart
+  for (int e = 0; e < system.equations(); ++e) {
+    std::complex<double> sum = 0;
+    double size = 0;
+    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
+      const auto [u, v] = system.monomials[j];
+      const std::complex<double> term = coefficients[j] * (u < 0 ? 1.0 : x[u]) * (v < 0 ? 1.0 : x[v]);
+      sum += term;
+      size += std::abs(term);
+    }
+    if (!(std::abs(sum) <= tolerance * size)) return false;
+  }
+  return true;
+}
+
 /// The equations with x_i^(d_i) and 1 among the monomials of equation i, and the coefficients on both ends.
 struct DegreeHomotopy {
   Supports supports;
@@ -121,8 +138,9 @@ class Following {
     const Elimination elimination =
         order_elimination(system.unknowns, sample_jacobians(system, starts, from, to));
     LegTracking tracking(system, elimination, request_.setup);
+    const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(system, to, x); };
     result_.ends = follow_to_end(
-        tracking, starts, from, to, [](const ComplexVectorX&) { return true; }, stopped_,
+        tracking, starts, from, to, is_zero, stopped_,
         [&](double fraction) { request_.progress("paths to the system", fraction); }, work_);
     for (PathEnd& end : result_.ends)
       if (end.x.size() > starts.front().size() - lift.products.size())

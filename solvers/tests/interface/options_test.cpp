@@ -15,6 +15,7 @@
 #include "solvers/strategies/polyhedral.hpp"
 #include "solvers/strategies/rcp.hpp"
 #include "solvers/strategies/sphere_tangents.hpp"
+#include "solvers/strategies/system_paths.hpp"
 #include "solvers/strategies/theta_scan.hpp"
 
 using namespace gcs;
@@ -128,6 +129,7 @@ TEST_CASE("defaults have the texts that results keep") {
       {{"delta", "0.2"}, {"dtheta", "1"}, {"max_cells", "100000000"}, {"method", "events"}, {"start", "0"}});
   check_texts(SphereTangents{}, {{"method", "direct"}, {"system", "quadrics"}});
   check_texts(PlanScan{}, {{"max_cells", "100000000"}});
+  check_texts(SystemPaths{}, {{"start", "mixed-cells"}, {"system", "quartics"}});
   check_texts(NewtonMultistart{}, {{"starts", "1000"}, {"unseen", "0.5"}});
 }
 
@@ -168,6 +170,7 @@ TEST_CASE("values come back from their texts") {
   check_round_trip(
       SphereTangents{.method = SphereTangents::Method::published, .system = PublishedSystem::cubic});
   check_round_trip(PlanScan{.scan = {.max_cells = 1}});
+  check_round_trip(SystemPaths{.system = SystemPaths::System::echelon, .start = PathStart::total_degree});
   check_round_trip(NewtonMultistart{.starts = 64, .unseen = 0});
 }
 
@@ -220,6 +223,7 @@ TEST_CASE("a choice takes its words alone") {
   check_words<PlanScan>();
   check_words<Monodromy>();
   check_words<Polyhedral>();
+  check_words<SystemPaths>();
   check_words<NewtonMultistart>();
   CHECK_THROWS_WITH(made(entry_named("rcp"), {{"swap", "yes"}}), "option swap=yes: expected on|off");
   CHECK_THROWS_WITH(made(entry_named("rcp"), {{"reduce", "yes"}}), "option reduce=yes: expected on|off");

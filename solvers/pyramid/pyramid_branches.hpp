@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solvers/pyramid/pyramid.hpp"
+#include "solvers/scanning/step_places.hpp"
 
 namespace gcs {
 
@@ -16,12 +17,6 @@ struct PyramidBranch {
 
   /// d34(θ) of this branch, in the unit of the pyramid's lengths.
   double gap() const { return (cycle[2] - cycle[3]).norm(); }
-};
-
-/// Where a point is that has given distances from the apex and from another point.
-struct HingeCircle {
-  double offset = 0;  ///< s: of the centre from the apex, towards the other point
-  double radius = 0;  ///< h
 };
 
 /// Evaluates the branches at any angle, Hoffmann and Yuan 2000, section 4.3. p1 comes from eq. 10 with both
@@ -39,8 +34,9 @@ class PyramidBranches {
 
  private:
   void append(const Eigen::Vector3d& p1, std::vector<PyramidBranch>& branches) const;
-  std::vector<Eigen::Vector3d> places(int point, const Eigen::Vector3d& hinge, double hinge_length,
-                                      const std::optional<HingeCircle>& circle) const;
+  /// Where the circle around the axis from the apex to `hinge` meets the cylinder of cycle[point].
+  Places places(int point, const Eigen::Vector3d& hinge, double hinge_length,
+                const std::optional<HingeCircle>& circle) const;
 
   Pyramid pyramid_;
   Eigen::Vector3d apex_;

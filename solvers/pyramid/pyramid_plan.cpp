@@ -14,11 +14,13 @@ int constraint_between(const ProblemStatement& problem, int p, int q) {
   return static_cast<int>(found - problem.constraints.begin());
 }
 
-}  // namespace
-
-ScanPlan pyramid_plan(const Scene& scene, const Pyramid& pyramid) {
+/// The line, the apex and p1 at the angle, mirror images not left out; then the points
+/// that `others` has, each after those around which it lies. d34 is checked at the last one.
+ScanPlan plan_of(const Scene& scene, const Pyramid& pyramid,
+                 const std::array<std::array<int, 2>, 3>& others) {
   const ProblemStatement& problem = scene.problem();
   const int line = static_cast<int>(problem.points.size());
+  const int apex = pyramid.apex;
   const auto sphere = [&](int around, int point) {
     return ScanSphere{around, constraint_between(problem, around, point)};
   };
@@ -31,19 +33,31 @@ ScanPlan pyramid_plan(const Scene& scene, const Pyramid& pyramid) {
     for (const int center : around) placing.spheres.push_back(sphere(center, point));
     return placing;
   };
-  const auto [p1, p2, p3, p4] = pyramid.cycle;
-  const int apex = pyramid.apex;
-
   ScanPlan plan;
-  plan.steps = {step(apex, {}), step(p1, {apex}), step(p2, {apex, p1}), step(p4, {apex, p1}),
-                step(p3, {apex, p2})};
+  plan.steps = {step(apex, {}), step(pyramid.cycle[0], {apex})};
   plan.steps[0].freedom = 1;
-  plan.steps[1].upper = true;
-  plan.steps[4].checks = {sphere(p4, p3)};
-  plan.ranges = {{-std::numbers::pi / 2, std::numbers::pi / 2}};
+  for (const auto& [point, neighbour] : others) plan.steps.push_back(step(point, {apex, neighbour}));
+  const int last = others[2][0];
+  plan.steps.back().checks = {sphere(pyramid.cycle[2] + pyramid.cycle[3] - last, last)};
+  plan.ranges = {{-std::numbers::pi, std::numbers::pi}};
   plan.frame.line = line;
   plan.frame.height = apex;
   return plan;
+}
+
+}  // namespace
+
+ScanPlan pyramid_plan(const Scene& scene, const Pyramid& pyramid) {
+  const auto [p1, p2, p3, p4] = pyramid.cycle;
+  ScanPlan plan = plan_of(scene, pyramid, {{{p2, p1}, {p4, p1}, {p3, p2}}});
+  plan.steps[1].upper = true;
+  plan.ranges = {{-std::numbers::pi / 2, std::numbers::pi / 2}};
+  return plan;
+}
+
+ScanPlan pyramid_plan_with_images(const Scene& scene, const Pyramid& pyramid) {
+  const auto [p1, p2, p3, p4] = pyramid.cycle;
+  return plan_of(scene, pyramid, {{{p2, p1}, {p3, p2}, {p4, p1}}});
 }
 
 }  // namespace gcs

@@ -11,4 +11,8 @@ namespace gcs {
 /// a neighbour and the line; the last side, d34, is checked.
 ScanPlan pyramid_plan(const Scene& scene, const Pyramid& pyramid);
 
+/// The same over the whole turn and with x of either sign, as [H] scans: all mirror images. d34 is checked when
+/// p4 is placed, after p3.
+ScanPlan pyramid_plan_with_images(const Scene& scene, const Pyramid& pyramid);
+
 }  // namespace gcs

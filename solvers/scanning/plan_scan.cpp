@@ -3,67 +3,22 @@
 #include <algorithm>
 
 #include "solvers/certificates/box_search.hpp"
+#include "solvers/scanning/narrowing.hpp"
 #include "solvers/scanning/step_pieces.hpp"
 
 namespace gcs {
 namespace {
 
-/// The part of a cell, in its own coordinates ξ in [−1, 1], on which a branch may still hold a solution.
-template <int N>
-class Narrowing {
- public:
-  Narrowing() {
-    low_.fill(-1);
-    high_.fill(1);
-  }
-
-  /// Leaves what satisfies g = 0, or g ≥ 0. False when nothing does; where g is not a number, all may.
-  bool by_zero(const AffineForm<N>& g) { return by_bound(g) && by_bound(-g); }
-  bool by_bound(const AffineForm<N>& g) {
-    for (int i = 0; i < N; ++i) {
-      double others = g.mid + g.rest + 8 * AffineForm<N>::epsilon * (std::abs(g.mid) + g.radius());
-      for (int j = 0; j < N; ++j)
-        if (j != i) others += std::max(g.slope[j] * low_[j], g.slope[j] * high_[j]);
-      // slope_i ξ_i ≥ −others
-      if (g.slope[i] > 0) low_[i] = std::max(low_[i], -others / g.slope[i] - margin);
-      if (g.slope[i] < 0) high_[i] = std::min(high_[i], -others / g.slope[i] + margin);
-      if (!(low_[i] <= high_[i])) return false;
-    }
-    return !(g.high() < 0);
-  }
-
-  /// Leaves what of symbol i is between the bounds of `values`.
-  bool by_values(int i, const AffineForm<N>& values) {
-    low_[i] = std::max(low_[i], values.low());
-    high_[i] = std::min(high_[i], values.high());
-    return low_[i] <= high_[i];
-  }
-
-  /// What is left of symbol i.
-  double low(int i) const { return low_[i]; }
-  double high(int i) const { return high_[i]; }
-  /// Symbol i now stands for something else.
-  void reset(int i) {
-    low_[i] = -1;
-    high_[i] = 1;
-  }
-
- private:
-  static constexpr double margin = 1e-14;  ///< in ξ: more than the rounding of the division
-  std::array<double, N> low_;
-  std::array<double, N> high_;
-};
-
 template <int N>
 class Scan {
  public:
-  Scan(const Scene& scene, const ScanPlan& plan, std::int64_t max_cells, const std::stop_token& stop)
-      : scene_(scene),
+  Scan(const SolveRequest& request, const ScanPlan& plan, std::int64_t max_cells)
+      : request_(request),
+        scene_(request.scene),
         plan_(plan),
         max_cells_(max_cells),
-        stop_(stop),
-        system_(scene, plan.frame),
-        squares_(target_squares(scene)),
+        system_(scene_, plan.frame),
+        squares_(target_squares(scene_)),
         pieces_(squares_, plan.angles()) {}
 
   ScanOutcome run() {
@@ -76,7 +31,9 @@ class Scan {
     while (!pending_.empty() && !is_over()) {
       const Part part = std::move(pending_.back());
       pending_.pop_back();
+      const std::size_t others = pending_.size();
       visit(part);
+      share_out(part.share, others);
     }
     return std::move(outcome_);
   }
@@ -89,6 +46,7 @@ class Scan {
   struct Part {
     Cell<N> cell;
     std::vector<Choice> within;
+    double share = 1;  ///< of the whole scan, if all that a part leaves over were alike
   };
 
   /// One part on its way through the plan.
@@ -109,9 +67,18 @@ class Scan {
 
   bool is_over() const { return outcome_.end != ScanOutcome::End::complete; }
 
+  /// Divides the share of a part among those that it left over, which are pending beyond `others`.
+  void share_out(double share, std::size_t others) {
+    const auto parts = static_cast<double>(pending_.size() - others);
+    if (parts == 0) outcome_.share += share;
+    for (std::size_t i = others; i < pending_.size(); ++i) pending_[i].share = share / parts;
+    if (request_.monitor != nullptr && outcome_.cells % cells_between_news == 0)
+      request_.monitor->progress("scanning", outcome_.share);
+  }
+
   /// Follows all branches of the part.
   void visit(const Part& part) {
-    if (stop_.stop_requested()) outcome_.end = ScanOutcome::End::stopped;
+    if (request_.stop.stop_requested()) outcome_.end = ScanOutcome::End::stopped;
     if (++outcome_.cells > max_cells_) outcome_.end = ScanOutcome::End::too_many_cells;
     Visit visit{part, std::vector<Choice>(plan_.steps.size()), std::vector<Position>(scene_.point_count())};
     for (int p = 0; p < scene_.point_count(); ++p)
@@ -362,6 +329,7 @@ class Scan {
       outcome_.end = ScanOutcome::End::too_many_undecided;
   }
 
+  static constexpr std::int64_t cells_between_news = 1000;
   static constexpr double worth_a_visit = 0.6;  ///< of a cell: less is left than halving would leave
   static constexpr double coarse = 0.02;        ///< of the scene
   static constexpr double worth_a_test = 0.1;  ///< of the scene: in larger boxes the Jacobian varies too much
@@ -376,10 +344,10 @@ class Scan {
   static constexpr int most_parts = 5000;          ///< of a search: tens of milliseconds
   static constexpr int most_failed_searches = 50;  ///< more would say no more, and take seconds
 
+  const SolveRequest& request_;
   const Scene& scene_;
   const ScanPlan& plan_;
   std::int64_t max_cells_;
-  const std::stop_token& stop_;
   DistanceSystem system_;
   std::vector<DoubleDouble> squares_;
   StepPieces<N> pieces_;
@@ -391,11 +359,11 @@ class Scan {
 
 }  // namespace
 
-ScanOutcome scan_plan(const Scene& scene, const ScanPlan& plan, std::int64_t max_cells,
-                      const std::stop_token& stop) {
-  const bool has_line = scene.has_lines();
-  if (plan.angles() + (has_line ? 1 : 0) <= 1) return Scan<1>(scene, plan, max_cells, stop).run();
-  return Scan<2>(scene, plan, max_cells, stop).run();
+ScanOutcome scan_plan(const SolveRequest& request, const ScanPlan& plan, std::int64_t max_cells) {
+  const int symbols = plan.angles() + (request.scene.has_lines() ? 1 : 0);
+  if (symbols <= 1) return Scan<1>(request, plan, max_cells).run();
+  if (symbols == 2) return Scan<2>(request, plan, max_cells).run();
+  return Scan<3>(request, plan, max_cells).run();
 }
 
 }  // namespace gcs

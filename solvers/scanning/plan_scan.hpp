@@ -13,9 +13,9 @@
 /// proven for the exact decimals of the file.
 
 #include <cstdint>
-#include <stop_token>
 #include <vector>
 
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/scanning/scan_plan.hpp"
 
@@ -39,12 +39,13 @@ struct ScanOutcome {
   std::vector<ScanSolution> solutions;  ///< distinct
   std::vector<UndecidedPiece> undecided;
   std::int64_t cells = 0;
+  double share = 0;        ///< of the whole that is decided, roughly
   std::int64_t boxes = 0;  ///< to which Krawczyk's test was put
   std::int64_t newton_iterations = 0;
 };
 
-/// Gives up after max_cells. Precondition: the plan has at most two angles, or one and a line.
-ScanOutcome scan_plan(const Scene& scene, const ScanPlan& plan, std::int64_t max_cells,
-                      const std::stop_token& stop);
+/// Gives up after max_cells. Of the request, its scene is scanned, and its stop and monitor are used.
+/// Precondition: the plan has at most three angles, or two and a line.
+ScanOutcome scan_plan(const SolveRequest& request, const ScanPlan& plan, std::int64_t max_cells);
 
 }  // namespace gcs

@@ -60,7 +60,12 @@ std::string in_words(const std::vector<Ranges>& all) {
 std::string what_is_missing(const ScanOutcome& outcome) {
   std::string reason;
   if (outcome.end == ScanOutcome::End::stopped) reason = "stopped on request";
-  if (outcome.end == ScanOutcome::End::too_many_cells) reason = "more cells than max_cells allows";
+  if (outcome.end == ScanOutcome::End::too_many_cells) {
+    std::ostringstream words;
+    words.precision(2);
+    words << "more cells than max_cells allows, when a share of about " << outcome.share << " was decided";
+    reason = words.str();
+  }
   if (outcome.end == ScanOutcome::End::too_many_undecided)
     reason = "so many pieces are undecided that the solutions are unlikely to be isolated";
   if (outcome.undecided.empty()) return reason;

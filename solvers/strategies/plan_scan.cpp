@@ -1,50 +1,77 @@
-/// Scans a construction plan's driving parameters for all real solutions.
+/// Scans a construction plan's driving parameters for real solutions.
 ///
 /// Hoffmann and Yuan solve n − k equations for given values of k parameters and scan what the other k leave
 /// over a grid. A construction plan is such a parametrisation ([H] §5 with the plans of [I]); here its
-/// parameters are angles (scanning/scan_plan.hpp), and in place of a grid with a threshold the range is
-/// subdivided with enclosures until every piece is proven to hold no solution or exactly one
-/// (scanning/plan_scan.hpp). What is found is therefore proven, for the exact decimals of the file, and
-/// nothing depends on a width chosen beforehand.
+/// parameters are angles (scanning/scan_plan.hpp). Hoffmann, Yuan, On Spatial Constraint Solving Approaches,
+/// 2000, §5.
 ///
-/// It fails on scenes with more than two driving parameters, and gives up where solutions are not isolated or
-/// where they are multiple; the ranges that it could not decide are named, and points of them that satisfy
-/// the constraints to rounding are reported. Hoffmann, Yuan, On Spatial Constraint Solving Approaches, 2000,
-/// §5.
+/// method=certified (the default) has, in place of a grid with a threshold, a subdivision of the range with
+/// enclosures until every piece is proven to hold no solution or exactly one (scanning/plan_scan.hpp). What
+/// is found is therefore proven, for the exact decimals of the file, and nothing depends on a width chosen
+/// beforehand: all real solutions. It refuses scenes with more than most_angles driving parameters, of which
+/// each multiplies the cells by hundreds, and gives up where solutions are not isolated or where they are
+/// multiple; the ranges that it could not decide are named, and points of them that satisfy the constraints
+/// to rounding are reported.
+///
+/// method=published is theirs, for any number of parameters (scanning/grid_scan.hpp): at every point T of the
+/// grid each branch with ρ(T) = max |f_j| < delta over the removed constraints, in lengths, is a coarse
+/// solution, from which Newton's method on the whole system starts. Deviations: the grid is taken once over
+/// mirror images, and coarse solutions that refine to mirror images are one. It misses what lies between the
+/// points of the grid, hence the claim: some real ones.
 
 #include "solvers/strategies/plan_scan.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "solvers/construction/derive.hpp"
+#include "solvers/scanning/grid_scan.hpp"
 #include "solvers/scanning/scan_report.hpp"
 
 namespace gcs {
 namespace {
 
-constexpr int most_angles = 2;  // each more multiplies the cells by hundreds
-
 class PlanScanStrategy final : public Strategy {
  public:
-  explicit PlanScanStrategy(const PlanScan& asked) : max_cells_(asked.scan.max_cells) {}
+  explicit PlanScanStrategy(const PlanScan& asked) : asked_(asked) {}
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
     if (scene.has_lines()) return "its plans place points only, and the instance has a line";
     if (const auto reason = why_no_plan(scene)) return reason;
     const int angles = derive_scan_plan(scene).angles();
-    if (angles <= most_angles) return std::nullopt;
+    if (is_published() || angles <= asked_.most_angles) return std::nullopt;
     return "the derived plan has " + std::to_string(angles) + " driving parameters, and it scans at most " +
-           std::to_string(most_angles);
+           std::to_string(asked_.most_angles);
   }
 
   void prepare(const SolveRequest& request) override { plan_ = derive_scan_plan(request.scene); }
 
   SolveReport solve(const SolveRequest& request) override {
     const ScanPlan plan = plan_ ? *plan_ : derive_scan_plan(request.scene);
-    return scan_report(request.scene, plan, scan_plan(request.scene, plan, max_cells_, request.stop));
+    if (is_published()) return with_angles(grid_scan(request, plan, grid(request.scene, plan)), plan);
+    return scan_report(request.scene, plan, scan_plan(request, plan, asked_.scan.max_cells));
   }
 
  private:
-  std::int64_t max_cells_;
+  bool is_published() const { return asked_.method == PlanScan::Method::published; }
+
+  GridScan grid(const Scene& scene, const ScanPlan& plan) const {
+    GridScan scan;
+    for (const std::array<double, 2>& range : plan.ranges)
+      scan.angles.push_back(grid_over(range, asked_.start, asked_.step));
+    scan.delta = asked_.delta ? std::ldexp(*asked_.delta, -scene.unit_exponent())
+                              : scene.size() * asked_.step * std::numbers::pi / 180;
+    scan.max_points = asked_.max_points;
+    return scan;
+  }
+
+  static SolveReport with_angles(SolveReport report, const ScanPlan& plan) {
+    report.particulars.insert(report.particulars.begin(), {"driving_parameters", plan.angles()});
+    return report;
+  }
+
+  PlanScan asked_;
   std::optional<ScanPlan> plan_;
 };
 

@@ -1,9 +1,9 @@
 /// Five points and a line (5p1L): real solutions by scanning one angle.
 ///
 /// With the line on the x-axis and the apex on the z-axis, p1 turns around the line by θ. At a given θ all
-/// other points follow, on up to 128 branches (pyramid/pyramid_branches.hpp), if the side p3–p4 is left open:
-/// d34(θ) is then a curve, and a solution is where a branch of it meets the given d34. Hoffmann, Yuan, On
-/// Spatial Constraint Solving Approaches, 2000, section 4.3.
+/// other points follow, on up to 128 branches, if the side p3–p4 is left open: d34(θ) is then a curve, and a
+/// solution is where a branch of it meets the given d34. Hoffmann, Yuan, On Spatial Constraint Solving
+/// Approaches, 2000, section 4.3.
 ///
 /// method=events (the default) subdivides the range of θ with enclosures, following every branch, until each
 /// piece is proven to hold no solution or exactly one (scanning/plan_scan.hpp; pyramid/pyramid_plan.hpp is
@@ -26,110 +26,20 @@
 #include <cmath>
 #include <numbers>
 
-#include "solvers/figures/residual_and_condition.hpp"
-#include "solvers/model/distance_system.hpp"
-#include "solvers/pyramid/pyramid_branches.hpp"
 #include "solvers/pyramid/pyramid_plan.hpp"
+#include "solvers/scanning/grid_scan.hpp"
 #include "solvers/scanning/scan_report.hpp"
 
 namespace gcs {
 namespace {
 
-/// Of what Newton's method has settled to: the coordinates' rounding leaves 1e-15 or so of a length.
-constexpr double solved_residual = 1e-13;
-
-/// Relative to the scene's size. Newton's method ends at the same solution to about 1e-15 times its
-/// condition.
-constexpr double same_solution = 1e-9;
-
-/// Angles from asked.start on that are less than a full turn away; a quotient within rounding of a whole
-/// number is that number.
-int angle_count(const ThetaScan& asked) {
-  return static_cast<int>(std::ceil(360 / asked.dtheta * (1 - 1e-12)));
+/// Their scan: over all mirror images, which the twelve equations tell apart.
+GridScan published_scan(const Scene& scene, const ThetaScan& asked) {
+  const AngleGrid whole = grid_over({0, 2 * std::numbers::pi}, 0, asked.dtheta);
+  return {.angles = {{asked.start, asked.dtheta, whole.count}},
+          .delta = std::ldexp(asked.delta, -scene.unit_exponent()),
+          .mirror_images_apart = true};
 }
-
-double angle(const ThetaScan& asked, int i) {
-  return (asked.start + i * asked.dtheta) * std::numbers::pi / 180;
-}
-
-class PublishedScan {
- public:
-  PublishedScan(const SolveRequest& request, const Pyramid& pyramid, const ThetaScan& asked)
-      : request_(request),
-        scene_(request.scene),
-        pyramid_(pyramid),
-        asked_(asked),
-        angles_(angle_count(asked)),
-        system_(scene_),
-        squares_(target_squares(scene_)) {}
-
-  SolveReport run() {
-    const double delta = std::ldexp(asked_.delta, -scene_.unit_exponent());
-    const PyramidBranches branches(pyramid_);
-    report_.status = SolveStatus::complete;
-    for (int i = 0; i < angles_ && !is_stopped(); ++i) {
-      show_progress(i);
-      ++report_.work.evaluations;
-      for (const PyramidBranch& branch : branches.at(angle(asked_, i)))
-        if (std::abs(branch.gap() - pyramid_.side[2]) < delta) refine_coarse(branch);
-    }
-    finish();
-    return std::move(report_);
-  }
-
- private:
-  bool is_stopped() {
-    if (!request_.stop.stop_requested()) return false;
-    report_.status = SolveStatus::stopped;
-    report_.reason = "stopped on request";
-    return true;
-  }
-
-  void show_progress(int done) const {
-    if (request_.monitor != nullptr)
-      request_.monitor->progress("scanning", static_cast<double>(done) / angles_);
-  }
-
-  void refine_coarse(const PyramidBranch& coarse) {
-    ++coarse_;
-    Eigen::VectorXd x =
-        system_.coordinates(scene_.in_frame(figure_of(pyramid_, coarse), system_.reference()));
-    const Refinement refinement = refine(system_, squares_, x);
-    report_.work.newton_iterations += refinement.iterations;
-    if (refinement.converged && relative_residual(scene_, system_.figure(x)) <= solved_residual)
-      keep_distinct(x);
-    else
-      ++diverged_;
-  }
-
-  void keep_distinct(const Eigen::VectorXd& x) {
-    const double tolerance = same_solution * scene_.size();
-    const bool known = std::any_of(refined_.begin(), refined_.end(), [&](const Eigen::VectorXd& other) {
-      return (x - other).cwiseAbs().maxCoeff() <= tolerance;
-    });
-    if (!known) refined_.push_back(x);
-  }
-
-  void finish() {
-    report_.claim = Claim::some_real;
-    for (const Eigen::VectorXd& x : refined_) report_.candidates.push_back({system_.figure(x), 1});
-    report_.particulars = {{"coarse_solutions", coarse_},
-                           {"coarse_without_solution", diverged_},
-                           {"refined_solutions", static_cast<std::int64_t>(refined_.size())}};
-  }
-
-  const SolveRequest& request_;
-  const Scene& scene_;
-  const Pyramid& pyramid_;
-  const ThetaScan& asked_;
-  int angles_;
-  DistanceSystem system_;
-  std::vector<DoubleDouble> squares_;
-  std::vector<Eigen::VectorXd> refined_;
-  std::int64_t coarse_ = 0;
-  std::int64_t diverged_ = 0;
-  SolveReport report_;
-};
 
 class ThetaScanStrategy final : public Strategy {
  public:
@@ -148,10 +58,11 @@ class ThetaScanStrategy final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     const auto pyramid = find_pyramid(request.scene);
-    if (asked_.method == ThetaScan::Method::published) return PublishedScan(request, *pyramid, asked_).run();
+    if (asked_.method == ThetaScan::Method::published)
+      return grid_scan(request, pyramid_plan_with_images(request.scene, *pyramid),
+                       published_scan(request.scene, asked_));
     const ScanPlan plan = pyramid_plan(request.scene, *pyramid);
-    return scan_report(request.scene, plan,
-                       scan_plan(request.scene, plan, asked_.scan.max_cells, request.stop));
+    return scan_report(request.scene, plan, scan_plan(request, plan, asked_.scan.max_cells));
   }
 
  private:

@@ -23,10 +23,6 @@ constexpr double solved_residual = 1e-13;
 /// condition.
 constexpr double same_solution = 1e-9;
 
-/// More distinct ends than this are a curve of solutions: of isolated ones nobody could refine so many from
-/// a grid, and comparing them would take longer than the scan.
-constexpr std::size_t most_refined = 100'000;
-
 /// Distinct ends of Newton's method, in the order in which they came.
 class RefinedSolutions {
  public:
@@ -43,7 +39,6 @@ class RefinedSolutions {
     list_.push_back(x);
   }
   const std::vector<Eigen::VectorXd>& list() const { return list_; }
-  bool are_too_many() const { return list_.size() > most_refined; }
 
  private:
   bool is_same(const Eigen::VectorXd& x, const Eigen::VectorXd& y) const {
@@ -109,7 +104,7 @@ class SliceScan {
   }
 
  private:
-  bool is_over() const { return with_.request.stop.stop_requested() || slice_.refined.are_too_many(); }
+  bool is_over() const { return with_.request.stop.stop_requested(); }
 
   void follow(std::size_t k) {
     if (k == with_.plan.steps.size()) return refine_coarse();
@@ -194,9 +189,8 @@ class GridScanRun {
   SolveReport run() {
     const auto threads = static_cast<int>(std::min<std::int64_t>(slices_, with_.request.threads));
     run_on_threads(std::max(1, threads), [this](int) {
-      while (!is_over_) {
-        const std::int64_t number = begun_++;
-        if (number >= slices_ || with_.request.stop.stop_requested()) break;
+      for (std::int64_t number = begun_++; number < slices_; number = begun_++) {
+        if (with_.request.stop.stop_requested()) break;
         bring(number, SliceScan(with_, number).run());
       }
     });
@@ -207,11 +201,9 @@ class GridScanRun {
   void bring(std::int64_t number, Slice slice) {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(number, std::move(slice));
-    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == taken_ && !is_over_;
-         next = waiting_.erase(next)) {
+    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == taken_;
+         next = waiting_.erase(next), ++taken_)
       take(next->second);
-      ++taken_;
-    }
     if (with_.request.monitor != nullptr)
       with_.request.monitor->progress("scanning", static_cast<double>(taken_) / static_cast<double>(slices_));
   }
@@ -221,17 +213,13 @@ class GridScanRun {
     all_.diverged += slice.diverged;
     all_.newton_iterations += slice.newton_iterations;
     for (const Eigen::VectorXd& x : slice.refined.list()) all_.refined.take(x);
-    is_over_ = all_.refined.are_too_many();
   }
 
   SolveReport report() const {
     SolveReport report;
     report.claim = Claim::some_real;
     report.status = SolveStatus::complete;
-    if (all_.refined.are_too_many()) {
-      report.status = SolveStatus::gave_up;
-      report.reason = "so many refined solutions are distinct that the solutions are unlikely to be isolated";
-    } else if (with_.request.stop.stop_requested()) {
+    if (with_.request.stop.stop_requested()) {
       report.status = SolveStatus::stopped;
       report.reason = "stopped on request";
     }
@@ -250,7 +238,6 @@ class GridScanRun {
   Surroundings with_;
   std::int64_t slices_ = 1;
   std::atomic<std::int64_t> begun_{0};
-  std::atomic<bool> is_over_{false};
   std::mutex mutex_;  ///< of all below
   std::map<std::int64_t, Slice> waiting_;
   std::int64_t taken_ = 0;

@@ -50,7 +50,7 @@ std::map<std::string, Scene> kinds_of_scenes() {
 std::vector<OptionMap> settings_of(const StrategyEntry& entry) {
   if (entry.name == "full-space") return {{}, {{"mode", "paper"}}, {{"mode", "certified"}}};
   if (entry.name == "rcp") return {{}, {{"mode", "paper"}}, {{"reduce", "on"}}};
-  if (entry.name == "theta-scan") return {{}, {{"method", "published"}}};
+  if (entry.name == "theta-scan" || entry.name == "plan-scan") return {{}, {{"method", "published"}}};
   if (entry.name == "sphere-tangents") return {{}, {{"method", "homotopy"}}, {{"method", "published"}}};
   if (entry.name == "monodromy") return {{}, {{"precision", "twice"}, {"instructions", "portable"}}};
   if (entry.name == "polyhedral") return {{}, {{"formulation", "coordinates"}}};

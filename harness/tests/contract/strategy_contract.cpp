@@ -207,9 +207,8 @@ Subject in_unit(const Subject& subject, int exponent) {
   Subject result = subject;
   const OptionMap options = complete_options(subject.entry, subject.given);
   for (const OptionSpec& option : subject.entry.options)
-    if (option.is_length)
-      result.given[std::string(option.name)] =
-          times_power_of_two(options.find(option.name)->second, exponent);
+    if (const std::string& length = options.find(option.name)->second; option.is_length && length != "auto")
+      result.given[std::string(option.name)] = times_power_of_two(length, exponent);
   return result;
 }
 

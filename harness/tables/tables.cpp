@@ -121,6 +121,8 @@ std::span<const TableKind> table_kinds() {
       TableKind{"three-ways", "systems of equations for 6p, 4p1L and 5p1L, and their paths (Hoffmann, Yuan)",
                 hoffmann, three_ways_instances, !free_columns, !shows_solutions, three_ways_variants,
                 build_three_ways},
+      TableKind{"scan", "scans over grids of driving parameters (Hoffmann, Yuan, section 5)", hoffmann,
+                scan_instances, !free_columns, !shows_solutions, scan_variants, build_scan},
       TableKind{"ablation", "one option of a strategy changed at a time, and what is left out", imbach,
                 ablation_instances, free_columns, !shows_solutions, ablation_variants, build_ablation},
   };

@@ -139,6 +139,12 @@ std::vector<Variant> three_ways_variants();
 /// Every way to write the problems as equations, and what it costs.
 std::vector<Table> build_three_ways(const RunFile& run, const Publication& paper);
 
+/// Those with a construction plan.
+const std::vector<std::string>& scan_instances();
+std::vector<Variant> scan_variants();
+/// Grid by band: what a scan finds, and what it misses.
+std::vector<Table> build_scan(const RunFile& run, const Publication& paper);
+
 /// Every cell of the run with its repetitions, whatever the tables show of it.
 Table build_measurements(const RunFile& run);
 

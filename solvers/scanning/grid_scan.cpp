@@ -229,7 +229,8 @@ class GridScanRun {
     for (std::size_t i = 1; i < with_.asked.angles.size(); ++i)
       report.work.evaluations *= with_.asked.angles[i].count;
     report.work.newton_iterations = all_.newton_iterations;
-    report.particulars = {{"coarse_solutions", all_.coarse},
+    report.particulars = {{"driving_parameters", with_.plan.angles()},
+                          {"coarse_solutions", all_.coarse},
                           {"coarse_without_solution", all_.diverged},
                           {"refined_solutions", static_cast<std::int64_t>(all_.refined.list().size())}};
     return report;

@@ -49,7 +49,7 @@ class PlanScanStrategy final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     const ScanPlan plan = plan_ ? *plan_ : derive_scan_plan(request.scene);
-    if (is_published()) return with_angles(grid_scan(request, plan, grid(request.scene, plan)), plan);
+    if (is_published()) return grid_scan(request, plan, grid(request.scene, plan));
     return scan_report(request.scene, plan, scan_plan(request, plan, asked_.scan.max_cells));
   }
 
@@ -64,11 +64,6 @@ class PlanScanStrategy final : public Strategy {
                               : scene.size() * asked_.step * std::numbers::pi / 180;
     scan.max_points = asked_.max_points;
     return scan;
-  }
-
-  static SolveReport with_angles(SolveReport report, const ScanPlan& plan) {
-    report.particulars.insert(report.particulars.begin(), {"driving_parameters", plan.angles()});
-    return report;
   }
 
   PlanScan asked_;

@@ -82,6 +82,33 @@ RunFile tangents_run() {
   return run;
 }
 
+/// One scan that finds all, one that does not, one of which nobody counts what there is.
+RunFile scan_run() {
+  RunFile run;
+  run.environment.cpu = "Toy CPU";
+  run.instances = {{"hoffmann-yuan", "hoffmann-yuan.json", "02ff", 13, 3}, {"k33", "k33.json", "05ff", 9, 2}};
+  run.tables = {{"scan", {"hoffmann-yuan", "k33"}}};
+  const auto scan = [](CellSpec spec, std::int64_t coarse, std::int64_t refined, std::uint64_t real) {
+    CellRecord cell = toy::cell(std::move(spec), 0, 0, 2e-3);
+    cell.work.evaluations = 180;
+    cell.particulars = {
+        {"driving_parameters", 1}, {"coarse_solutions", coarse}, {"refined_solutions", refined}};
+    cell.proofs.emplace();
+    cell.proofs->real = real;
+    return cell;
+  };
+  const auto grid = [](const char* step, const char* delta) {
+    return OptionMap{{"method", "published"}, {"step", step}, {"delta", delta}};
+  };
+  run.cells = {
+      toy::with_all(toy::cell({"k33", "plan-scan", {}}, 0, 0, 1e-3), 3, 8),
+      scan({"k33", "plan-scan", grid("5", "0.05")}, 7, 2, 2),
+      scan({"k33", "plan-scan", grid("5", "0.5")}, 40, 3, 3),
+      scan({"hoffmann-yuan", "theta-scan", {{"method", "published"}, {"dtheta", "5"}, {"delta", "0.05"}}}, 12,
+           12, 3)};
+  return run;
+}
+
 const TableCell& difference_of(const Table& table, std::size_t row) { return table.rows[row].cells.back(); }
 
 }  // namespace
@@ -96,6 +123,20 @@ TEST_CASE("the table of tangents is the approved one", "[approved]") {
   const std::vector<Table> tables = build_tangents(tangents_run(), paper());
   REQUIRE(tables.size() == 1);
   check_approved("tangents.md", to_markdown(tables.front()));
+}
+
+TEST_CASE("the table of scans is the approved one and counts what scans miss", "[approved]") {
+  const std::vector<Table> tables = build_scan(scan_run(), paper());
+  REQUIRE(tables.size() == 1);
+  const Table& table = tables.front();
+  CHECK_THAT(table.remarks.front(), Catch::StartsWith("1 of 2 scans miss"));
+  const auto missed = [&](std::size_t row) { return table.rows[row].cells[4].text; };
+  REQUIRE(table.rows.size() == 14);
+  CHECK(missed(1) == "–");
+  CHECK(missed(2) == "not measured");
+  CHECK(missed(8) == "1");
+  CHECK(missed(9) == "0");
+  check_approved("scan.md", to_markdown(table));
 }
 
 TEST_CASE("of the 24 published solutions all agree but the known misprint, and that when it is corrected") {

@@ -24,26 +24,45 @@ Adjacency adjacency_of(const ProblemStatement& problem) {
   Adjacency adjacency(problem.points.size());
   for (std::size_t c = 0; c < problem.constraints.size(); ++c) {
     const auto [a, b] = problem.constraints[c].between;
+    if (!problem.is_point(a) || !problem.is_point(b)) continue;
     adjacency[a].push_back({b, static_cast<int>(c)});
     adjacency[b].push_back({a, static_cast<int>(c)});
   }
   return adjacency;
 }
 
+/// Which points have a given distance from a line.
+std::vector<bool> points_beside_lines(const ProblemStatement& problem) {
+  std::vector<bool> beside(problem.points.size());
+  for (const DistanceConstraint& c : problem.constraints)
+    for (const std::size_t end : {0, 1})
+      if (!problem.is_point(c.between[1 - end])) beside[c.between[end]] = true;
+  return beside;
+}
+
 /// The order in which points are placed: which set is placed already, and what the next point costs.
 class Ordering {
  public:
   Ordering(const Scene& scene, const Adjacency& adjacency)
-      : scene_(scene), adjacency_(adjacency), dimension_(scene.dimension()), anchored_(scene.is_anchored()) {
+      : scene_(scene),
+        adjacency_(adjacency),
+        dimension_(scene.dimension()),
+        anchored_(scene.is_anchored()),
+        beside_line_(points_beside_lines(scene.problem())) {
     for (int p = 0; p < scene.point_count(); ++p) placed_.push_back(scene.fixed_point(p).has_value());
   }
 
+  /// Empty where there is none.
   std::vector<int> best() const {
     const auto [cost, order] = greedy();
+    if (cost >= impossible) return {};
     return count() <= exact_limit ? exact(cost) : order;
   }
   /// Coordinates that the frame leaves to the next point when `placed` are there.
-  int need(int placed) const { return anchored_ ? dimension_ : std::min(placed, dimension_); }
+  int need(int placed) const {
+    if (scene_.has_lines()) return placed == 0 ? 1 : dimension_;
+    return anchored_ ? dimension_ : std::min(placed, dimension_);
+  }
 
  private:
   static constexpr std::int64_t impossible = std::numeric_limits<std::int64_t>::max() / 4;
@@ -62,7 +81,9 @@ class Ordering {
       ++known;
       if (wanted < dimension_) shortness += shortness_of(n.constraint);
     }
-    if (wanted > 0 && known == 0) return impossible;
+    const bool hangs_on_line = scene_.has_lines() && placed == 0 && beside_line_[p];
+    if (wanted > 0 && known == 0 && !hangs_on_line) return impossible;
+    if (beside_line_[p]) ++known;
     const std::int64_t driven = std::max(0, wanted - known);
     return (driven * 1'000'000 + driven * (count() - placed)) * most_shortness + shortness;
   }
@@ -132,7 +153,8 @@ class Ordering {
   std::pair<std::int64_t, std::vector<int>> greedy() const {
     if (anchored_) return greedy_from(-1);
     std::pair<std::int64_t, std::vector<int>> best{impossible, {}};
-    for (int first = 0; first < count(); ++first) best = std::min(best, greedy_from(first));
+    for (int first = 0; first < count(); ++first)
+      if (!scene_.has_lines() || beside_line_[first]) best = std::min(best, greedy_from(first));
     return best;
   }
 
@@ -140,6 +162,7 @@ class Ordering {
   const Adjacency& adjacency_;
   int dimension_;
   bool anchored_;
+  std::vector<bool> beside_line_;
   std::vector<bool> placed_;
 };
 

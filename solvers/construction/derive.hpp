@@ -18,7 +18,9 @@ namespace gcs {
 /// positions fixed for none or for enough points.
 Plan derive_plan(const Scene& scene, const Figure& figure, const ExchangeRule& rule);
 
-/// The order in which derive_plan places the points that are not fixed. Same preconditions.
+/// The order in which derive_plan places the points that are not fixed. Same preconditions, but for one line in
+/// space with no positions fixed: then the first point is one at a given distance from it, and the line counts
+/// like a point that is placed. Empty where there is no such order.
 std::vector<int> placing_order(const Scene& scene);
 
 /// The plan that the file gives in `construction`, with its driven spheres centred where the points named are

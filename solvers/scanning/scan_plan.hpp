@@ -3,6 +3,7 @@
 /// interval known beforehand and its own instruction has no branch ends. [H] §5 with the plans of [I].
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct ScanStep {
   int cylinder = -1;  ///< the constraint that gives the point's distance to the line, the x-axis; −1: none
   int first_angle = -1;
   /// Divides out the reflection: this is the first point that the frame's y-axis or, in space, z-axis sees,
-  /// and its coordinate there is not negative.
+  /// and its coordinate there is not negative; beside a line it is the second point, whose x and y are not.
   bool upper = false;
   std::vector<ScanSphere> checks;  ///< constraints with points placed before that take no coordinate
 
@@ -44,8 +45,12 @@ struct ScanPlan {
   int angles() const { return static_cast<int>(ranges.size()); }
 };
 
-/// The plan with the fewest angles that derive.hpp's order of points gives. Precondition: no lines, a well
-/// posed problem, nothing from why_no_plan.
+/// Why a scene has no such plan, in a sentence, or nothing.
+std::optional<std::string> why_no_scan_plan(const Scene& scene);
+
+/// The plan with the fewest angles that derive.hpp's order of points gives. With a line, the first point is at
+/// its height on the z-axis, and the second leaves out mirror images. Precondition: a well posed problem,
+/// nothing from why_no_scan_plan.
 ScanPlan derive_scan_plan(const Scene& scene);
 
 /// The plan in words, one point per line: "p4 on a2, a5 at an angle; a9 checked".

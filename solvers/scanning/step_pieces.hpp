@@ -236,21 +236,23 @@ class StepPieces {
     return pieces;
   }
 
-  /// On a sphere around a point of the plane x = 0, at an angle around the line: x² is what is left.
+  /// On a sphere at an angle around the line: of the square of the way along it to the centre, what is left.
   Pieces<N> at_angle_around_line(const ScanStep& step, const std::vector<Position>& points,
                                  const Cell<N>& cell, const std::optional<Choice>& within) const {
     const ScanSphere& sphere = step.spheres[0];
     const Form radius = sqrt(square_of(step.cylinder));
     const auto [c, s] = cosine_and_sine(angle(cell, step.first_angle));
-    Position point{Form(), radius * c, radius * s};
-    const Form rest = square_of(sphere.constraint) - square(point - points[sphere.center]);
+    const Position& center = points[sphere.center];
+    Position point{center[0], radius * c, radius * s};
+    const Position across{Form(), point[1] - center[1], point[2] - center[2]};
+    const Form rest = square_of(sphere.constraint) - square(across);
     Pieces<N> pieces;
     if (rest.high() <= 0) return pieces;
     const Form x = sqrt(rest);
     for (const int side : {1, -1}) {
       if (side < 0 && step.upper) continue;
       if (within && within->side != side) continue;
-      point[0] = side > 0 ? x : -x;
+      point[0] = side > 0 ? center[0] + x : center[0] - x;
       pieces.list.push_back({point, {rest}, {side}, {}});
     }
     return pieces;

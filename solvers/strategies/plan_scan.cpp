@@ -21,15 +21,17 @@
 
 #include "solvers/strategies/plan_scan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "solvers/construction/derive.hpp"
 #include "solvers/scanning/grid_scan.hpp"
 #include "solvers/scanning/scan_report.hpp"
 
 namespace gcs {
 namespace {
+
+constexpr int most_beside_line = 2;  // where a cylinder is met takes a third symbol
 
 class PlanScanStrategy final : public Strategy {
  public:
@@ -37,12 +39,12 @@ class PlanScanStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
-    if (scene.has_lines()) return "its plans place points only, and the instance has a line";
-    if (const auto reason = why_no_plan(scene)) return reason;
+    if (const auto reason = why_no_scan_plan(scene)) return reason;
     const int angles = derive_scan_plan(scene).angles();
-    if (is_published() || angles <= asked_.most_angles) return std::nullopt;
+    const int most = scene.has_lines() ? std::min(asked_.most_angles, most_beside_line) : asked_.most_angles;
+    if (is_published() || angles <= most) return std::nullopt;
     return "the derived plan has " + std::to_string(angles) + " driving parameters, and it scans at most " +
-           std::to_string(asked_.most_angles);
+           std::to_string(most);
   }
 
   void prepare(const SolveRequest& request) override { plan_ = derive_scan_plan(request.scene); }

@@ -40,7 +40,8 @@ SolveReport solve_anew(const Subject& subject, const SolveRequest& request);
 /// `support`: a scene out of reach is refused with a sentence.
 Violations check_refusal(const Subject& subject, const Scene& scene);
 
-/// `support`: a scene within reach is solved completely. For scenes that are known to be within reach.
+/// `support`: a scene within reach is solved completely, but that a proof that there is no other real solution may
+/// leave undecided what is next to multiple ones. For scenes that are known to be within reach.
 Violations check_completion(const SolveReport& report);
 
 /// What must hold in every report, also in that of a solve that was stopped.

@@ -21,8 +21,8 @@
 /// - turning: the tangent is carried over a change by the derivative of ϕ'∘ϕ, where ϕ is about to have none;
 ///   mended, by ϕ'∘ϕ at both ends of the last step.
 /// Where it is silent: the first plan is derived with the fewest driving parameters
-/// (construction/derive.hpp), or given by the file; (h4)–(h6) are not proven beforehand: a radius that vanishes
-/// on S ends the tracking with that reason.
+/// (construction/derive.hpp), or given by the file; hypotheses are not asked for: mode=paper counts how often
+/// (h2) to (h7) fail, and a radius that vanishes on S ends the tracking with that reason.
 ///
 /// mode=fast is tracking/series_tracker.hpp on tracking/plan_curve.hpp: exact derivatives through the plan. A
 /// step may pass a boundary configuration; γ is looked at where steps end. mode=paper is
@@ -36,6 +36,7 @@
 #include "solvers/strategies/rcp.hpp"
 
 #include "solvers/construction/derive.hpp"
+#include "solvers/construction/hypotheses.hpp"
 #include "solvers/tracking/newton_from_sketch.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_options.hpp"
@@ -101,10 +102,12 @@ class RcpStrategy final : public Strategy {
     EulerNewtonTracker tracker(homotopy, options, context);
     SolveReport report = report_of(scene, tracker.run(), homotopy);
     const PlanChange& changes = homotopy.changes();
-    report.particulars = {{"exchanges", changes.exchanges},
-                          {"restorations", changes.restorations},
-                          {"shifts", changes.shifts},
-                          {"shifts_in_vain", changes.shifts_in_vain}};
+    const PlanHypotheses fails = check_hypotheses(scene, plan, sketch, plan_options_.rule.alpha);
+    report.particulars = {{"exchanges", changes.exchanges}, {"restorations", changes.restorations},
+                          {"shifts", changes.shifts},       {"shifts_in_vain", changes.shifts_in_vain},
+                          {"h2_failures", fails.h2},        {"h3_failures", fails.h3},
+                          {"h4_failures", fails.h4},        {"h5_failures", fails.h5},
+                          {"h6_failures", fails.h6},        {"h7_failures", fails.h7}};
     return report;
   }
 

@@ -15,7 +15,7 @@ CellRecord followed(const std::string& id, OptionMap options) {
   cell.counts.paths = 17;
   cell.counts.at_infinity = 4;
   cell.counts.failed_paths = 2;
-  cell.particulars = {{"unknowns", 7},          {"terms", 31},       {"total_degree", 99},
+  cell.particulars = {{"unknowns", 7},           {"terms", 31},        {"total_degree", 99},
                       {"homogeneous_bound", 43}, {"mixed_volume", 41}, {"extraneous_ends", 6}};
   return cell;
 }
@@ -26,7 +26,8 @@ Table built() {
                    {"hoffmann-yuan", "hoffmann-yuan.json", "02ff", 13, 3}};
   CellRecord exact =
       toy::with_all(toy::cell({"octahedron", "cayley-menger", {{"method", "univariate"}}}, 0, 0, 3e-3), 4, 8);
-  exact.particulars = {{"unknowns", 2}, {"total_degree", 15}, {"eliminated_degree", 14}, {"proven_real_solutions", 6}};
+  exact.particulars = {
+      {"unknowns", 2}, {"total_degree", 15}, {"eliminated_degree", 14}, {"proven_real_solutions", 6}};
   CellRecord partial = followed("hoffmann-yuan", {{"system", "parametrised"}});
   partial.status = RunStatus::partial;
   partial.reason = "a path failed";
@@ -64,7 +65,8 @@ TEST_CASE("a way has what is stated of it, what is counted of its system and wha
 
 TEST_CASE("a polynomial after elimination has a degree, and the system before it the rest") {
   const Table table = built();
-  const std::vector<std::string> one = texts(row(table, "one polynomial")), two = texts(row(table, "two determinants"));
+  const std::vector<std::string> one = texts(row(table, "one polynomial")),
+                                 two = texts(row(table, "two determinants"));
   CHECK(one[1] == "–");
   CHECK(one[3] == "14");
   CHECK(two[1] == "2");
@@ -87,6 +89,7 @@ TEST_CASE("what a partial answer counted is shown, with the reason") {
 
 TEST_CASE("problems that the run does not have are left out") {
   const Table table = built();
-  const auto headings = std::ranges::count_if(table.rows, [](const TableRow& one) { return one.is_heading(); });
+  const auto headings =
+      std::ranges::count_if(table.rows, [](const TableRow& one) { return one.is_heading(); });
   CHECK(headings == 2);
 }

@@ -220,6 +220,27 @@ TEST_CASE("on the core's path hung points stay on the sketch's side") {
   CHECK(placed > 0);
 }
 
+TEST_CASE("the core's path has the bends of the core's constraints") {
+  RandomNumbers random(18);
+  Graph graph = samples::octahedron_graph();
+  samples::hang_at_random(graph, 2, 0, random);
+  ProblemStatement problem = samples::placed_at_random(graph, random), core = problem;
+  core.points.resize(6);
+  core.sketch->points.conservativeResize(3, 6);
+  core.constraints.resize(12);
+  core.interpolation.bends = {{3, {0.5, 0.25, 0.5}}, {7, {0.1}}};
+  problem.interpolation.bends = core.interpolation.bends;
+  problem.interpolation.bends->push_back({13, {0.3}});
+  ProblemStatement straight = core;
+  straight.interpolation.bends->clear();
+  for (const char* name : {"full-space", "rcp"}) {
+    const SolveReport reduced = solve(name, Scene(problem), "on"), alone = solve(name, Scene(core), "off");
+    INFO(name << ": " << reduced.reason);
+    CHECK(steps(reduced) == steps(alone));
+    CHECK(steps(reduced) != steps(solve(name, Scene(straight), "off")));
+  }
+}
+
 TEST_CASE("the number of some solutions is no total") {
   RandomNumbers random(17);
   Graph graph = samples::octahedron_graph();

@@ -123,6 +123,10 @@ std::span<const TableKind> table_kinds() {
                 build_three_ways},
       TableKind{"scan", "scans over grids of driving parameters (Hoffmann, Yuan, section 5)", hoffmann,
                 scan_instances, !free_columns, !shows_solutions, scan_variants, build_scan},
+      TableKind{"subdivision",
+                "branch and prune over boxes, and what spares boxes (Hoffmann, Yuan, section 4.4)", hoffmann,
+                subdivision_instances, free_columns, !shows_solutions, subdivision_variants,
+                build_subdivision},
       TableKind{"ablation", "one option of a strategy changed at a time, and what is left out", imbach,
                 ablation_instances, free_columns, !shows_solutions, ablation_variants, build_ablation},
   };

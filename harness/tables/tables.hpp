@@ -145,6 +145,10 @@ std::vector<Variant> scan_variants();
 /// Grid by band: what a scan finds, and what it misses.
 std::vector<Table> build_scan(const RunFile& run, const Publication& paper);
 
+const std::vector<std::string>& subdivision_instances();
+std::vector<Variant> subdivision_variants();
+std::vector<Table> build_subdivision(const RunFile& run, const Publication& paper);
+
 /// Every cell of the run with its repetitions, whatever the tables show of it.
 Table build_measurements(const RunFile& run);
 

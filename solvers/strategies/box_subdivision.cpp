@@ -5,7 +5,8 @@
 /// coordinates of the frame (certificates/scene_equations.hpp; of lines beside given points in direction and
 /// moment) and a box that holds a solution of every class, from ways over given lengths and one sign for each
 /// kind of mirror image that the frame leaves (subdivision/start_box.hpp). Boxes are narrowed, proven to hold
-/// no solution or, in a box around them, exactly one, or halved where they are widest:
+/// no solution or, in a box around them, exactly one, or halved where their
+/// equations are farthest from linear:
 ///
 /// - reduction=none: preconditioned interval Newton and bisection alone: Krawczyk's operator on every box;
 /// - reduction=box: and what each equation alone leaves of a box (box consistency; square_narrowing.hpp);

@@ -13,7 +13,7 @@ constexpr double negligible = 0x1p-20;
 
 /// A point of the relaxation that is so near to a bound, in the box's radii, says that no program narrows the
 /// box there by more.
-constexpr double near_bound = 0.05;
+constexpr double near_bound = 0.1;
 
 /// Of multipliers: below this share of the largest one they are rounding.
 constexpr double rounding = 1e-11;

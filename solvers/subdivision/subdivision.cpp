@@ -17,11 +17,14 @@ namespace {
 constexpr double finest = 0x1p-36;
 
 /// A round that leaves more than this share of a box's widths is the last one before it is halved.
-constexpr double worth_a_round = 0.75;
+constexpr double worth_a_round = 0.9;
 
 /// Around a solution of high multiplicity some hundred boxes are undecided; a curve of solutions has no end of
 /// them.
 constexpr std::size_t most_undecided = 10'000;
+
+/// Of the widest unknown's width: narrower ones are not halved while others are so much wider.
+constexpr double comparable = 0.2;
 
 /// Boxes that are looked at side by side, whatever the number of threads.
 constexpr std::size_t batch = 32;
@@ -127,23 +130,55 @@ class Visitor {
     return true;
   }
 
-  void halve() {
-    std::size_t widest = 0;
-    double width = -1;
-    for (std::size_t i = 0; i < box_.size(); ++i)
-      if (system_.is_nonlinear[i] && box_[i].width() > width) {
-        width = box_[i].width();
-        widest = i;
+  /// How far from linear the equations are where each unknown is: of every product that it is in, the width of
+  /// the other form, by which its derivative varies in the box.
+  std::vector<double> variations() const {
+    std::vector<double> result(box_.size(), 0);
+    const std::vector<Interval> forms = forms_over(system_, box_);
+    const auto add = [&](int form, int other) {
+      for (const auto& [unknown, coefficient] : system_.forms[static_cast<std::size_t>(form)].terms)
+        result[static_cast<std::size_t>(unknown)] +=
+            coefficient.interval.magnitude() * forms[static_cast<std::size_t>(other)].width();
+    };
+    for (const IntervalEquation& equation : system_.equations)
+      for (const IntervalProduct& product : equation.products) {
+        add(product.left, product.right);
+        if (!product.is_square()) add(product.right, product.left);
       }
-    if (!(width > finest * size_)) {
+    return result;
+  }
+
+  double widest() const {
+    double width = 0;
+    for (std::size_t i = 0; i < box_.size(); ++i)
+      if (system_.is_nonlinear[i]) width = std::max(width, box_[i].width());
+    return width;
+  }
+
+  /// Where the derivatives vary most, among the widest unknowns: what is left of an equation is off from its
+  /// linear part by both.
+  std::size_t side_to_halve() const {
+    const double least = comparable * widest();
+    const std::vector<double> variation = variations();
+    std::size_t best = box_.size();
+    for (std::size_t i = 0; i < box_.size(); ++i)
+      if (system_.is_nonlinear[i] && box_[i].width() > least &&
+          (best == box_.size() || variation[i] > variation[best]))
+        best = i;
+    return best;
+  }
+
+  void halve() {
+    if (!(widest() > finest * size_)) {
       visit_.undecided = std::move(box_);
       return;
     }
     visit_.work.bisections = 1;
-    const double middle = box_[widest].middle();
+    const std::size_t side = side_to_halve();
+    const double middle = box_[side].middle();
     visit_.halves = {box_, box_};
-    visit_.halves[0][widest].low = middle;
-    visit_.halves[1][widest].high = middle;
+    visit_.halves[0][side].low = middle;
+    visit_.halves[1][side].high = middle;
   }
 
   const IntervalEquations& system_;

@@ -2,7 +2,8 @@
 /// Branch and prune: all real solutions of a system of quadratic equations in a box, by bisection, with proof.
 ///
 /// A box is narrowed to what its equations and their linear relaxation leave; Krawczyk's operator may prove
-/// that it holds no solution or, in a box around it, exactly one; else it is halved where it is widest. What
+/// that it holds no solution or, in a box around it, exactly one; else it is halved where
+/// its equations are farthest from linear. What
 /// becomes too small to be halved is undecided: a solution there is multiple, or nearly so.
 
 #include <cstdint>

@@ -145,6 +145,7 @@ class CoreSolver {
   CommonZeros exact_zeros(const DiagonalEquations& equations, std::optional<EliminationFacts>& facts) const {
     const OctahedronPolynomials polynomials = eliminated(scene_, octahedron_);
     facts = {polynomials.height.degree(), 0, polynomials.real_solutions()};
+    if (!facts->real_solutions) facts->real_solutions = separated_real_solutions(scene_, octahedron_);
     if (polynomials.height.is_zero()) {
       CommonZeros none;
       none.common_factor = true;

@@ -24,9 +24,9 @@ RationalPolynomial determinant(const Rows& rows) {
 
 RationalPolynomial SymbolicSquares::operator()(int p, int q) const {
   if (p == q) return Rational(0);
-  for (int variable = 0; variable < 2; ++variable) {
-    const auto [a, a2] = octahedron_.pair[static_cast<std::size_t>(variable)];
-    if (std::minmax(p, q) == std::minmax(a, a2)) return RationalPolynomial::variable(variable);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto [a, a2] = octahedron_.pair[i];
+    if (std::minmax(p, q) == std::minmax(a, a2)) return diagonals_[i];
   }
   return exact_(p, q);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// Cayley–Menger determinants of an octahedron's points, exactly, with squared diagonals as unknowns.
 
+#include <utility>
 #include <vector>
 
 #include "solvers/numeric/rational_polynomial.hpp"
@@ -8,13 +9,14 @@
 
 namespace gcs {
 
-/// Squared distances of an octahedron's points, in the scene's unit: numbers, and |aa'|² and |bb'|² as the unknowns 0
-/// and 1.
+/// Squared distances of an octahedron's points, in the scene's unit: numbers, and polynomials for |aa'|² and |bb'|².
 class SymbolicSquares {
  public:
-  /// Keeps a reference to the octahedron.
-  SymbolicSquares(const Scene& scene, const Octahedron& octahedron)
-      : exact_(scene), octahedron_(octahedron) {}
+  /// The diagonals are by default the unknowns 0 and 1. Keeps a reference to the octahedron.
+  SymbolicSquares(const Scene& scene, const Octahedron& octahedron,
+                  std::vector<RationalPolynomial> diagonals = {RationalPolynomial::variable(0),
+                                                               RationalPolynomial::variable(1)})
+      : exact_(scene), octahedron_(octahedron), diagonals_(std::move(diagonals)) {}
 
   /// Precondition: p and q are not the last pair.
   RationalPolynomial operator()(int p, int q) const;
@@ -22,6 +24,7 @@ class SymbolicSquares {
  private:
   ExactSquares exact_;
   const Octahedron& octahedron_;
+  std::vector<RationalPolynomial> diagonals_;
 };
 
 /// Of twice the products of the vectors from `apex` to `points`: the Cayley–Menger determinant up to a

@@ -13,13 +13,18 @@
 /// roots as there are real octahedra of these lengths in the fixed frame, mirror images apart.
 ///
 /// Proof. Roots of P that belong to v ≠ −v are simple too, and 0 is no root of Q. Each root X belongs to one common zero
-/// (X, Y) of the determinants, a simple one, so that a, a', b, b' are not coplanar (else c and c' may each be on two
-/// sides, and the zero is a double one) and it is the zero of one octahedron up to motions of C³ and mirror images, or
+/// (X, Y) of the determinants, a simple one, so that a, a', b, b' are not coplanar (else the gradients of both
+/// determinants are made of the coefficients of their one affine dependence, and parallel) and it is the zero of one octahedron up to motions of C³ and mirror images, or
 /// Y is at infinity. If X is real, so is Y, as the conjugate zero has the same X, and so are all squared distances. The
 /// Gram matrix of b − a, c − a, a' − a is then real, has a positive definite minor and the determinant w: it is positive
 /// definite, and the octahedron is real, for v² = w > 0, v real; it is indefinite, and there is no real octahedron, for
 /// v imaginary. If Y is at infinity a, c, a' are on a line, so that w = −(a square) < 0 or 0. If X is not real, v is
 /// not, or Q has a double root, which the conjugate X gives too. ∎
+///
+/// Octahedra with symmetries have solutions that share X. With U = X + λY in place of X the resultant R(U, λ) =
+/// c(λ) Π (U − x_i − λ y_i) tells them apart, and gives X back: at a simple root y_i = −R_λ/R_U. So the theorem holds for
+/// P(U) = R(U, λ), any λ, and v the volume times R_U. Where a, a', b, b' are coplanar in a solution, as with a centre of
+/// symmetry, neither says anything.
 
 #include <optional>
 
@@ -37,6 +42,9 @@ struct OctahedronPolynomials {
   /// In the fixed frame, mirror images apart; nothing where the theorem says nothing.
   std::optional<int> real_solutions() const;
 };
+
+/// The same number by X + λY for some λ; nothing where a solution is multiple.
+std::optional<int> separated_real_solutions(const Scene& scene, const Octahedron& octahedron);
 
 OctahedronPolynomials eliminated(const Scene& scene, const Octahedron& octahedron);
 

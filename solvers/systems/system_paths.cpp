@@ -1,5 +1,6 @@
 #include "solvers/systems/system_paths.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <numbers>
 #include <numeric>
@@ -19,19 +20,53 @@ ComplexVectorX flat(const std::vector<ComplexVectorX>& coefficients, const Quadr
   return all;
 }
 
+struct EquationValue {
+  std::complex<double> value = 0;
+  double size = 0;  ///< of its terms together
+};
+
+EquationValue equation_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                          const ComplexVectorX& x, int equation) {
+  EquationValue result;
+  for (int j = system.first[equation]; j < system.first[equation + 1]; ++j) {
+    const auto [u, v] = system.monomials[j];
+    const std::complex<double> term = coefficients[j] * (u < 0 ? 1.0 : x[u]) * (v < 0 ? 1.0 : x[v]);
+    result.value += term;
+    result.size += std::abs(term);
+  }
+  return result;
+}
+
+/// Newton's method on an end that the trackers, whose order of elimination is fixed, did not take for regular; it is
+/// where the method settles and a pivoting factorisation is regular.
+void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, PathEnd& end) {
+  constexpr int most_iterations = 6;
+  constexpr double settled = 1e-13,
+                   regular = 1e-10;  // relative to 1 + the largest |x_i|; reciprocal condition
+  using Rows = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto n = static_cast<Eigen::Index>(end.x.size());
+  ComplexVectorX x = end.x;
+  for (int i = 0; i < most_iterations; ++i) {
+    const ComplexVectorX jacobian = jacobian_at(system, coefficients, x);
+    const Eigen::PartialPivLU<Rows> factors(Eigen::Map<const Rows>(jacobian.data(), n, n));
+    Eigen::VectorXcd value(n);
+    for (int e = 0; e < system.equations(); ++e) value[e] = equation_at(system, coefficients, x, e).value;
+    const Eigen::VectorXcd change = factors.solve(value);
+    for (Eigen::Index v = 0; v < n; ++v) x[static_cast<std::size_t>(v)] -= change[v];
+    if (!(factors.rcond() > regular) || !change.allFinite()) return;
+    if (change.cwiseAbs().maxCoeff() > settled * (1 + largest(x))) continue;
+    end.kind = PathEnd::Kind::regular;
+    end.x = x;
+    return;
+  }
+}
+
 /// Whether the error of a singular end, the root of rounding, explains what x misses of 0 in every equation.
 bool is_zero_at(const MonomialSystem& system, const ComplexVectorX& coefficients, const ComplexVectorX& x) {
   constexpr double tolerance = 1e-9;  // of the terms' sizes; ends that a mean lies between are further apart
   for (int e = 0; e < system.equations(); ++e) {
-    std::complex<double> sum = 0;
-    double size = 0;
-    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
-      const auto [u, v] = system.monomials[j];
-      const std::complex<double> term = coefficients[j] * (u < 0 ? 1.0 : x[u]) * (v < 0 ? 1.0 : x[v]);
-      sum += term;
-      size += std::abs(term);
-    }
-    if (!(std::abs(sum) <= tolerance * size)) return false;
+    const EquationValue here = equation_at(system, coefficients, x, e);
+    if (!(std::abs(here.value) <= tolerance * here.size)) return false;
   }
   return true;
 }
@@ -143,8 +178,9 @@ class Following {
         tracking, starts, from, to, is_zero, stopped_,
         [&](double fraction) { request_.progress("paths to the system", fraction); }, work_);
     for (PathEnd& end : result_.ends)
-      if (end.x.size() > starts.front().size() - lift.products.size())
-        end.x.resize(static_cast<std::size_t>(lift.unknowns));
+      if (end.kind == PathEnd::Kind::singular && end.winding_number == 1) settle(system, to, end);
+    for (PathEnd& end : result_.ends)
+      if (!end.x.empty()) end.x.resize(static_cast<std::size_t>(lift.unknowns));
   }
 
   std::vector<ComplexVectorX> sample_jacobians(const MonomialSystem& system,

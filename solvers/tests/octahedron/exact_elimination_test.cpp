@@ -107,6 +107,50 @@ TEST_CASE("how many real octahedra there are depends on no name and no unit") {
   }
 }
 
+TEST_CASE("another unknown leaves as many real roots") {
+  RandomNumbers numbers(7);
+  for (int i = 0; i < 3; ++i) {
+    const Scene scene(octahedron_of(short_coordinates(numbers)));
+    const Octahedron octahedron = core_of(scene);
+    CHECK(separated_real_solutions(scene, octahedron) == eliminated(scene, octahedron).real_solutions());
+  }
+}
+
+// With b and c, b' and c' exchanged the lengths are the same: a solution (|aa'|, |bb'|, |cc'|) comes with
+// (|aa'|, |cc'|, |bb'|), and both share |aa'|, but not |bb'|.
+TEST_CASE("another unknown tells the solutions of an octahedron with a symmetry apart") {
+  RandomNumbers numbers(8);
+  int shared = 0;
+  for (int i = 0; i < 5; ++i) {
+    Eigen::Matrix3Xd points = short_coordinates(numbers);
+    const Octahedron octahedron = core_of(Scene(octahedron_of(points)));
+    for (const int p : octahedron.pair[0]) points(0, p) = 0;
+    for (std::size_t end = 0; end < 2; ++end) {
+      points.col(octahedron.pair[2][end]) = points.col(octahedron.pair[1][end]);
+      points(0, octahedron.pair[2][end]) *= -1;
+    }
+    const Scene scene(octahedron_of(points));
+    Octahedron by_other = octahedron;
+    std::swap(by_other.pair[0], by_other.pair[1]);
+    const std::optional<int> count = separated_real_solutions(scene, octahedron);
+    REQUIRE(count);
+    CHECK(*count == separated_real_solutions(scene, by_other).value_or(-1));  // by other determinants
+    shared += !eliminated(scene, octahedron).real_solutions();
+  }
+  CHECK(shared > 0);
+}
+
+TEST_CASE("coplanar diagonals leave the number open, whatever the unknown") {
+  RandomNumbers numbers(9);
+  Eigen::Matrix3Xd points = short_coordinates(numbers);
+  const Octahedron octahedron = core_of(Scene(octahedron_of(points)));
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const int p : octahedron.pair[i]) points(2, p) = 0;
+  const Scene scene(octahedron_of(points));
+  CHECK_FALSE(eliminated(scene, octahedron).real_solutions());
+  CHECK_FALSE(separated_real_solutions(scene, octahedron));
+}
+
 TEST_CASE("an octahedron that flexes leaves no polynomial") {
   RandomNumbers numbers(4);
   for (int i = 0; i < 5; ++i) {

@@ -70,7 +70,8 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.in_bash("gcsbench descr"), ["describe"])
         self.assertEqual(self.in_bash("gcsbench solve k33 --strategy monod"), ["monodromy"])
         # Bash replaces what stands after = and @ alone.
-        self.assertEqual(self.in_bash("gcsbench solve k33 --strategy rcp --set mode="), ["fast", "paper"])
+        self.assertEqual(self.in_bash("gcsbench solve k33 --strategy rcp --set mode="),
+                         ["fast", "newton", "paper"])
         self.assertIn("1e-8", self.in_bash("gcsbench describe short-edge@1e-"))
 
 

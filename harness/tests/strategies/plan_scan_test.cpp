@@ -11,6 +11,7 @@
 #include "harness/tests/contract/problem_restatements.hpp"
 #include "solvers/figures/reflection_classes.hpp"
 #include "solvers/pyramid/pyramid_branches.hpp"
+#include "solvers/tests/random_numbers.hpp"
 
 using namespace gcs;
 
@@ -69,6 +70,62 @@ ProblemStatement glued(const ProblemStatement& problem) {
   both.fixed_points.clear();
   both.construction.clear();
   return both;
+}
+
+/// The first, with the further points of the second, which shares points 0 and 1. Precondition: these are
+/// constrained, to the same length.
+ProblemStatement glued(ProblemStatement first, const ProblemStatement& second) {
+  const int more = static_cast<int>(first.points.size()) - 2;
+  const std::string mark = "'" + std::to_string(more);
+  for (std::size_t p = 2; p < second.points.size(); ++p) first.points.push_back(second.points[p] + mark);
+  for (DistanceConstraint copy : second.constraints) {
+    if (std::max(copy.between[0], copy.between[1]) < 2) continue;
+    copy.id += mark;
+    for (int& end : copy.between)
+      if (end > 1) end += more;
+    first.constraints.push_back(copy);
+  }
+  return first;
+}
+
+/// K3,3 with random lengths but between points 0 and 1.
+ProblemStatement random_k33(samples::RandomNumbers& random) {
+  Eigen::Matrix3Xd points = random.points(2, 6, 1);
+  points.leftCols<2>() << 0, 1.25, 0, 0, 0, 0;
+  ProblemStatement problem = with_lengths_of(load_instance("k33").problem, points);
+  problem.reference.reset();
+  problem.interpolation = {};
+  return problem;
+}
+
+/// A point at a given distance from a line, one from both, others from three of what was there; and as many
+/// distances more as make it rigid.
+ProblemStatement random_beside_line(int points, samples::RandomNumbers& random) {
+  const int line = points;
+  std::vector<std::array<int, 2>> edges{{0, line}, {1, line}, {0, 1}};
+  const auto add = [&](int point, int other) {
+    const std::array<int, 2> edge{std::min(point, other), std::max(point, other)};
+    if (point != other && std::find(edges.begin(), edges.end(), edge) == edges.end()) edges.push_back(edge);
+  };
+  for (int p = 2; p < points; ++p)
+    for (const auto wanted = edges.size() + 3; edges.size() < wanted;) {
+      const int other = random.index(p + 1);
+      add(p, other == p ? line : other);
+    }
+  while (edges.size() < static_cast<std::size_t>(3 * points - 2))
+    add(random.index(points), random.index(points + 1));
+  const Eigen::Matrix3Xd places = random.points(3, points, 1);
+  ProblemStatement problem = load_instance("hoffmann-yuan").problem;
+  problem.reference.reset();
+  problem.points.clear();
+  problem.constraints.clear();
+  for (int p = 0; p < points; ++p) problem.points.push_back("p" + std::to_string(p));
+  for (const auto& [a, b] : edges) {
+    const double length = b == line ? places.col(a).tail<2>().norm() : (places.col(a) - places.col(b)).norm();
+    problem.constraints.push_back(
+        {"c" + std::to_string(a) + "," + std::to_string(b), {a, b}, {length, ""}, false});
+  }
+  return problem;
 }
 
 ProblemStatement with_open_side(double length) {
@@ -131,6 +188,53 @@ TEST_CASE("two scenes glued at an edge take two angles and multiply their soluti
   const SolveRun both = solved(glued(one), "plan-scan");
   CHECK(both.status == RunStatus::complete);
   CHECK(real_figures(both).size() == 2 * classes * classes);
+}
+
+// The counts that are multiplied are those of monodromy.
+TEST_CASE("three random scenes glued at an edge take three angles and multiply their solutions") {
+  samples::RandomNumbers random(2);
+  ProblemStatement all = random_k33(random);
+  std::size_t expected = real_figures(solved(all, "monodromy")).size();
+  for (int i = 1; i < 3; ++i) {
+    const ProblemStatement next = random_k33(random);
+    expected *= 2 * real_figures(solved(next, "monodromy")).size();
+    all = glued(std::move(all), next);
+  }
+  CHECK(expected > 0);
+  CHECK(solved(all, "plan-scan", {{"reduce", "off"}}).status == RunStatus::unsupported);
+  const SolveRun scan =
+      solved(all, "plan-scan", {{"most_angles", "3"}, {"reduce", "off"}, {"max_cells", "1000000"}});
+  INFO(scan.reason);
+  CHECK(scan.status == RunStatus::complete);
+  CHECK(real_figures(scan).size() == expected);
+}
+
+TEST_CASE("points beside a line have the real solutions that monodromy finds") {
+  samples::RandomNumbers random(21);
+  int compared = 0;
+  for (int i = 0; i < 10; ++i) {
+    const ProblemStatement problem = random_beside_line(4 + i % 2, random);
+    SolveRun all;
+    try {
+      all = solved(problem, "monodromy");
+    } catch (const InputError&) {
+      continue;  // not rigid
+    }
+    const SolveRun scan = solved(problem, "plan-scan");
+    if (scan.status == RunStatus::unsupported || all.status != RunStatus::complete) continue;
+    ++compared;
+    INFO("scene " << i << ": " << scan.reason);
+    const auto expected = real_figures(all);
+    const auto found = real_figures(scan);
+    CHECK(scan.status == RunStatus::complete);
+    CHECK(found.size() == expected.size());
+    CHECK(classes_together(problem, found, expected) == static_cast<int>(expected.size()));
+    const auto of_grid = real_figures(
+        solved(problem, "plan-scan", {{"method", "published"}, {"step", "0.2"}, {"delta", "0.1"}}));
+    CHECK(classes_together(problem, found, of_grid) == static_cast<int>(expected.size()));
+    CHECK(2 * of_grid.size() > found.size());
+  }
+  CHECK(compared >= 6);
 }
 
 TEST_CASE("any length of the open side gives the solutions of a scan a hundred times finer") {

@@ -128,7 +128,13 @@ TEST_CASE("defaults have the texts that results keep") {
       ThetaScan{},
       {{"delta", "0.2"}, {"dtheta", "1"}, {"max_cells", "100000000"}, {"method", "events"}, {"start", "0"}});
   check_texts(SphereTangents{}, {{"method", "direct"}, {"system", "quadrics"}});
-  check_texts(PlanScan{}, {{"max_cells", "100000000"}});
+  check_texts(PlanScan{}, {{"delta", "auto"},
+                           {"max_cells", "100000000"},
+                           {"max_points", "100000000"},
+                           {"method", "certified"},
+                           {"most_angles", "2"},
+                           {"start", "0"},
+                           {"step", "1"}});
   check_texts(SystemPaths{}, {{"start", "mixed-cells"}, {"system", "quartics"}});
   check_texts(NewtonMultistart{}, {{"starts", "1000"}, {"unseen", "0.5"}});
 }
@@ -169,7 +175,13 @@ TEST_CASE("values come back from their texts") {
                              .scan = {.max_cells = 999'999'999'999}});
   check_round_trip(
       SphereTangents{.method = SphereTangents::Method::published, .system = PublishedSystem::cubic});
-  check_round_trip(PlanScan{.scan = {.max_cells = 1}});
+  check_round_trip(PlanScan{.method = PlanScan::Method::published,
+                            .most_angles = 3,
+                            .scan = {.max_cells = 1},
+                            .step = 0.1,
+                            .start = 1.0 / 3,
+                            .delta = 1e-20,
+                            .max_points = 999'999'999'999});
   check_round_trip(SystemPaths{.system = SystemPaths::System::echelon, .start = PathStart::total_degree});
   check_round_trip(NewtonMultistart{.starts = 64, .unseen = 0});
 }

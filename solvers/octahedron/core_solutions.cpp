@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solvers/model/distance_system.hpp"
+#include "solvers/octahedron/exact_determinants.hpp"
 #include "solvers/octahedron/exact_elimination.hpp"
 #include "solvers/octahedron/exact_squares.hpp"
 #include "solvers/octahedron/octahedron_placer.hpp"

@@ -41,4 +41,32 @@ RationalPolynomial gram_determinant(const SymbolicSquares& squares, int apex,
   return determinant(rows);
 }
 
+namespace {
+
+/// Of the diagonals aa' and bb'.
+bool has_proven_curve(const Scene& scene, const Octahedron& octahedron) {
+  const SymbolicSquares squares(scene, octahedron);
+  const auto [a, a2] = octahedron.pair[0];
+  const auto [b, b2] = octahedron.pair[1];
+  const auto [c, c2] = octahedron.pair[2];
+  RationalPolynomial curve = common_divisor(gram_determinant(squares, c, {a, a2, b, b2}),
+                                            gram_determinant(squares, c2, {a, a2, b, b2}));
+  const RationalPolynomial flat = gram_determinant(squares, a, {a2, b, b2});
+  for (RationalPolynomial part = common_divisor(curve, flat); !part.is_constant();
+       part = common_divisor(curve, flat))
+    curve = curve.divided_by(part);
+  return !curve.is_constant();
+}
+
+}  // namespace
+
+bool is_proven_to_flex(const Scene& scene, const Octahedron& octahedron) {
+  Octahedron turned = octahedron;
+  for (int third = 0; third < 3; ++third) {
+    if (has_proven_curve(scene, turned)) return true;
+    std::rotate(turned.pair.begin(), turned.pair.begin() + 1, turned.pair.end());
+  }
+  return false;
+}
+
 }  // namespace gcs

@@ -1,5 +1,5 @@
 #pragma once
-/// Cayley–Menger determinants of an octahedron's points, exactly, with squared diagonals as unknowns.
+/// Cayley–Menger determinants of an octahedron's points, exactly, with squared diagonals as unknowns: does it move?
 
 #include <utility>
 #include <vector>
@@ -30,5 +30,10 @@ class SymbolicSquares {
 /// Of twice the products of the vectors from `apex` to `points`: the Cayley–Menger determinant up to a
 /// positive factor and a sign, so that it is > 0 where that many points of R³ are in general position.
 RationalPolynomial gram_determinant(const SymbolicSquares& squares, int apex, const std::vector<int>& points);
+
+/// True when a curve of solutions is proven: for two of the diagonals, aa' and bb', the two determinants have
+/// a common factor that the one of {a, a', b, b'} does not have, so that almost everywhere on the curve those
+/// four are no flat tetrahedron and carry c and c'. False: not so, or not proven.
+bool is_proven_to_flex(const Scene& scene, const Octahedron& octahedron);
 
 }  // namespace gcs

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "solvers/model/given_numbers.hpp"
-#include "solvers/octahedron/exact_determinants.hpp"
 
 namespace gcs {
 namespace {
@@ -11,21 +10,6 @@ namespace {
 /// The signs of a closed walk, but for a common one.
 std::array<int, 4> signs_of(int number) {
   return {1, number & 1 ? -1 : 1, number & 2 ? -1 : 1, number & 4 ? -1 : 1};
-}
-
-/// Of the diagonals aa' and bb'.
-bool has_proven_curve(const Scene& scene, const Octahedron& octahedron) {
-  const SymbolicSquares squares(scene, octahedron);
-  const auto [a, a2] = octahedron.pair[0];
-  const auto [b, b2] = octahedron.pair[1];
-  const auto [c, c2] = octahedron.pair[2];
-  RationalPolynomial curve = common_divisor(gram_determinant(squares, c, {a, a2, b, b2}),
-                                            gram_determinant(squares, c2, {a, a2, b, b2}));
-  const RationalPolynomial flat = gram_determinant(squares, a, {a2, b, b2});
-  for (RationalPolynomial part = common_divisor(curve, flat); !part.is_constant();
-       part = common_divisor(curve, flat))
-    curve = curve.divided_by(part);
-  return !curve.is_constant();
 }
 
 }  // namespace
@@ -65,15 +49,6 @@ int stretched_walks(const Scene& scene, const Octahedron& octahedron) {
     for (int number = 0; number < 8; ++number) walks += sum.vanishes(signs_of(number)) ? 1 : 0;
   }
   return walks;
-}
-
-bool is_proven_to_flex(const Scene& scene, const Octahedron& octahedron) {
-  Octahedron turned = octahedron;
-  for (int third = 0; third < 3; ++third) {
-    if (has_proven_curve(scene, turned)) return true;
-    std::rotate(turned.pair.begin(), turned.pair.begin() + 1, turned.pair.end());
-  }
-  return false;
 }
 
 }  // namespace gcs

@@ -1,5 +1,5 @@
 #pragma once
-/// What a file's own numbers say of an octahedron: is a pair of diagonals at infinity, does it move?
+/// What a file's own numbers say of an octahedron: is a pair of diagonals at infinity?
 ///
 /// A closed walk b c b' c' along four edges can be stretched flat when its lengths with some signs sum to
 /// zero; then, and only then, a solution with infinite |aa'| has b, c, b' and c' on a line like that: at
@@ -42,10 +42,5 @@ class RootSum {
 
 /// How many solutions are at infinity: one at least for each walk and each choice of signs, all different.
 int stretched_walks(const Scene& scene, const Octahedron& octahedron);
-
-/// True when a curve of solutions is proven: for two of the diagonals, aa' and bb', the two determinants have
-/// a common factor that the one of {a, a', b, b'} does not have, so that almost everywhere on the curve those
-/// four are no flat tetrahedron and carry c and c'. False: not so, or not proven.
-bool is_proven_to_flex(const Scene& scene, const Octahedron& octahedron);
 
 }  // namespace gcs

@@ -4,7 +4,7 @@
 /// systems/pyramid_systems.hpp), so that its degrees and monomials are those of the instance and not of a theory; its total
 /// degree, a multihomogeneous Bézout number and its mixed volume are computed from it. Its zeros are found by paths
 /// (systems/system_paths.hpp), whose ends are counted as they come; those that are regular are turned into points,
-/// polished by Newton's method on the distances, and reported.
+/// settled on the distances, and reported.
 ///
 /// It is a measure of what a way to write a problem costs, and no strategy for hard scenes: multiple solutions, and those
 /// at which a system has no regular zero (a flat octahedron has half angles at infinity), make the status partial.
@@ -12,7 +12,6 @@
 
 #include "solvers/strategies/system_paths.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "solvers/homotopies/complex_report.hpp"
@@ -28,8 +27,6 @@ namespace gcs {
 namespace {
 
 using System = SystemPaths::System;
-using Complex = std::complex<double>;
-
 /// Of six points, all of them in it.
 std::optional<Octahedron> whole_octahedron(const Scene& scene) {
   if (scene.dimension() != 3 || scene.has_lines() || scene.is_anchored() || scene.point_count() != 6)
@@ -50,50 +47,63 @@ SystemOrReason write(const Scene& scene, System system) {
   return written;
 }
 
-/// Newton's method on the squared distances, in doubles.
-class Polisher {
+/// From the points of a zero, which are right to the condition of the system, to those of the distances: along the short
+/// way from the lengths that they have to the given ones, in twice the precision where doubles do not do.
+class Settling {
  public:
-  Polisher(const Scene& scene, const DistanceSystem& coordinates)
-      : coordinates_(coordinates), system_(square_system(coordinates)) {
-    for (const DoubleDouble& square : target_squares(scene)) squares_.emplace_back(square.value());
+  Settling(const SolveRequest& request, const DistanceSystem& coordinates, const TrackingSetup& setup,
+           std::mt19937_64& random, WorkCounters& work)
+      : request_(request),
+        coordinates_(coordinates),
+        work_(work),
+        system_(square_system(coordinates)),
+        elimination_(order_elimination(system_, random)),
+        tracking_(system_, elimination_, setup) {
+    for (const DoubleDouble& square : target_squares(request.scene)) squares_.emplace_back(square.value());
   }
 
-  /// The free coordinates of a placement; nothing where it is none of a solution.
-  std::optional<ComplexVectorX> run(const ComplexPoints& points) const {
+  /// In the free coordinates; nothing where the placement is next to no regular solution.
+  std::optional<PathEnd> run(const ComplexPoints& placed) {
+    const ComplexPoints points =
+        request_.scene.has_lines() ? placed : in_frame(placed, 3, coordinates_.reference());
     if (!points.allFinite()) return std::nullopt;
     ComplexVectorX x(static_cast<std::size_t>(system_.unknowns));
     for (int p = 0; p < coordinates_.point_count(); ++p)
       for (int axis = 0; axis < 3; ++axis)
         if (const int i = coordinates_.unknown(p, axis); i >= 0)
           x[static_cast<std::size_t>(i)] = points(axis, p);
-    for (int i = 0; i < most_iterations; ++i) {
-      const double correction = improve(x);
-      if (correction <= settled * (1 + largest(x))) return x;
-      if (!(correction <= nearby * (1 + largest(x)))) return std::nullopt;
-    }
-    return std::nullopt;
+    const ComplexVectorX here = squares_at(system_, x);
+    if (!are_near(here)) return std::nullopt;
+    const std::vector<PathEnd> ends = follow_to_end(
+        tracking_, {x}, here, squares_,
+        [&](const ComplexVectorX& zero) { return is_zero_at(system_, squares_, zero); },
+        [&] { return request_.stop.stop_requested(); }, [](double) {}, work_);
+    const PathEnd& end = ends.front();
+    if (end.kind != PathEnd::Kind::regular || distance(end.x, x) > nearby * (1 + largest(x)))
+      return std::nullopt;
+    return end;
   }
 
  private:
-  static constexpr int most_iterations = 8;
-  static constexpr double nearby = 1e-3;    ///< of a correction: further away there is no solution
-  static constexpr double settled = 1e-11;  ///< the next correction is below rounding
+  static constexpr double nearby = 1e-3;  ///< further away it is the end of another zero
+  /// Of a squared distance: what doubles leave of large coordinates must determine the solution that is meant.
+  static constexpr double largest_miss = 1e-6;
 
-  double improve(ComplexVectorX& x) const {
-    const auto n = static_cast<Eigen::Index>(x.size());
-    const ComplexVectorX jacobian = jacobian_at(system_, x), here = squares_at(system_, x);
-    Eigen::VectorXcd excess(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      excess[i] = (here[static_cast<std::size_t>(i)] - squares_[static_cast<std::size_t>(i)]) / 2.0;
-    using Rows = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::VectorXcd change =
-        Eigen::Map<const Rows>(jacobian.data(), n, n).partialPivLu().solve(excess);
-    for (Eigen::Index i = 0; i < n; ++i) x[static_cast<std::size_t>(i)] -= change[i];
-    return change.cwiseAbs().maxCoeff();
+  bool are_near(const ComplexVectorX& here) const {
+    const double size = request_.scene.size();
+    for (std::size_t e = 0; e < here.size(); ++e) {
+      const double square = squares_[e] == 0.0 ? size * size : std::abs(squares_[e]);
+      if (!(std::abs(here[e] - squares_[e]) <= largest_miss * square)) return false;
+    }
+    return true;
   }
 
+  const SolveRequest& request_;
   const DistanceSystem& coordinates_;
+  WorkCounters& work_;
   SquareSystem system_;
+  Elimination elimination_;
+  LegTracking tracking_;
   ComplexVectorX squares_;
 };
 
@@ -103,13 +113,12 @@ struct SortedEnds {
   int extraneous = 0;            ///< finite ends that are none of the problem's
   int singular = 0;              ///< other finite ones that are not regular
   int misplaced = 0;             ///< regular ones that are no points
+  int placed = 0;                ///< regular ones that are
 };
 
-SortedEnds sorted(const Scene& scene, const WrittenSystem& written, const DistanceSystem& coordinates,
-                  const std::vector<PathEnd>& ends, std::mt19937_64& random) {
+SortedEnds sorted(const WrittenSystem& written, const std::vector<PathEnd>& ends, SolutionSet& classes,
+                  Settling& settling) {
   SortedEnds result;
-  const Polisher polisher(scene, coordinates);
-  SolutionSet classes(mirror_axes(scene, coordinates), random);
   for (const PathEnd& end : ends) {
     const bool is_regular = end.kind == PathEnd::Kind::regular;
     if (!is_regular && end.kind != PathEnd::Kind::singular) continue;
@@ -117,14 +126,13 @@ SortedEnds sorted(const Scene& scene, const WrittenSystem& written, const Distan
       ++result.extraneous;
     } else if (!is_regular) {
       ++result.singular;
-    } else if (const auto x = polisher.run(written.place(end.x)); !x) {
+    } else if (const auto settled = settling.run(written.place(end.x)); !settled) {
       ++result.misplaced;
     } else {
+      ++result.placed;
       const int known = classes.size();
-      classes.insert(*x, regular_uncertainty);
-      if (classes.size() == known) continue;
-      result.classes.push_back(end);
-      result.classes.back().x = *x;
+      classes.insert(settled->x, regular_uncertainty);
+      if (classes.size() > known) result.classes.push_back(*settled);
     }
   }
   return result;
@@ -151,16 +159,16 @@ class SystemPathsStrategy final : public Strategy {
     report.claim = Claim::all_complex;
     report.reason = written.system ? why_not_square(written.system->equations) : written.why_none;
     if (!report.reason.empty()) return report;
-    WorkCounters work;
     const auto progress = [&request](std::string_view stage, double fraction) {
       if (request.monitor && !request.stop.stop_requested()) request.monitor->progress(stage, fraction);
     };
     TrackingSetup setup;
     setup.set = widest_instruction_set();
     setup.threads = request.threads;
+    WorkCounters work;
     const FollowedSystem paths = follow_system_paths(
         {written.system->equations, start_, setup, request.seed, request.stop, progress}, work);
-    return report_of(request, *written.system, paths, work);
+    return report_of(request, *written.system, paths, setup, work);
   }
 
  private:
@@ -172,10 +180,15 @@ class SystemPathsStrategy final : public Strategy {
   }
 
   SolveReport report_of(const SolveRequest& request, const WrittenSystem& written,
-                        const FollowedSystem& paths, const WorkCounters& work) const {
+                        const FollowedSystem& paths, const TrackingSetup& setup, WorkCounters& work) const {
     std::mt19937_64 random(request.seed);
-    const DistanceSystem coordinates(request.scene, written.reference);
-    const SortedEnds ends = sorted(request.scene, written, coordinates, paths.ends, random);
+    // Points in the scene's frame: a complex rotation into it would cost solutions their accuracy.
+    const DistanceSystem coordinates = request.scene.has_lines()
+                                           ? DistanceSystem(request.scene, written.reference)
+                                           : DistanceSystem(request.scene);
+    Settling settling(request, coordinates, setup, random, work);
+    SolutionSet classes(mirror_axes(request.scene, coordinates), random);
+    const SortedEnds ends = sorted(written, paths.ends, classes, settling);
     SolveReport report = complex_report(request.scene, coordinates, ends.classes, work, random);
     report.paths.clear();
     for (const PathEnd& end : paths.ends) report.paths.push_back(path_record(end));
@@ -184,14 +197,15 @@ class SystemPathsStrategy final : public Strategy {
     if (paths.is_stopped) {
       report.status = SolveStatus::stopped;
       report.reason = "stopped on request";
-    } else if (std::string missing = what_is_missing(paths, ends); !missing.empty()) {
+    } else if (std::string missing = what_is_missing(written, paths, ends); !missing.empty()) {
       report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
       report.status = SolveStatus::partial;
     }
     return report;
   }
 
-  std::string what_is_missing(const FollowedSystem& paths, const SortedEnds& ends) const {
+  std::string what_is_missing(const WrittenSystem& written, const FollowedSystem& paths,
+                              const SortedEnds& ends) const {
     if (!paths.why_none.empty()) return paths.why_none;
     const auto failed = std::ranges::count_if(
         paths.ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::failed; });
@@ -200,7 +214,10 @@ class SystemPathsStrategy final : public Strategy {
     if (ends.singular > 0)
       return counted(ends.singular, "path") + " ended at multiple solutions, which are not listed";
     if (ends.misplaced > 0)
-      return counted(ends.misplaced, "regular end") + " could not be turned into points";
+      return counted(ends.misplaced, "regular end") +
+             " give points whose distances doubles do not hold, or none";
+    if (ends.placed != written.mirror_images * static_cast<int>(ends.classes.size()))
+      return "regular ends of different paths are the same points, or their mirror images are missing";
     const bool any_at_infinity = std::ranges::any_of(
         paths.ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::at_infinity; });
     if (system_ == System::quartics && start_ == PathStart::mixed_cells && any_at_infinity)

@@ -127,6 +127,7 @@ SystemOrReason octahedron_quadrics(const Scene& scene, const Octahedron& octahed
         base, {unknown(i, 0) - unknown(j, 0), unknown(i, 1) - unknown(j, 1), unknown(i, 2) - unknown(j, 2)},
         base.squares(base.free[i], base.free[j])));
   written.reference = base.reference();
+  written.mirror_images = 2;
   written.place = [base, x_scale = base.x_square.approximate_root(),
                    y_scale = base.y_square.approximate_root()](const ComplexVectorX& zero) {
     ComplexPoints points = base.corners();
@@ -158,6 +159,7 @@ SystemOrReason octahedron_quartics(const Scene& scene, const Octahedron& octahed
                                                   base.squares(base.free[i], base.free[j]).approximate(),
                                                   static_cast<int>(i), static_cast<int>(j)));
   written.reference = base.reference();
+  written.mirror_images = 2;
   written.place = [base, circles](const ComplexVectorX& zero) {
     ComplexPoints points = base.corners();
     for (std::size_t i = 0; i < 3; ++i) points.col(base.free[i]) = circles[i].at(zero[i]);

@@ -158,6 +158,7 @@ SystemOrReason pyramid_quadrics(const Scene& scene, const Pyramid& pyramid) {
                         exact.square(i, j));
   }
   written.reference = exact.reference();
+  written.mirror_images = 4;
   written.place = [exact](const ComplexVectorX& zero) {
     ComplexPoints points = exact.apex();
     for (std::size_t i = 0; i < 4; ++i)
@@ -173,6 +174,7 @@ SystemOrReason pyramid_parametrised(const Scene& scene, const Pyramid& pyramid) 
   WrittenSystem written;
   written.equations = Parametrised(exact).system();
   written.reference = exact.reference();
+  written.mirror_images = 4;
   written.place = [exact](const ComplexVectorX& zero) { return placed(exact, zero); };
   // Singular ends are right to 1e-7.
   written.is_extraneous = [r5 = exact.r5().approximate()](const ComplexVectorX& zero) {

@@ -16,6 +16,8 @@ struct WrittenSystem {
   Reference reference;  ///< whose frame the placements are in
   /// The points of a zero, in the scene's unit. Not finite where there are none.
   std::function<ComplexPoints(const ComplexVectorX& zero)> place;
+  /// Mirror images of a solution, itself included, that are zeros of their own.
+  int mirror_images = 1;
   /// Whether a zero belongs to equations that were multiplied with what may vanish, and not to the problem; empty:
   /// never.
   std::function<bool(const ComplexVectorX& zero)> is_extraneous = {};

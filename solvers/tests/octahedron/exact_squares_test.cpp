@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "solvers/octahedron/exact_determinants.hpp"
 #include "solvers/tests/random_numbers.hpp"
 #include "solvers/tests/sample_problems.hpp"
 

@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 import command_line
-from command_line import BAD_INPUT, CHECK_FAILED, DONE, run
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, NOT_SOLVED, run
 
 
 class Compare(command_line.CommandLine):

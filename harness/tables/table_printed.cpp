@@ -73,12 +73,12 @@ struct Hypothesis {
 };
 
 constexpr std::array hypotheses{
-    Hypothesis{"(h2) the support of positive lengths is compact", "h2_failures"},
-    Hypothesis{"(h3) no two lengths are one function of t", "h3_failures"},
-    Hypothesis{"(h4) the second point's length stays positive", "h4_failures"},
-    Hypothesis{"(h5) no two lengths of an instruction vanish together", "h5_failures"},
-    Hypothesis{"(h6) nor one beside a driving parameter", "h6_failures"},
-    Hypothesis{"(h7) the sketch is further than α from boundary configurations", "h7_failures"},
+    Hypothesis{"(h2) the support of positive lengths is compact", "open_sides"},
+    Hypothesis{"(h3) no two lengths are one function of t", "equal_lengths"},
+    Hypothesis{"(h4) the second point's length stays positive", "vanishing_first_lengths"},
+    Hypothesis{"(h5) no two lengths of an instruction vanish together", "vanishing_pairs"},
+    Hypothesis{"(h6) nor one beside a driving parameter", "vanishing_beside_driven"},
+    Hypothesis{"(h7) the sketch is further than α from boundary configurations", "near_boundary_at_sketch"},
 };
 
 Table hypotheses_table(const RunFile& run) {
@@ -107,9 +107,8 @@ Table hypotheses_table(const RunFile& run) {
       "(h1): proven along all of S by full-space, mode=certified. (h2) to (h7): at the plan that rcp begins "
       "with, "
       "to rounding, where t leaves the part of the support that holds [0, 1]; in brackets, how often a "
-      "hypothesis "
-      "fails. Where (h4) to (h6) fail S may still keep away from that t; where (h7) fails Algorithm 2 comes "
-      "first."};
+      "hypothesis fails. Where (h4) to (h6) fail S may still keep away from that t; where (h7) fails "
+      "Algorithm 2 comes first."};
   return table;
 }
 

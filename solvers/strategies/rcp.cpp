@@ -103,11 +103,16 @@ class RcpStrategy final : public Strategy {
     SolveReport report = report_of(scene, tracker.run(), homotopy);
     const PlanChange& changes = homotopy.changes();
     const PlanHypotheses fails = check_hypotheses(scene, plan, sketch, plan_options_.rule.alpha);
-    report.particulars = {{"exchanges", changes.exchanges}, {"restorations", changes.restorations},
-                          {"shifts", changes.shifts},       {"shifts_in_vain", changes.shifts_in_vain},
-                          {"h2_failures", fails.h2},        {"h3_failures", fails.h3},
-                          {"h4_failures", fails.h4},        {"h5_failures", fails.h5},
-                          {"h6_failures", fails.h6},        {"h7_failures", fails.h7}};
+    report.particulars = {{"exchanges", changes.exchanges},
+                          {"restorations", changes.restorations},
+                          {"shifts", changes.shifts},
+                          {"shifts_in_vain", changes.shifts_in_vain},
+                          {"open_sides", fails.h2},
+                          {"equal_lengths", fails.h3},
+                          {"vanishing_first_lengths", fails.h4},
+                          {"vanishing_pairs", fails.h5},
+                          {"vanishing_beside_driven", fails.h6},
+                          {"near_boundary_at_sketch", fails.h7}};
     return report;
   }
 

@@ -215,7 +215,7 @@ class SystemPathsStrategy final : public Strategy {
       return counted(ends.singular, "path") + " ended at multiple solutions, which are not listed";
     if (ends.misplaced > 0)
       return counted(ends.misplaced, "regular end") +
-             " give points whose distances doubles do not hold, or none";
+             " give points at infinity, or so far away that doubles do not hold their distances";
     if (ends.placed != written.mirror_images * static_cast<int>(ends.classes.size()))
       return "regular ends of different paths are the same points, or their mirror images are missing";
     const bool any_at_infinity = std::ranges::any_of(

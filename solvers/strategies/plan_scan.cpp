@@ -11,17 +11,17 @@
 /// beforehand: all real solutions. It refuses scenes with more than most_angles driving parameters, of which
 /// each multiplies the cells by hundreds, and gives up where solutions are not isolated or where they are
 /// multiple; the ranges that it could not decide are named, and points of them that satisfy the constraints
-/// to rounding are reported.
+/// to rounding are reported. It refuses a line: on some scenes the derived plan leaves angles undecided at
+/// which there is no solution.
 ///
-/// method=published is theirs, for any number of parameters (scanning/grid_scan.hpp): at every point T of the
-/// grid each branch with ρ(T) = max |f_j| < delta over the removed constraints, in lengths, is a coarse
-/// solution, from which Newton's method on the whole system starts. Deviations: the grid is taken once over
+/// method=published is theirs, for any number of parameters, with a line or without (scanning/grid_scan.hpp):
+/// at every point T of the grid each branch with ρ(T) = max |f_j| < delta over the removed constraints, in
+/// lengths, is a coarse solution, from which Newton's method on the whole system starts. Deviations: the grid is taken once over
 /// mirror images, and coarse solutions that refine to mirror images are one. It misses what lies between the
 /// points of the grid, hence the claim: some real ones.
 
 #include "solvers/strategies/plan_scan.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,20 +31,19 @@
 namespace gcs {
 namespace {
 
-constexpr int most_beside_line = 2;  // where a cylinder is met takes a third symbol
-
 class PlanScanStrategy final : public Strategy {
  public:
   explicit PlanScanStrategy(const PlanScan& asked) : asked_(asked) {}
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
+    if (scene.has_lines() && !is_published())
+      return "its subdivision places points only, and the instance has a line";
     if (const auto reason = why_no_scan_plan(scene)) return reason;
     const int angles = derive_scan_plan(scene).angles();
-    const int most = scene.has_lines() ? std::min(asked_.most_angles, most_beside_line) : asked_.most_angles;
-    if (is_published() || angles <= most) return std::nullopt;
+    if (is_published() || angles <= asked_.most_angles) return std::nullopt;
     return "the derived plan has " + std::to_string(angles) + " driving parameters, and it scans at most " +
-           std::to_string(most);
+           std::to_string(asked_.most_angles);
   }
 
   void prepare(const SolveRequest& request) override { plan_ = derive_scan_plan(request.scene); }

@@ -185,8 +185,8 @@ std::vector<Table> build_three_ways(const RunFile& run, const Publication& paper
                   {"solutions", {"complex", "real"}},
                   {"", {"time"}}};
   for (const auto& [problem, id] : problems) {
-    const bool is_shown = std::ranges::any_of(
-        run.instances, [&](const InstanceSummary& instance) { return instance.id == id; });
+    const bool is_shown =
+        std::ranges::find(run.instances, std::string(id), &InstanceSummary::id) != run.instances.end();
     if (!is_shown) continue;
     table.rows.push_back({fmt::format("{}: {}", problem, id), {}, {}});
     for (const WrittenWay& way : all_ways())

@@ -19,9 +19,9 @@ constexpr double finest = 0x1p-36;
 /// A round that leaves more than this share of a box's widths is the last one before it is halved.
 constexpr double worth_a_round = 0.9;
 
-/// Around a solution of high multiplicity some hundred boxes are undecided; a curve of solutions has no end of
+/// Around a solution of multiplicity 4 some hundred boxes are undecided; a curve of solutions has no end of
 /// them.
-constexpr std::size_t most_undecided = 10'000;
+constexpr std::size_t most_undecided = 3000;
 
 /// Of the widest unknown's width: narrower ones are not halved while others are so much wider.
 constexpr double comparable = 0.2;

@@ -115,6 +115,8 @@ Restatement relabelled(const ProblemStatement& problem, std::mt19937_64& random)
     for (int& end : constraint.between) renumbering.apply(end);
   if (!problem.fixed_points.empty())
     restated.fixed_points = reordered(problem.fixed_points, result.point_now);
+  if (!problem.fixed_point_texts.empty())
+    restated.fixed_point_texts = reordered(problem.fixed_point_texts, result.point_now);
   if (restated.reference) renumber(*restated.reference, renumbering);
   if (restated.sketch) restated.sketch = reordered(*problem.sketch, result.point_now);
   for (PlanStep& step : restated.construction) renumber(step, renumbering);
@@ -143,6 +145,8 @@ Restatement mirrored(const ProblemStatement& problem) {
   if (result.problem.sketch) mirror(*result.problem.sketch);
   for (auto& point : result.problem.fixed_points)
     if (point) mirror(*point);
+  for (auto& texts : result.problem.fixed_point_texts)
+    if (!texts[0].empty()) texts[0] = texts[0].starts_with('-') ? texts[0].substr(1) : "-" + texts[0];
   for (auto& line : result.problem.fixed_lines)
     if (line) mirror(*line);
   return result;

@@ -56,10 +56,10 @@ bool has_nothing_to_find(const CellRecord& cell) {
 }
 
 /// Who may say that it has not all, with the reason: half angles of points at infinity are finite, and look like
-/// those of points far away; and a plan that starts from a line has branches that end together.
+/// those of points far away.
 bool may_be_partial(const CellRecord& cell) {
   return cell.status == RunStatus::partial && !cell.reason.empty() && !cell.is_flawed() &&
-         (cell.spec.strategy == "system-paths" || cell.spec.strategy == "plan-scan");
+         cell.spec.strategy == "system-paths";
 }
 
 void check_right(const RunFile& run) {

@@ -64,6 +64,11 @@ TEST_CASE("polyhedral homotopies are the same for any number of threads") {
   check_threads("k33", "polyhedral", {{"formulation", "coordinates"}});
 }
 
+TEST_CASE("boxes and grids are the same for any number of threads") {
+  check_threads("octahedron", "box-subdivision", {});
+  check_threads("k33", "plan-scan", {{"method", "published"}, {"step", "2"}});
+}
+
 TEST_CASE("certificates are the same for any number of threads") {
   const ProblemStatement problem = shipped("octahedron");
   const Scene scene(problem);

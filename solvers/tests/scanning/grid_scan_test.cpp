@@ -34,8 +34,9 @@ samples::Edges four_by_six() {
 }
 
 Scene random_scene(int dimension, int points, const samples::Edges& edges, RandomNumbers& random) {
-  return Scene::unchecked(samples::between(dimension, edges, random.points(dimension, points, 1),
-                                           random.points(dimension, points, 1)));
+  const Eigen::Matrix3Xd target = random.points(dimension, points, 1);
+  const Eigen::Matrix3Xd sketch = random.points(dimension, points, 1);
+  return Scene::unchecked(samples::between(dimension, edges, sketch, target));
 }
 
 Scene random_octahedron(RandomNumbers& random) {

@@ -114,8 +114,10 @@ ProblemStatement random_beside_line(int points, samples::RandomNumbers& random) 
       const int other = random.index(p + 1);
       add(p, other == p ? line : other);
     }
-  while (edges.size() < static_cast<std::size_t>(3 * points - 2))
-    add(random.index(points), random.index(points + 1));
+  while (edges.size() < static_cast<std::size_t>(3 * points - 2)) {
+    const int other = random.index(points + 1);
+    add(random.index(points), other);
+  }
   const Eigen::Matrix3Xd places = random.points(3, points, 1);
   ProblemStatement problem = load_instance("hoffmann-yuan").problem;
   problem.reference.reset();

@@ -1,6 +1,7 @@
 /// What [I] proves of construction plans, as properties of random scenes. (Proposition 2 is in boundary_test.cpp; the
 /// termination of Algorithm 1 is what every closed path shows.)
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 

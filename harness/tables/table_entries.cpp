@@ -49,6 +49,32 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.3g} µs", seconds * 1e6);
 }
 
+std::optional<double> number(const std::optional<Natural>& count) {
+  return count ? std::optional(count->approximate()) : std::nullopt;
+}
+
+std::optional<double> particular(const CellRecord* cell, std::string_view name) {
+  const auto count = cell == nullptr ? std::nullopt : cell->particular(name);
+  return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
+}
+
+std::optional<double> proven_real(const CellRecord* cell) {
+  if (cell == nullptr || !cell->proofs) return std::nullopt;
+  return static_cast<double>(cell->proofs->real);
+}
+
+std::optional<double> tracked_paths(const CellRecord* cell) {
+  const auto count = cell == nullptr ? std::nullopt : cell->counts.paths;
+  return count && *count > 0 ? std::optional(static_cast<double>(*count)) : std::nullopt;
+}
+
+std::optional<double> finite_path_ends(const CellRecord* cell) {
+  const auto all = tracked_paths(cell);
+  if (!all) return std::nullopt;
+  return *all - static_cast<double>(cell->counts.at_infinity.value_or(0)) -
+         static_cast<double>(cell->counts.failed_paths.value_or(0));
+}
+
 TableCell printed_entry(Table& table, const PrintedFigure* figure) {
   if (figure == nullptr) return empty_entry();
   TableCell cell{figure->printed, {}};

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "harness/results/median_interval.hpp"
 #include "harness/runs/published.hpp"
@@ -20,6 +21,21 @@ std::string number_text(double value);
 
 /// "2.13 ms": three significant digits in s, ms or µs.
 std::string duration_text(double seconds);
+
+/// A count of the answer, where it has one.
+std::optional<double> number(const std::optional<Natural>& count);
+
+/// The particular of that name, where there is a cell that has it.
+std::optional<double> particular(const CellRecord* cell, std::string_view name);
+
+/// Solutions that are proven to be real, each in a class of its own.
+std::optional<double> proven_real(const CellRecord* cell);
+
+/// Of a strategy that follows no paths nothing is counted.
+std::optional<double> tracked_paths(const CellRecord* cell);
+
+/// Of these, the ends that are finite, regular and singular ones together.
+std::optional<double> finite_path_ends(const CellRecord* cell);
 
 /// A printed figure as the paper has it. A correction and a remark become footnotes.
 TableCell printed_entry(Table& table, const PrintedFigure* figure);

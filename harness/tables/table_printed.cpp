@@ -46,24 +46,44 @@ TableCell end_entry(Table& table, const CellRecord* cell) {
 }
 
 /// Also of a path that does not close: what it met before.
-TableCell so_far(const CellRecord* cell, std::optional<double> value) {
-  return cell == nullptr || !value ? empty_entry() : TableCell{number_text(*value), {}};
+TableCell so_far(std::optional<double> value) {
+  return value ? TableCell{number_text(*value), {}} : empty_entry();
+}
+
+std::optional<double> work_count(const CellRecord* cell, std::int64_t WorkCounters::*counter) {
+  return cell == nullptr ? std::nullopt : std::optional(static_cast<double>(cell->work.*counter));
 }
 
 void add_path_entries(Table& table, TableRow& row, const CellRecord* cell) {
   row.cells.push_back(end_entry(table, cell));
-  row.cells.push_back(so_far(cell, on_path(cell)));
-  row.cells.push_back(so_far(
-      cell, cell == nullptr ? std::nullopt : std::optional(static_cast<double>(cell->work.iterations))));
-  row.cells.push_back(so_far(cell, cell == nullptr ? std::nullopt : cell->work.smallest_step));
+  row.cells.push_back(so_far(on_path(cell)));
+  row.cells.push_back(so_far(work_count(cell, &WorkCounters::iterations)));
+  row.cells.push_back(so_far(cell == nullptr ? std::nullopt : cell->work.smallest_step));
+}
+
+/// A row for each reading under each instance; `add_more` fills the columns after those of the path.
+template <class AddMore>
+void add_readings(Table& table, const RunFile& run, const std::vector<Reading>& all,
+                  const AddMore& add_more) {
+  for (const InstanceSummary& instance : run.instances) {
+    table.rows.push_back({instance.id, {}, {}});
+    for (const Reading& reading : all) {
+      const CellRecord* cell = run.find(reading.variant.on(instance.id));
+      TableRow row{reading.label, {}, {}};
+      add_path_entries(table, row, cell);
+      add_more(cell, row);
+      table.rows.push_back(std::move(row));
+    }
+  }
+}
+
+std::vector<Variant> variants_of(const std::vector<Reading>& all) {
+  std::vector<Variant> variants;
+  for (const Reading& reading : all) variants.push_back(reading.variant);
+  return variants;
 }
 
 const std::vector<std::string> path_columns{"end", "on S", "iterations", "smallest δ"};
-
-std::optional<double> counted(const CellRecord* cell, const char* name) {
-  const auto count = cell == nullptr ? std::nullopt : cell->particular(name);
-  return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
-}
 
 const Variant proof_of_s{"full-space", {{"mode", "certified"}}};
 
@@ -96,7 +116,7 @@ Table hypotheses_table(const RunFile& run) {
   for (const Hypothesis& hypothesis : hypotheses) {
     TableRow row{hypothesis.label, {}, {}};
     for (const InstanceSummary& instance : run.instances) {
-      const auto failures = counted(run.find(as_published({}).on(instance.id)), hypothesis.failures);
+      const auto failures = particular(run.find(as_published({}).on(instance.id)), hypothesis.failures);
       row.cells.push_back(!failures        ? empty_entry()
                           : *failures == 0 ? TableCell{"holds", {}}
                                            : TableCell{fmt::format("fails ({:.0f})", *failures), {}});
@@ -105,8 +125,7 @@ Table hypotheses_table(const RunFile& run) {
   }
   table.remarks = {
       "(h1): proven along all of S by full-space, mode=certified. (h2) to (h7): at the plan that rcp begins "
-      "with, "
-      "to rounding, where t leaves the part of the support that holds [0, 1]; in brackets, how often a "
+      "with, to rounding, where t leaves the part of the support that holds [0, 1]; in brackets, how often a "
       "hypothesis fails. Where (h4) to (h6) fail S may still keep away from that t; where (h7) fails "
       "Algorithm 2 comes first."};
   return table;
@@ -130,8 +149,8 @@ std::vector<Reading> exchanges() {
 }  // namespace
 
 std::vector<Variant> printed_variants() {
-  std::vector<Variant> variants{proof_of_s};
-  for (Reading& reading : readings()) variants.push_back(std::move(reading.variant));
+  std::vector<Variant> variants = variants_of(readings());
+  variants.insert(variants.begin(), proof_of_s);
   return variants;
 }
 
@@ -141,17 +160,10 @@ std::vector<Table> build_printed(const RunFile& run, const Publication& paper) {
   table.caption = "What the printed text of Algorithms 1 to 4 needs: rcp, mode=paper";
   table.stub = "to the letter";
   table.groups = {{"", path_columns}, {"Algorithm 2", {"exchanges", "restorations", "shifts", "in vain"}}};
-  for (const InstanceSummary& instance : run.instances) {
-    table.rows.push_back({instance.id, {}, {}});
-    for (const Reading& reading : readings()) {
-      const CellRecord* cell = run.find(reading.variant.on(instance.id));
-      TableRow row{reading.label, {}, {}};
-      add_path_entries(table, row, cell);
-      for (const char* count : {"exchanges", "restorations", "shifts", "shifts_in_vain"})
-        row.cells.push_back(so_far(cell, counted(cell, count)));
-      table.rows.push_back(std::move(row));
-    }
-  }
+  add_readings(table, run, readings(), [](const CellRecord* cell, TableRow& row) {
+    for (const char* count : {"exchanges", "restorations", "shifts", "shifts_in_vain"})
+      row.cells.push_back(so_far(particular(cell, count)));
+  });
   table.remarks = {
       "to the letter: which of rcp's options measure (γ alone), shift (for interCS, to the larger radius), "
       "direction (of a shift, where it is undefined or flat), restoring (which parameter leaves) and "
@@ -161,11 +173,7 @@ std::vector<Table> build_printed(const RunFile& run, const Publication& paper) {
   return {table, hypotheses_table(run)};
 }
 
-std::vector<Variant> swap_variants() {
-  std::vector<Variant> variants;
-  for (Reading& reading : exchanges()) variants.push_back(std::move(reading.variant));
-  return variants;
-}
+std::vector<Variant> swap_variants() { return variants_of(exchanges()); }
 
 std::vector<Table> build_swap(const RunFile& run, const Publication& paper) {
   Table table;
@@ -173,24 +181,13 @@ std::vector<Table> build_swap(const RunFile& run, const Publication& paper) {
   table.caption = "Changing the plan near boundary configurations, over α, and not: rcp, mode=paper";
   table.groups = {{"", path_columns}};
   table.groups[0].columns.emplace_back("plan changes");
-  for (const InstanceSummary& instance : run.instances) {
-    table.rows.push_back({instance.id, {}, {}});
-    for (const Reading& reading : exchanges()) {
-      TableRow row{reading.label, {}, {}};
-      const CellRecord* cell = run.find(reading.variant.on(instance.id));
-      add_path_entries(table, row, cell);
-      row.cells.push_back(so_far(cell, cell == nullptr
-                                           ? std::nullopt
-                                           : std::optional(static_cast<double>(cell->work.plan_changes))));
-      table.rows.push_back(std::move(row));
-    }
-  }
+  add_readings(table, run, exchanges(), [](const CellRecord* cell, TableRow& row) {
+    row.cells.push_back(so_far(work_count(cell, &WorkCounters::plan_changes)));
+  });
   table.remarks = {
       "swap=off: the first plan is kept; a correction that fails within α = 0.1 of a boundary configuration "
-      "is "
-      "tried on the branch beyond it (section 3.4). Where it gives up, changing the plan is needed; the "
-      "smallest "
-      "δ says how near to a boundary it came.",
+      "is tried on the branch beyond it (section 3.4). Where it gives up, changing the plan is needed; the "
+      "smallest δ says how near to a boundary it came.",
       path_remark, "Algorithms: " + paper.citation + "."};
   return {table};
 }

@@ -80,8 +80,7 @@ Table build_lengths(const InstanceSummary& instance, const Publication& paper) {
 }
 
 TableCell particular_entry(Table& table, const CellRecord* cell, std::string_view name) {
-  const auto count = cell == nullptr ? std::nullopt : cell->particular(name);
-  return answer_entry(table, cell, count ? std::optional(static_cast<double>(*count)) : std::nullopt);
+  return answer_entry(table, cell, particular(cell, name));
 }
 
 Table build_scans(const RunFile& run, const Publication& paper) {

@@ -47,17 +47,6 @@ std::optional<double> known_solutions(const CellRecord* cell) {
   return cell->counts.real_up_to_reflection->approximate();
 }
 
-/// Those that are proven to exist, in different classes: more than that a scan does not know.
-std::optional<double> found_solutions(const CellRecord* cell) {
-  if (cell == nullptr || !cell->proofs) return std::nullopt;
-  return static_cast<double>(cell->proofs->real);
-}
-
-std::optional<double> particular(const CellRecord* cell, std::string_view name) {
-  const auto count = cell == nullptr ? std::nullopt : cell->particular(name);
-  return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
-}
-
 /// How many of the scans miss some of the solutions.
 struct Tally {
   int scans = 0;
@@ -77,7 +66,7 @@ TableRow row_of(Table& table, const RunFile& run, const Scanned& scanned, const 
                 Tally& tally) {
   const CellRecord* cell = run.find(scanned.scan(step, band).on(scanned.id));
   const auto known = known_solutions(run.find(scanned.count().on(scanned.id)));
-  const auto found = found_solutions(cell);
+  const auto found = proven_real(cell);
   const auto missed = known && found ? std::optional(*known - *found) : std::nullopt;
   if (missed) ++tally.scans;
   if (missed && *missed > 0) ++tally.incomplete;

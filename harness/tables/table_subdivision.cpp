@@ -58,19 +58,12 @@ constexpr std::array counted_columns{
 /// What a cell counted, whether it ended or gave up.
 TableCell counter_entry(const CellRecord* cell, const Counter& counter) {
   for (const char* name : counter.names)
-    if (const auto count = cell == nullptr ? std::nullopt : cell->particular(name))
-      return {number_text(static_cast<double>(*count)), {}};
+    if (const auto count = particular(cell, name)) return {number_text(*count), {}};
   return empty_entry();
 }
 
 std::optional<double> real_solutions(const CellRecord* cell) {
-  const auto count = cell == nullptr ? std::nullopt : cell->counts.real_up_to_reflection;
-  return count ? std::optional(count->approximate()) : std::nullopt;
-}
-
-std::optional<double> proven_solutions(const CellRecord* cell) {
-  const bool is_certified = cell != nullptr && cell->proofs;
-  return is_certified ? std::optional(static_cast<double>(cell->proofs->real)) : std::nullopt;
+  return cell == nullptr ? std::nullopt : number(cell->counts.real_up_to_reflection);
 }
 
 /// Of one that gave up, how long it took to.
@@ -85,7 +78,7 @@ TableCell whole_time_entry(Table& table, const CellRecord* cell) {
 TableRow row_of(Table& table, const SubdivisionMethod& way, const CellRecord* cell) {
   TableRow row{way.label, {}, {}};
   row.cells.push_back(answer_entry(table, cell, real_solutions(cell)));
-  const auto proven = proven_solutions(cell);
+  const auto proven = proven_real(cell);
   row.cells.push_back(proven ? TableCell{number_text(*proven), {}} : empty_entry());
   for (const Counter& counter : counted_columns) row.cells.push_back(counter_entry(cell, counter));
   row.cells.push_back(whole_time_entry(table, cell));

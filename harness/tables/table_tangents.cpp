@@ -33,25 +33,13 @@ struct Quantity {
   std::optional<double> (*of)(const CellRecord& cell);
 };
 
-std::optional<double> number(const std::optional<Natural>& count) {
-  return count ? std::optional(count->approximate()) : std::nullopt;
-}
-
-/// Of a way that follows none nothing is counted.
-std::optional<double> paths(const CellRecord& cell) {
-  const auto count = cell.counts.paths;
-  return count && *count > 0 ? std::optional(static_cast<double>(*count)) : std::nullopt;
-}
+std::optional<double> paths(const CellRecord& cell) { return tracked_paths(&cell); }
 
 std::optional<double> paths_to_infinity(const CellRecord& cell) {
   return paths(cell) ? std::optional(static_cast<double>(cell.counts.at_infinity.value_or(0))) : std::nullopt;
 }
 
-std::optional<double> finite_ends(const CellRecord& cell) {
-  const auto all = paths(cell);
-  if (!all) return std::nullopt;
-  return *all - *paths_to_infinity(cell) - static_cast<double>(cell.counts.failed_paths.value_or(0));
-}
+std::optional<double> finite_ends(const CellRecord& cell) { return finite_path_ends(&cell); }
 
 std::optional<double> complex_lines(const CellRecord& cell) {
   return number(cell.counts.complex_up_to_reflection);

@@ -33,9 +33,12 @@ WrittenWay by_paths(const char* problem, const char* id, const char* label, cons
   return {problem, label, stated, {"system-paths", std::move(options), {id}}};
 }
 
+/// One polynomial whose real roots are counted by theorem.
+Variant exact_octahedron() { return {"cayley-menger", {{"method", "univariate"}}, {"octahedron"}}; }
+
 std::vector<WrittenWay> octahedron_ways() {
   const char* id = "octahedron";
-  const Variant exact{"cayley-menger", {{"method", "univariate"}}, {id}};
+  const Variant exact = exact_octahedron();
   return {
       by_paths("6p", id, "systematic: nine quadrics", "", {{"system", "quadrics"}}),
       by_paths("6p", id, "systematic: after Gaussian elimination", "", {{"system", "echelon"}}),
@@ -83,22 +86,7 @@ TableCell counted_entry(Table& table, const CellRecord* cell, std::optional<doub
 }
 
 TableCell fact_entry(Table& table, const CellRecord* cell, std::string_view name) {
-  const auto count = cell == nullptr ? std::nullopt : cell->particular(name);
-  return counted_entry(table, cell, count ? std::optional(static_cast<double>(*count)) : std::nullopt);
-}
-
-std::optional<double> as_number(const std::optional<std::uint64_t>& count) {
-  return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
-}
-
-std::optional<double> as_number(const std::optional<Natural>& count) {
-  return count ? std::optional(count->approximate()) : std::nullopt;
-}
-
-/// Nothing of strategies that follow none.
-std::optional<double> tracked_paths(const CellRecord* cell) {
-  const auto count = cell == nullptr ? std::nullopt : as_number(cell->counts.paths);
-  return count && *count > 0 ? count : std::nullopt;
+  return counted_entry(table, cell, particular(cell, name));
 }
 
 void add_system(Table& table, const RunFile& run, const WrittenWay& way, const std::string& id,
@@ -111,14 +99,6 @@ void add_system(Table& table, const RunFile& run, const WrittenWay& way, const s
     row.cells.push_back(way.only_degree ? empty_entry() : fact_entry(table, cell, name));
 }
 
-/// Regular and singular ones together.
-std::optional<double> finite_path_ends(const CellRecord* cell) {
-  const auto all = tracked_paths(cell);
-  if (!all) return std::nullopt;
-  return *all - as_number(cell->counts.at_infinity).value_or(0) -
-         as_number(cell->counts.failed_paths).value_or(0);
-}
-
 void add_paths(Table& table, const CellRecord* cell, TableRow& row) {
   const auto all = tracked_paths(cell);
   const auto of_paths = [&](std::optional<double> count) {
@@ -126,9 +106,8 @@ void add_paths(Table& table, const CellRecord* cell, TableRow& row) {
   };
   row.cells.push_back(all ? of_paths(all) : empty_entry());
   row.cells.push_back(of_paths(finite_path_ends(cell)));
-  const auto extraneous = cell == nullptr ? std::nullopt : cell->particular("extraneous_ends");
-  row.cells.push_back(of_paths(static_cast<double>(extraneous.value_or(0))));
-  row.cells.push_back(of_paths(cell == nullptr ? std::nullopt : as_number(cell->counts.at_infinity)));
+  row.cells.push_back(of_paths(particular(cell, "extraneous_ends")));
+  row.cells.push_back(of_paths(all ? static_cast<double>(cell->counts.at_infinity.value_or(0)) : 0));
 }
 
 /// Where the answer is not right there is no median, but what the one solve took.
@@ -149,16 +128,11 @@ TableRow way_row(Table& table, const RunFile& run, const Publication& paper, con
   add_paths(table, cell, row);
   const bool any = cell != nullptr;
   row.cells.push_back(
-      counted_entry(table, cell, any ? as_number(cell->counts.complex_up_to_reflection) : std::nullopt));
+      counted_entry(table, cell, any ? number(cell->counts.complex_up_to_reflection) : std::nullopt));
   row.cells.push_back(
-      counted_entry(table, cell, any ? as_number(cell->counts.real_up_to_reflection) : std::nullopt));
+      counted_entry(table, cell, any ? number(cell->counts.real_up_to_reflection) : std::nullopt));
   row.cells.push_back(any_time_entry(table, cell));
   return row;
-}
-
-std::optional<std::int64_t> proven_real(const RunFile& run) {
-  const CellRecord* cell = run.find(octahedron_ways()[5].variant.on("octahedron"));
-  return cell == nullptr ? std::nullopt : cell->particular("proven_real_solutions");
 }
 
 }  // namespace
@@ -206,7 +180,7 @@ std::vector<Table> build_three_ways(const RunFile& run, const Publication& paper
                   "repetitions; {}. {}.",
                   spread_remark, run.environment.cpu),
       "Published: " + paper.citation + ", sections 4.1 and 4.2."};
-  if (const auto real = proven_real(run))
+  if (const auto real = particular(run.find(exact_octahedron().on("octahedron")), "proven_real_solutions"))
     table.remarks.insert(
         table.remarks.begin() + 2,
         fmt::format("6p: the exact polynomial has {} real roots, by Sturm's theorem: so many "

@@ -6,15 +6,12 @@
 #include <numeric>
 #include <tuple>
 
+#include "solvers/numeric/interval.hpp"
+
 namespace gcs {
 namespace {
 
 constexpr double margin = 1 + 8 * std::numeric_limits<double>::epsilon();
-
-struct Interval {
-  double low = 0;
-  double high = 0;
-};
 
 /// A function of the solution that no reflection changes: the squares of weighted sums over the unknowns that
 /// change sign together, and the weighted sum of the others. It tells nearly all different solutions apart.

@@ -51,10 +51,9 @@ class FullSpaceStrategy final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     const TrackerContext context{request.stop, request.monitor};
-    const PathOptions path = for_scene(options_, request.scene);
     switch (mode_) {
       case FullSpace::Mode::paper:
-        return solve_as_published(request.scene, path.paper, context);
+        return solve_as_published(request.scene, for_scene(options_, request.scene).paper, context);
       case FullSpace::Mode::certified:
         return solve_with_proof(request.scene, context);
       case FullSpace::Mode::newton:
@@ -62,12 +61,13 @@ class FullSpaceStrategy final : public Strategy {
       case FullSpace::Mode::fast:
         break;
     }
-    return report_once_refined(path.fast, [&](const SeriesTrackerOptions& options) {
-      DistanceCurve curve(request.scene, wide_reference(request.scene), options.order, options.tolerance);
-      SeriesTracker tracker(curve, options, context);
-      return path_report(request.scene, tracker.run(),
-                         [&](const Eigen::VectorXd& y) { return curve.figure(y); });
-    });
+    return report_once_refined(
+        for_scene(options_, request.scene).fast, [&](const SeriesTrackerOptions& options) {
+          DistanceCurve curve(request.scene, wide_reference(request.scene), options.order, options.tolerance);
+          SeriesTracker tracker(curve, options, context);
+          return path_report(request.scene, tracker.run(),
+                             [&](const Eigen::VectorXd& y) { return curve.figure(y); });
+        });
   }
 
  private:

@@ -77,11 +77,11 @@ class RcpStrategy final : public Strategy {
   SolveReport solve(const SolveRequest& request) override {
     const Scene& scene = request.scene;
     const TrackerContext context{request.stop, request.monitor};
-    const PathOptions path = for_scene(options_, scene);
     const Plan plan = plan_ ? *plan_ : first_plan(scene, plan_options_.rule);
     const Figure sketch = in_plan_frame(scene, plan, *scene.sketch());
-    if (mode_ == Rcp::Mode::paper) return solve_as_published(scene, plan, sketch, path.paper, context);
     if (mode_ == Rcp::Mode::newton) return solve_by_newton(scene, plan, sketch, context);
+    const PathOptions path = for_scene(options_, scene);
+    if (mode_ == Rcp::Mode::paper) return solve_as_published(scene, plan, sketch, path.paper, context);
     return report_once_refined(path.fast, [&](const SeriesTrackerOptions& options) {
       PlanCurve curve(scene, plan, sketch,
                       {options.order, options.tolerance, plan_options_.swap, plan_options_.rule});

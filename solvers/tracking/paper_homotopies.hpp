@@ -63,7 +63,7 @@ class PaperPlanHomotopy {
   bool jacobian(const Eigen::VectorXd& y, const Eigen::VectorXd& f, Eigen::MatrixXd& jacobian);
   Eigen::VectorXd figure_coordinates(const Eigen::VectorXd& y);
   bool after_step(const Eigen::VectorXd& before, Eigen::VectorXd& y, Eigen::VectorXd& tangent);
-  std::string undefined() const { return undefined_; }
+  const std::string& undefined() const { return undefined_; }
   /// The instruction nearest to a boundary configuration, and the one whose spheres meet at the smallest angle.
   std::string configuration(const Eigen::VectorXd& y);
   bool try_other_branch(const Eigen::VectorXd& y);

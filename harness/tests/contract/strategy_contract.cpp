@@ -172,12 +172,6 @@ void check_alternation(const PathRecord& path, Finder& finder) {
                   "crossings {} and {} have the same direction", i, (i + 1) % count);
 }
 
-/// What a solve has done: steps, evaluations and linear systems together.
-std::int64_t effort(const WorkCounters& work) {
-  return work.iterations + work.rejected_steps + work.newton_iterations + work.evaluations +
-         work.partial_evaluations + work.jacobians + work.factorisations;
-}
-
 /// Counts calls, and asks for a stop at the first if it has a source.
 class Watcher final : public Monitor {
  public:
@@ -236,6 +230,11 @@ bool takes_too_long(const Subject& subject, const Scene& scene) {
 
 bool supports(const Subject& subject, const Scene& scene) {
   return !why_not(subject.entry, *subject.make(), scene) && !takes_too_long(subject, scene);
+}
+
+std::int64_t effort(const WorkCounters& work) {
+  return work.iterations + work.rejected_steps + work.newton_iterations + work.evaluations +
+         work.partial_evaluations + work.jacobians + work.factorisations;
 }
 
 SolveReport solve_anew(const Subject& subject, const SolveRequest& request) {

@@ -37,6 +37,9 @@ bool supports(const Subject& subject, const Scene& scene);
 /// prepare and solve on a new object.
 SolveReport solve_anew(const Subject& subject, const SolveRequest& request);
 
+/// What a solve has done: steps, evaluations and linear systems together.
+std::int64_t effort(const WorkCounters& work);
+
 /// `support`: a scene out of reach is refused with a sentence.
 Violations check_refusal(const Subject& subject, const Scene& scene);
 

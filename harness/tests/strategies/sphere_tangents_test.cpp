@@ -270,25 +270,24 @@ TEST_CASE("the 24 paths lead to the lines that the direct method finds") {
   }
 }
 
-/// The paths of a published system, with this many ends of each kind.
-void expect_paths(const ProblemStatement& problem, const std::string& system, unsigned finite,
-                  unsigned at_infinity) {
-  const SolveRun run = solved(problem, {{"method", "published"}, {"system", system}});
+/// The paths of a published system, with this many ends of each kind. Returns the run.
+SolveRun expect_paths(const ProblemStatement& problem, const std::string& system, unsigned finite,
+                      unsigned at_infinity) {
+  SolveRun run = solved(problem, {{"method", "published"}, {"system", system}});
   INFO(system << ": " << run.reason);
   CHECK(run.counts.paths == finite + at_infinity);
   CHECK(run.counts.at_infinity == at_infinity);
   CHECK(run.counts.failed_paths == 0U);
   CHECK(run.failed_checks.empty());
+  return run;
 }
 
 // Bézout: 2·2·2·2·2·2 = 64 and 2·3·4 = 24; Durand 1998 saw 40 of the 64 run to infinity.
 TEST_CASE("the paths of the published systems end at both directions of 12 lines, or at infinity") {
   const auto expect_lines = [](const ProblemStatement& problem) {
-    expect_paths(problem, "quadrics", 24, 40);
-    expect_paths(problem, "cubic", 24, 0);
     const SolveRun direct = solved(problem);
-    for (const std::string system : {"quadrics", "cubic"}) {
-      const SolveRun run = solved(problem, {{"method", "published"}, {"system", system}});
+    for (const SolveRun& run :
+         {expect_paths(problem, "quadrics", 24, 40), expect_paths(problem, "cubic", 24, 0)}) {
       CHECK(run.status == RunStatus::complete);
       CHECK(have_same_lines(direct, run));
     }
@@ -302,10 +301,8 @@ TEST_CASE("the paths of the published systems end at both directions of 12 lines
 TEST_CASE("what the published systems' paths do is counted where it is not as a rule") {
   // Multiple lines: as many paths, at three places.
   const ProblemStatement fourfold = load_instance("tangents-fourfold").problem;
-  for (const std::string system : {"quadrics", "cubic"}) {
-    expect_paths(fourfold, system, 24, system == "cubic" ? 0 : 40);
-    CHECK(solved(fourfold, {{"method", "published"}, {"system", system}}).solutions.size() == 3);
-  }
+  CHECK(expect_paths(fourfold, "quadrics", 24, 40).solutions.size() == 3);
+  CHECK(expect_paths(fourfold, "cubic", 24, 0).solutions.size() == 3);
   // Centres on two parallel lines send two lines to infinity, with both directions.
   Eigen::Matrix<double, 3, 4> centers;
   centers << 0, 0.1, 2, 2.2, 0, 1, 0, 2, 0, 0.5, 0, 1;

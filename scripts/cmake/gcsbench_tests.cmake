@@ -8,16 +8,26 @@ if(NOT TARGET gcs_test_main)
   target_compile_options(gcs_test_main PRIVATE -O0)
 endif()
 
-# gcs_add_tests(<program> [COST <n>] LABEL <label> LIBRARIES <lib>… SOURCES <file>…): every TEST_CASE becomes a ctest
-# test. Tests of higher cost start first, so that none is left alone at the end. The label: unit, a part of the library
-# or of the program, and each kind of scene once; solve, whole solves; contract, every strategy on small scenes of every
-# kind. Tests of the program as a user runs it have the labels program and, where it reads what anybody may have
-# written, foreign. Sanitizers run unit and foreign.
+# gcs_add_tests(<program> [COST <n>] LABEL <label> LIBRARIES <lib>… [TOGETHER <folder>…] SOURCES <file>…): every
+# TEST_CASE becomes a ctest test. Tests of higher cost start first, so that none is left alone at the end. The label:
+# unit, a part of the library or of the program, and each kind of scene once; solve, whole solves; contract, every
+# strategy on small scenes of every kind. Tests of the program as a user runs it have the labels program and, where it
+# reads what anybody may have written, foreign. Sanitizers run unit and foreign. TOGETHER: the sources of such a folder
+# are compiled as one.
 function(gcs_add_tests program)
-  cmake_parse_arguments(ARG "" "COST;LABEL" "LIBRARIES;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "" "COST;LABEL" "LIBRARIES;TOGETHER;SOURCES" ${ARGN})
   add_executable(${program} ${ARG_SOURCES})
   target_link_libraries(${program} PRIVATE gcs_test_main ${ARG_LIBRARIES})
   gcs_build_quickly(${program})
+  if(ARG_TOGETHER AND GCSBENCH_COMPILE_TOGETHER)
+    set_target_properties(${program} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    foreach(source IN LISTS ARG_SOURCES)
+      get_filename_component(folder ${source} DIRECTORY)
+      if(folder IN_LIST ARG_TOGETHER)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+      endif()
+    endforeach()
+  endif()
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR})  # of the tests, which see every room
   if(program STREQUAL "solvers_tests")
     target_precompile_headers(${program} PRIVATE ${gcs_precompiled_headers} <catch2/catch.hpp>)

@@ -29,6 +29,10 @@ class Scan {
     }
     pending_.push_back({whole, {}});
     while (!pending_.empty() && !is_over()) {
+      if (request_.stop.stop_requested()) {
+        outcome_.end = ScanOutcome::End::stopped;
+        break;
+      }
       const Part part = std::move(pending_.back());
       pending_.pop_back();
       const std::size_t others = pending_.size();
@@ -78,7 +82,6 @@ class Scan {
 
   /// Follows all branches of the part.
   void visit(const Part& part) {
-    if (request_.stop.stop_requested()) outcome_.end = ScanOutcome::End::stopped;
     if (++outcome_.cells > max_cells_) outcome_.end = ScanOutcome::End::too_many_cells;
     Visit visit{part, std::vector<Choice>(plan_.steps.size()), std::vector<Position>(scene_.point_count())};
     for (int p = 0; p < scene_.point_count(); ++p)

@@ -18,7 +18,7 @@ namespace {
 const std::vector<std::string> large{"icosahedron", "icosahedron-printed"};
 
 /// Where the Euler-Newton tracker of the papers keeps to the path.
-const std::vector<std::string> published_mode{"dodecagon", "k33", "octahedron"};
+const std::vector<std::string> published_mode{"dodecagon", "k33", "octahedron", "qk33"};
 
 bool is_in(const std::vector<std::string>& list, const std::string& id) {
   return std::find(list.begin(), list.end(), id) != list.end();

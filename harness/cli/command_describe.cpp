@@ -7,12 +7,13 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "harness/base/atomic_file.hpp"
 #include "harness/cli/argument_checks.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/drawings/tree_drawing.hpp"
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/solving/counts_view.hpp"
 #include "harness/solving/solve_run.hpp"
@@ -30,6 +31,7 @@ namespace {
 struct DescribeArguments {
   std::string instance;
   bool json = false;
+  std::string tree;  ///< the file for the interpretation tree; empty: none
 };
 
 /// The plan that a path strategy starts with.
@@ -66,20 +68,13 @@ std::vector<int> entities_of(const Reference& reference, const ProblemStatement&
   return entities;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 std::optional<ConstructionPlan> construction_plan(const Scene& scene) {
   if (why_no_path(scene)) return std::nullopt;
   const ProblemStatement& problem = scene.problem();
   ConstructionPlan description;
   description.given = !problem.construction.empty();
   const Plan plan = first_plan(scene, ExchangeRule{});
-  description.instructions = lines_of(describe_plan(scene, plan));
+  description.instructions = describe_plan(scene, plan);
   for (const int constraint : plan.removed())
     description.removed.push_back(problem.constraints[constraint].id);
   return description;
@@ -362,8 +357,20 @@ std::string text_description(const Description& description) {
          published_text(instance.published);
 }
 
+ExitCode draw(const Instance& instance, const std::string& file) {
+  require_another_file(file, instance.origin);
+  if (const auto reason = why_no_tree(instance)) {
+    std::cerr << "gcsbench: no tree is drawn: " << *reason << '\n';
+    return ExitCode::not_solved;
+  }
+  Output(file).commit(draw_tree(instance).svg);
+  return ExitCode::done;
+}
+
 ExitCode run(const DescribeArguments& arguments) {
-  const Description description = describe(load_instance(arguments.instance));
+  const Instance instance = load_instance(arguments.instance);
+  if (!arguments.tree.empty()) return draw(instance, arguments.tree);
+  const Description description = describe(instance);
   std::cout << (arguments.json ? json_description(description) : text_description(description));
   return ExitCode::done;
 }
@@ -375,7 +382,18 @@ void add_describe_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("describe", "What is known of an instance before solving it");
   add_instance_argument(*command, arguments->instance);
   command->add_flag("--json", arguments->json, "As JSON");
-  command->footer("Example:\n  gcsbench describe disulfide --json\n");
+  command
+      ->add_option(
+          "--tree", arguments->tree,
+          "Draw the plan's interpretation tree, as SVG, in place of a description; - is standard output")
+      ->check(output_name())
+      ->type_name("FILE")
+      ->excludes("--json");
+  command->footer(
+      "The tree holds every choice between the two intersections of an instruction, at the given lengths and "
+      "with\n"
+      "the driving parameters of the sketch, and the figures that come out.\n"
+      "\nExamples:\n  gcsbench describe disulfide --json\n  gcsbench describe qk33 --tree qk33.svg\n");
   command->callback(
       [&invocation, arguments] { invocation.action = [arguments] { return run(*arguments); }; });
 }

@@ -11,7 +11,8 @@ namespace gcs {
 namespace {
 
 // In points; 85 mm are 241 points.
-constexpr double width = 241, panel = width / 3, margin = 9, heading = 11, font = 7;
+constexpr double panel = configuration_panel, width = 3 * panel, margin = 9, heading = 11, font = 7,
+                 name_distance = 6.5;
 
 /// From the plane to a panel whose upper left corner is `corner`: one scale for all, each figure in the
 /// middle.
@@ -64,6 +65,17 @@ std::string circle_svg(const DrawnCircle& circle, const PanelView& view) {
       c.x(), c.y(), view.scale() * circle.radius);
 }
 
+/// Of a point: away from those that it is constrained against, upwards where they are all around.
+template <typename Place>
+Eigen::Vector2d open_direction(const ProblemStatement& problem, int point, const Place& place) {
+  Eigen::Vector2d sum(0, 1e-3);
+  for (const DistanceConstraint& c : problem.constraints)
+    for (const std::size_t end : {0, 1})
+      if (c.between[end] == point && problem.is_point(c.between[1 - end]))
+        sum += (place(c.between[1 - end]) - place(point)).stableNormalized();
+  return -sum.normalized();
+}
+
 std::string panel_svg(const ProblemStatement& problem, const Configuration& shown, const PanelView& view,
                       const Eigen::Vector2d& corner) {
   const auto place = [&](int point) { return view(shown.figure.points.col(point).head<2>()); };
@@ -78,37 +90,51 @@ std::string panel_svg(const ProblemStatement& problem, const Configuration& show
     text += segment(place(a), place(b), shown.arrows.count(static_cast<int>(c)) > 0);
   }
   text += "</g></svg>\n";
+  // Over the names, whose rims would cut into them.
+  std::string discs;
   for (int i = 0; i < static_cast<int>(problem.points.size()); ++i) {
     const Eigen::Vector2d p = place(i);
+    const Eigen::Vector2d name = p + name_distance * open_direction(problem, i, place);
     text += fmt::format(
-        "<circle class=\"point\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"1.7\" fill=\"#000000\"/>\n<text "
-        "x=\"{:.1f}\" "
-        "y=\"{:.1f}\" stroke=\"#FFFFFF\" stroke-width=\"1.6\" paint-order=\"stroke\">{}</text>\n",
-        p.x(), p.y(), p.x() + 2.5, p.y() - 2, html_escaped(problem.points[static_cast<std::size_t>(i)]));
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" stroke=\"#FFFFFF\" stroke-width=\"1.6\" "
+        "paint-order=\"stroke\">{}</text>\n",
+        name.x(), name.y() + font / 3, html_escaped(problem.points[static_cast<std::size_t>(i)]));
+    discs += fmt::format("<circle class=\"point\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"1.7\" fill=\"#000000\"/>\n",
+                         p.x(), p.y());
   }
-  return text + fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"bold\">{}</text>\n",
-                            corner.x() + 4, corner.y() + 8, html_escaped(shown.label));
+  return text + discs +
+         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-weight=\"bold\">{}</text>\n", corner.x() + 4,
+                     corner.y() + 8, html_escaped(shown.label));
 }
 
 }  // namespace
 
-std::string configurations_svg(const ProblemStatement& problem,
-                               const std::vector<Configuration>& configurations, const std::string& title) {
+std::string configuration_panels(const ProblemStatement& problem,
+                                 const std::vector<Configuration>& configurations, int columns,
+                                 const Eigen::Vector2d& corner) {
   double largest = 0;
   for (const Configuration& one : configurations) largest = std::max(largest, extent(one.figure));
   const double scale = (panel - heading - 2 * margin) / largest;
-  const double height = panel * std::ceil(static_cast<double>(configurations.size()) / 3);
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"85mm\" height=\"{:.1f}mm\" viewBox=\"0 0 {} "
-      "{:.1f}\" "
-      "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{}\" role=\"img\">\n<title>{}</title>\n"
-      "<rect width=\"{}\" height=\"{:.1f}\" fill=\"#FFFFFF\"/>\n",
-      85 * height / width, width, height, font, html_escaped(title), width, height);
+  std::string text;
   for (std::size_t i = 0; i < configurations.size(); ++i) {
-    const Eigen::Vector2d corner(panel * static_cast<double>(i % 3), panel * static_cast<double>(i / 3));
-    text += panel_svg(problem, configurations[i], PanelView(configurations[i].figure, scale, corner), corner);
+    const auto row = static_cast<int>(i) / columns, column = static_cast<int>(i) % columns;
+    const Eigen::Vector2d at = corner + panel * Eigen::Vector2d(column, row);
+    text += panel_svg(problem, configurations[i], PanelView(configurations[i].figure, scale, at), at);
   }
-  return text + "</svg>\n";
+  return text;
+}
+
+std::string configurations_svg(const ProblemStatement& problem,
+                               const std::vector<Configuration>& configurations, const std::string& title) {
+  const double height = panel * std::ceil(static_cast<double>(configurations.size()) / 3);
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"85mm\" height=\"{:.1f}mm\" viewBox=\"0 0 {} "
+             "{:.1f}\" "
+             "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"{}\" "
+             "role=\"img\">\n<title>{}</title>\n"
+             "<rect width=\"{}\" height=\"{:.1f}\" fill=\"#FFFFFF\"/>\n",
+             85 * height / width, width, height, font, html_escaped(title), width, height) +
+         configuration_panels(problem, configurations, 3, Eigen::Vector2d::Zero()) + "</svg>\n";
 }
 
 }  // namespace gcs

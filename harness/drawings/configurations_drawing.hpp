@@ -22,6 +22,15 @@ struct Configuration {
   std::vector<DrawnCircle> circles;  ///< dashed
 };
 
+/// Width and height of the panel of a figure, in points of 1/72 inch: a third of a column.
+inline constexpr double configuration_panel = 241.0 / 3;
+
+/// The panels alone, for a document in points: `columns` to a row, from `corner` on, all to one scale. The font is
+/// the document's.
+std::string configuration_panels(const ProblemStatement& problem,
+                                 const std::vector<Configuration>& configurations, int columns,
+                                 const Eigen::Vector2d& corner);
+
 /// The whole SVG document, three figures to a row, all to one scale.
 std::string configurations_svg(const ProblemStatement& problem,
                                const std::vector<Configuration>& configurations, const std::string& title);

@@ -6,6 +6,7 @@
 #include "harness/drawings/html_text.hpp"
 #include "harness/drawings/path_drawing.hpp"
 #include "harness/drawings/reduced_path_drawing.hpp"
+#include "harness/drawings/tree_drawing.hpp"
 
 namespace gcs {
 namespace {
@@ -151,6 +152,12 @@ std::string reduced_html(const StoredScene& scene) {
   return text + "</div>\n";
 }
 
+std::string tree_html(const StoredScene& scene) {
+  if (why_no_tree(scene.record.instance)) return "";
+  const Drawing tree = draw_tree(scene.record.instance);
+  return "<h4>Interpretation tree</h4>\n" + figure_html(tree.svg, tree.caption);
+}
+
 std::string without_scripts(const StoredScene& scene) {
   if (!scene.path) return "";
   return "<noscript>" + figure_html(draw_path(scene).svg, "The path S.") + "</noscript>\n";
@@ -164,6 +171,7 @@ std::vector<Drawing> draw_scene(const StoredScene& scene) {
   if (can_be_drawn(instance.problem))
     drawings.push_back(
         {"graph-" + instance.id, graph_svg(instance.problem, "Constraint graph of " + instance.id), ""});
+  if (!why_no_tree(instance)) drawings.push_back(draw_tree(instance));
   if (!scene.path) return drawings;
   drawings.push_back(draw_path(scene));
   for (Drawing& drawing : draw_reduced_path(scene)) drawings.push_back(std::move(drawing));
@@ -179,7 +187,7 @@ std::string scene_html(const StoredScene& scene, std::size_t number) {
                       html_anchor(instance.id), html_escaped(instance.id),
                       instance.title.empty() ? "" : ": " + html_escaped(instance.title));
   text += graph_html(scene) + facts(scene) + "</div>\n";
-  text += panel_html(scene, number) + without_scripts(scene) + reduced_html(scene);
+  text += panel_html(scene, number) + without_scripts(scene) + reduced_html(scene) + tree_html(scene);
   return text + "</section>\n";
 }
 

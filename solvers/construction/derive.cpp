@@ -306,12 +306,13 @@ std::optional<std::string> why_no_plan(const Scene& scene) {
          " fixed points or on none, and the instance fixes " + std::to_string(fixed);
 }
 
-std::string describe_plan(const Scene& scene, const Plan& plan) {
+std::vector<std::string> describe_plan(const Scene& scene, const Plan& plan) {
   static constexpr std::array<const char*, 4> plane_names{"origin", "interCL", "interCC", "interCC"};
   static constexpr std::array<const char*, 4> space_names{"origin", "interSL", "interSSP", "interSSS"};
-  std::ostringstream text;
+  std::vector<std::string> instructions;
   int driving = 0;
   for (const Instruction& instruction : plan.instructions()) {
+    std::ostringstream text;
     text << scene.problem().points[instruction.place] << " = "
          << (plan.dimension() == 2 ? plane_names : space_names)[instruction.count];
     for (int i = 0; i < instruction.count; ++i) {
@@ -322,9 +323,10 @@ std::string describe_plan(const Scene& scene, const Plan& plan) {
       else
         text << ", " << scene.problem().constraints[sphere.constraint].id;
     }
-    text << (instruction.count > 0 ? ")\n" : "\n");
+    if (instruction.count > 0) text << ")";
+    instructions.push_back(text.str());
   }
-  return text.str();
+  return instructions;
 }
 
 }  // namespace gcs

@@ -38,7 +38,7 @@ std::optional<std::string> why_no_plan(const Scene& scene);
 /// The figure moved into the frame in which the plan builds.
 Figure in_plan_frame(const Scene& scene, const Plan& plan, const Figure& figure);
 
-/// The plan in words, one instruction per line: "p4 = interSSS(p1, a4, p2, a5, p3', k1)".
-std::string describe_plan(const Scene& scene, const Plan& plan);
+/// The plan in words, a text for each instruction: "p4 = interSSS(p1, a4, p2, a5, p3', k1)".
+std::vector<std::string> describe_plan(const Scene& scene, const Plan& plan);
 
 }  // namespace gcs

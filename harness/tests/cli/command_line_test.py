@@ -7,10 +7,11 @@ Usage: command_line_test.py PROGRAM SOURCE_DIR [unittest arguments]
 import json
 import subprocess
 from pathlib import Path
+from xml.etree import ElementTree
 
 import command_line
 from bad_instances import BAD_FILES, TOY, changed, with_constraint
-from command_line import BAD_INPUT, DONE, SOURCE, argv, run
+from command_line import BAD_INPUT, DONE, NOT_SOLVED, SOURCE, argv, run
 
 
 class BadFiles(command_line.CommandLine):
@@ -169,6 +170,28 @@ class ListAndDescribe(command_line.CommandLine):
         self.assertEqual(len(plan["removed"]), 1)
         self.assertEqual(len(plan["instructions"]), 8)
         self.assertIsNone(json.loads(run("describe", "prism", "--json").stdout)["construction"])
+
+    def test_interpretation_tree(self):
+        hostile = self.write(json.dumps(TOY).replace('"p1"', json.dumps("<&\"'>")))
+        for instance in ("qk33", "k33", "octahedron", hostile):
+            with self.subTest(instance):
+                done = run("describe", instance, "--tree", "-")
+                self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+                self.assertTrue(ElementTree.fromstring(done.stdout).tag.endswith("svg"))
+                file = self.folder / "tree.svg"
+                self.assertEqual(run("describe", instance, "--tree", file).stdout, "")
+                self.assertEqual(file.read_text(encoding="utf-8"), done.stdout)
+
+    def test_no_interpretation_tree(self):
+        out = self.folder / "tree.svg"
+        for instance, why in {"prism": "sketch", "hoffmann-yuan": "lines", "dodecagon": "10 times"}.items():
+            self.assert_one_message(run("describe", instance, "--tree", out), NOT_SOLVED, why)
+        toy = self.write(TOY)
+        self.assert_usage_error(run("describe", toy, "--tree", toy), "toy.json")
+        self.assert_usage_error(run("describe", toy, "--tree", out, "--json"), "--json")
+        self.assert_one_message(run("describe", toy, "--tree", self.folder / "none" / "tree.svg"), BAD_INPUT, "tree.svg")
+        self.assertFalse(out.exists())
+        self.assertEqual(json.loads(toy.read_text()), TOY)
 
     def test_where_lengths_are_positive(self):
         # 5 + t + 4t(1 - t) vanishes at (5 ± √105)/8, and nothing else between. All lengths grow: the second one, from

@@ -166,7 +166,7 @@ class Report(WithFolder):
         self.measure()
         self.assertEqual(run("report", self.folder, "--format", "svg").returncode, DONE)
         figures = {path.stem for path in self.folder.glob("*.svg")}
-        self.assertEqual(figures, {"graph-octahedron", "path-octahedron"})
+        self.assertEqual(figures, {"graph-octahedron", "tree-octahedron", "path-octahedron"})
         for figure in self.folder.glob("*.svg"):
             xml.etree.ElementTree.parse(figure)
 

@@ -101,11 +101,12 @@ TEST_CASE("a page shows every instance of every run once, and needs nothing else
   for (const auto& row : scene["path"]["rows"]) REQUIRE(row.size() == 2 + scene["path"]["moving"].size());
 }
 
-TEST_CASE("figures of a scene are its graph and its path") {
+TEST_CASE("figures of a scene are its graph, its interpretation tree and its path") {
   const auto drawings = draw_scene(stored_scene(load_instance("octahedron")));
-  REQUIRE(drawings.size() == 2);
+  REQUIRE(drawings.size() == 3);
   CHECK(drawings[0].name == "graph-octahedron");
-  CHECK(drawings[1].name == "path-octahedron");
+  CHECK(drawings[1].name == "tree-octahedron");
+  CHECK(drawings[2].name == "path-octahedron");
   CHECK(draw_scene(stored_scene(load_instance("tangents-durand"))).size() == 1);
 }
 

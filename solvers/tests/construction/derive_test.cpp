@@ -238,10 +238,7 @@ TEST_CASE("a plan in words names its instructions, constraints and driving param
   problem.construction = k33_construction();
   const Scene scene = Scene::unchecked(problem);
   CHECK(describe_plan(scene, first_plan(scene, {})) ==
-        "p1 = origin\n"
-        "p2 = interCL(p1, a1)\n"
-        "p3 = interCC(p2, a2, p1', k1)\n"
-        "p4 = interCC(p3, a3, p1, a7)\n"
-        "p5 = interCC(p4, a4, p2, a8)\n"
-        "p6 = interCC(p5, a5, p1, a6)\n");
+        std::vector<std::string>{"p1 = origin", "p2 = interCL(p1, a1)", "p3 = interCC(p2, a2, p1', k1)",
+                                 "p4 = interCC(p3, a3, p1, a7)", "p5 = interCC(p4, a4, p2, a8)",
+                                 "p6 = interCC(p5, a5, p1, a6)"});
 }

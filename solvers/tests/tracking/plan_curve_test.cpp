@@ -246,7 +246,7 @@ TEST_CASE("a step taken back leaves the plan as it was") {
     const double step = series.step_for(options.tolerance) / 4;
     series.evaluate(step, y);
     series.tangent(step, tangent);
-    const std::string before = describe_plan(scene, curve.plan());
+    const auto before = describe_plan(scene, curve.plan());
     const std::int64_t changes = curve.work().plan_changes;
     Eigen::VectorXd attempt = y;
     REQUIRE(curve.advance(attempt, tangent, next));

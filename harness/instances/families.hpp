@@ -14,7 +14,7 @@ namespace gcs {
 /// Those of `gcsbench stability`.
 std::span<const InstanceFamily> families();
 
-/// Scenes with more and more of what need not be solved for; the parameter says how much.
+/// Scenes with more and more of what need not be solved for, or of turns of S; the parameter says how much.
 std::span<const InstanceFamily> growing_families();
 
 /// The family of that name, of both kinds, or nullptr.

@@ -1,4 +1,5 @@
-/// Scenes that grow by what a solver need not solve for: hung points, and parts that can be solved apart.
+/// Scenes that grow: by what a solver need not solve for, hung points and parts that can be solved apart, or by the
+/// turns of S.
 
 #include <fmt/format.h>
 
@@ -6,6 +7,7 @@
 
 #include "harness/instances/family_draft.hpp"
 #include "harness/instances/family_lists.hpp"
+#include "harness/instances/rocker_chain.hpp"
 
 namespace gcs {
 namespace {
@@ -95,7 +97,11 @@ std::span<const InstanceFamily> growing_families() {
       {"octahedra",
        "a tower of octahedra, each with a triangle in common with the next",
        {"1", "2", "3", "10"},
-       octahedra}};
+       octahedra},
+      {"rocker-chain",
+       "n rockers, each driven by the one before: S turns twice as often with each",
+       {"1", "2", "3", "4", "5", "6", "7", "8"},
+       rocker_chain}};
   return all;
 }
 

@@ -100,7 +100,7 @@ std::span<const InstanceFamily> growing_families() {
        octahedra},
       {"rocker-chain",
        "n rockers, each driven by the one before: S turns twice as often with each",
-       {"1", "2", "3", "4", "5", "6", "7", "8"},
+       {"1", "2", "3", "4", "5", "6", "7", "8", "9", "10"},
        rocker_chain}};
   return all;
 }

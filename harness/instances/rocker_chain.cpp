@@ -24,8 +24,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "harness/instances/family_draft.hpp"
@@ -47,8 +47,8 @@ constexpr double peak_time = 0.54;  ///< at which |B p_1| is longest
 double radius(int k) { return 1 + 0.004 * (k - 1); }
 double inner_radius(int k) { return 0.62 - 0.003 * (k - 1); }
 
-/// To six decimals, of which the gaps need four.
-double rounded(double length) { return std::round(length * 1e6) / 1e6; }
+/// To nine decimals: where the smallest gap is, bars differ by 1e-5.
+double rounded(double length) { return std::round(length * 1e9) / 1e9; }
 
 /// The third side of a triangle.
 double opposite(double a, double b, double angle) {
@@ -128,7 +128,7 @@ Draft draft_of(const std::vector<Rocker>& all) {
                                                        opposite(pivots_apart, inner_radius(k), y),
                                                        all[static_cast<std::size_t>(k)].bar);
   }
-  for (const double length : lengths) draft.squares.emplace_back(fmt::format("{:.6f}", length));
+  for (const double length : lengths) draft.squares.emplace_back(fmt::format("{:.9f}", length));
   draft.interpolation = fmt::format(R"({{"bent": "a2", "bend": {}}})", bend);
   return draft;
 }

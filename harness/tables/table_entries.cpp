@@ -58,6 +58,10 @@ std::optional<double> particular(const CellRecord* cell, std::string_view name) 
   return count ? std::optional(static_cast<double>(*count)) : std::nullopt;
 }
 
+std::optional<double> work_count(const CellRecord* cell, std::int64_t WorkCounters::*counter) {
+  return cell == nullptr ? std::nullopt : std::optional(static_cast<double>(cell->work.*counter));
+}
+
 std::optional<double> proven_real(const CellRecord* cell) {
   if (cell == nullptr || !cell->proofs) return std::nullopt;
   return static_cast<double>(cell->proofs->real);

@@ -28,6 +28,9 @@ std::optional<double> number(const std::optional<Natural>& count);
 /// The particular of that name, where there is a cell that has it.
 std::optional<double> particular(const CellRecord* cell, std::string_view name);
 
+/// A counter of its work, where there is a cell.
+std::optional<double> work_count(const CellRecord* cell, std::int64_t WorkCounters::*counter);
+
 /// Solutions that are proven to be real, each in a class of its own.
 std::optional<double> proven_real(const CellRecord* cell);
 

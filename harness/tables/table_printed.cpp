@@ -50,10 +50,6 @@ TableCell so_far(std::optional<double> value) {
   return value ? TableCell{number_text(*value), {}} : empty_entry();
 }
 
-std::optional<double> work_count(const CellRecord* cell, std::int64_t WorkCounters::*counter) {
-  return cell == nullptr ? std::nullopt : std::optional(static_cast<double>(cell->work.*counter));
-}
-
 void add_path_entries(Table& table, TableRow& row, const CellRecord* cell) {
   row.cells.push_back(end_entry(table, cell));
   row.cells.push_back(so_far(on_path(cell)));

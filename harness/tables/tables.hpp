@@ -102,6 +102,14 @@ std::vector<Variant> swap_variants();
 /// Algorithm 1 with and without changes of the plan, over α.
 std::vector<Table> build_swap(const RunFile& run, const Publication& paper);
 
+/// The chains of rockers.
+const std::vector<std::string>& plan_changes_instances();
+std::vector<Variant> plan_changes_variants();
+/// How often the plan is changed where S turns exponentially often.
+std::vector<Table> build_plan_changes(const RunFile& run, const Publication& paper);
+/// The same over the number of rockers.
+std::vector<Drawing> draw_plan_changes(const RunFile& run);
+
 /// Those of the papers, and some of which a part can be left out.
 const std::vector<std::string>& ablation_instances();
 std::vector<Variant> ablation_variants();

@@ -14,11 +14,13 @@
 /// more: 2, 6, 14, …, 2^(k+1) − 2. Since δ + φ falls with y and δ − φ grows, x_(k+1) has on it one largest and one
 /// smallest value, both where y_k is smallest, and the next rocker finds what this one found.
 ///
-/// The gap must hold no turn of S_k, and not t = 1. The figures in it have all rockers but the last one near their
-/// smallest angle, the closer the later they are: as dx_(k+1)/dy_k = 1/2 or so there, gaps of a rocker's swing by
-/// `gap` · `shrink`^(k−1) remain small in all x_j. Then every figure at t = 1 but the signs of n branches is one,
-/// 2^n, and all lie on S. Every turn in t costs the plan, which has no driving parameter elsewhere, an exchange
-/// and a restoration: 2^(n+2) − 4 changes.
+/// No turn of S_k may lie in the gap, nor a figure at t = 1. In its figures y_1, …, y_(k−1) are near their smallest
+/// values: by less than the gap in y_k times (dy_k/dy_j)^(−1), where each dx_(j+1)/dy_j is 1/2 or more there. Gaps
+/// of `gap` · `shrink`^(k−1) of a rocker's swing are small in all of them. So at t = 1 all 2^n choices of branches
+/// are figures, and all are on S.
+///
+/// Before a turn in t the plan, which has no driving parameter of its own, must exchange the instruction that comes
+/// to its boundary configuration: 2^(n+1) − 2 exchanges, each undone when the plan is next changed.
 
 #include "harness/instances/rocker_chain.hpp"
 
@@ -38,7 +40,7 @@ constexpr double pivots_apart = 1.65;
 constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double smallest_angle = 50 * degree;  ///< of y
 constexpr double first_angle = 61.5 * degree;   ///< largest of x_1
-constexpr double gap = 0.05;                    ///< in widths of the swing of the first rocker
+constexpr double gap = 0.05;                    ///< of the first rocker's swing
 constexpr double shrink = 0.55;
 constexpr double bend = 2;          ///< of |B p_1|, the published one
 constexpr double peak_time = 0.54;  ///< at which |B p_1| is longest
@@ -96,41 +98,52 @@ std::array<double, 3> at_angle(int k, double radius, double angle) {
   return {k % 2 == 1 ? along : pivots_apart - along, radius * std::sin(angle), 0};
 }
 
-/// The angle of r at a distance `across` from p, both about one pivot.
-double offset_of(int k, double across) { return angle_between(radius(k), inner_radius(k), across); }
+/// x_1 in the sketch: the peak of |B p_1| is where bend · (1 − 2 t) + a(1) − a(0) = 0.
+double first_sketched(double bar) {
+  return -angle_between(pivots_apart, radius(1), bar + bend * (1 - 2 * peak_time));
+}
 
-Draft draft_of(const std::vector<Rocker>& all) {
-  Draft draft{.dimension = 2, .points = 2, .edges = {{0, 1}}, .sketch = {{0, 0}, {pivots_apart, 0}}};
-  std::vector<double> lengths{pivots_apart};
-  const auto constrain = [&](int a, int b, double length) {
-    draft.edges.push_back({a, b});
-    lengths.push_back(length);
-  };
-  // What |B p_1| is at t = 0: its peak is where bend · (1 − 2 t) + a(1) − a(0) = 0.
-  const double at_sketch = all.front().bar + bend * (1 - 2 * peak_time);
-  double x = -angle_between(pivots_apart, radius(1), at_sketch);
-  int driver = 1;  // p2 is B
-  for (int k = 1; k <= static_cast<int>(all.size()); ++k) {
-    const Rocker& rocker = all[static_cast<std::size_t>(k - 1)];
-    const int pivot = (k + 1) % 2, tip = draft.points;
-    constrain(driver, tip, rocker.bar);
-    constrain(pivot, tip, radius(k));
-    draft.sketch.push_back(at_angle(k, radius(k), x));
-    ++draft.points;
-    if (k == static_cast<int>(all.size())) break;
-    const double across = rounded(opposite(radius(k), inner_radius(k), rocker.offset));
-    driver = draft.points++;
-    constrain(pivot, driver, inner_radius(k));
-    constrain(tip, driver, across);
-    const double y = x + offset_of(k, across);
-    draft.sketch.push_back(at_angle(k, inner_radius(k), y));
-    x = seen_angle(inner_radius(k), y) - angle_between(radius(k + 1),
-                                                       opposite(pivots_apart, inner_radius(k), y),
-                                                       all[static_cast<std::size_t>(k)].bar);
+/// x_(k+1) in the sketch, on the branch δ − φ, which is there for every y.
+double next_sketched(int k, double y, double bar) {
+  const double away = opposite(pivots_apart, inner_radius(k), y);
+  return seen_angle(inner_radius(k), y) - angle_between(radius(k + 1), away, bar);
+}
+
+struct GivenDistance {
+  int from = 0;
+  double length = 0;
+};
+
+/// Places a point of the sketch, and says which one it is.
+int place(Draft& draft, const std::array<double, 3>& at, const std::array<GivenDistance, 2>& distances) {
+  for (const GivenDistance& given : distances) {
+    draft.edges.push_back({given.from, draft.points});
+    draft.squares.emplace_back(fmt::format("{:.9f}", given.length));
   }
-  for (const double length : lengths) draft.squares.emplace_back(fmt::format("{:.9f}", length));
-  draft.interpolation = fmt::format(R"({{"bent": "a2", "bend": {}}})", bend);
-  return draft;
+  draft.sketch.push_back(at);
+  return draft.points++;
+}
+
+/// With lengths in place of squares.
+Draft draft_of(const std::vector<Rocker>& all) {
+  Draft draft{.dimension = 2,
+              .points = 2,
+              .edges = {{0, 1}},
+              .squares = {fmt::format("{}", pivots_apart)},
+              .sketch = {{0, 0}, {pivots_apart, 0}},
+              .interpolation = fmt::format(R"({{"bent": "a2", "bend": {}}})", bend)};
+  double x = first_sketched(all.front().bar);
+  int driver = 1;
+  for (int k = 1;; ++k) {
+    const Rocker& rocker = all[static_cast<std::size_t>(k - 1)];
+    const int pivot = (k + 1) % 2;
+    const int tip = place(draft, at_angle(k, radius(k), x), {{{driver, rocker.bar}, {pivot, radius(k)}}});
+    if (k == static_cast<int>(all.size())) return draft;
+    const double across = rounded(opposite(radius(k), inner_radius(k), rocker.offset));
+    const double y = x + angle_between(radius(k), inner_radius(k), across);
+    driver = place(draft, at_angle(k, inner_radius(k), y), {{{pivot, inner_radius(k)}, {tip, across}}});
+    x = next_sketched(k, y, all[static_cast<std::size_t>(k)].bar);
+  }
 }
 
 }  // namespace

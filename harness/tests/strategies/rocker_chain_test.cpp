@@ -1,5 +1,6 @@
 /// The chain of rockers against its figures at each t, which circles in the plane give one after the other.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>

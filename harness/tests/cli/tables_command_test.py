@@ -113,6 +113,21 @@ class Tables(WithFolder):
         self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
         self.assertIn("nothing to measure", done.stderr)
 
+    def test_the_plan_is_exchanged_at_every_turn_of_a_chain_of_rockers(self):
+        done = run("tables", "plan-changes", "--instances", "rocker-chain@2,rocker-chain@3", "--out", self.folder)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        with open(self.folder / "plan-changes.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        # With n rockers 2^n solutions and 2^(n+1) - 2 turns.
+        for row, solutions, turns in zip(rows, ("4", "8"), ("6", "14"), strict=True):
+            self.assertEqual(row["full-space, mode=certified: on S, proven"], solutions)
+            self.assertEqual(row[": turns of S"], turns)
+            self.assertEqual(row["rcp, mode=paper, δmax = 0.025: exchanges"], turns)
+        growth = [row["rcp: growth"] for row in rows]
+        self.assertEqual(growth[0], "–")
+        self.assertAlmostEqual(float(growth[1]), int(rows[1]["rcp: changes"]) / int(rows[0]["rcp: changes"]), delta=0.01)
+        xml.etree.ElementTree.parse(self.folder / "plan-changes.svg")
+
     def test_one_strategy_that_is_out_of_reach_is_no_failure(self):
         done = run("tables", "table1", "--instances", "k33", "--strategies", "full-space,cayley-menger",
                    "--repetitions", 3)

@@ -390,9 +390,8 @@ void add_describe_command(CLI::App& app, Invocation& invocation) {
       ->type_name("FILE")
       ->excludes("--json");
   command->footer(
-      "The tree holds every choice between the two intersections of an instruction, at the given lengths and "
-      "with\n"
-      "the driving parameters of the sketch, and the figures that come out.\n"
+      "The tree holds every choice between the two intersections of an instruction, at the given\n"
+      "lengths and with the driving parameters of the sketch, and the figures that come out.\n"
       "\nExamples:\n  gcsbench describe disulfide --json\n  gcsbench describe qk33 --tree qk33.svg\n");
   command->callback(
       [&invocation, arguments] { invocation.action = [arguments] { return run(*arguments); }; });

@@ -101,18 +101,14 @@ std::vector<Table> build_plan_changes(const RunFile& run, const Publication& pap
   }
   table.remarks = {
       "Two points and four constraints more double the solutions on S, the turns of S in t and the changes "
-      "of "
-      "the plan: they grow exponentially in m, as the paper says of the worst case. So does S itself, with a "
-      "plan or without.",
+      "of the plan: they grow exponentially in m, as the paper says of the worst case. So does S itself, "
+      "with a plan or without.",
       "turns of S: by theory, at each of which a plan without driving parameters is in a boundary "
       "configuration and exchanges one instruction; what was exchanged is restored when the plan is next "
-      "changed. "
-      "growth: over the row before. m: constraints. on S: solutions up to reflection; the only rocker of n = "
-      "1 "
-      "passes its own mirror image.",
-      "δmax = 0.05 is the published one, 0.025 half of it. Where a path has jumped to another arc, it may go "
-      "round "
-      "S several times, in both directions, before it ends.",
+      "changed. growth: over the row before. m: constraints. on S: solutions up to reflection; the only "
+      "rocker of n = 1 passes its own mirror image.",
+      "δmax = 0.05 is the published one, 0.025 half of it. Where a path has jumped to another arc, it may "
+      "go round S several times, in both directions, before it ends.",
       "The claim, in section 7.3.3: " + paper.citation + "."};
   return {table};
 }

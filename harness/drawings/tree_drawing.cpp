@@ -110,10 +110,11 @@ std::string cross_svg(const Eigen::Vector2d& p, const char* kind) {
 }
 
 /// b_i = +1 is solid and −1 dashed; both at once, where they are one, are a double line.
-std::string branch_svg(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const InterpretationNode& node) {
+std::string branch_svg(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const InterpretationNode& node,
+                       const char* kind = "branch") {
   if (node.has_ended()) return line_svg(a, b, fmt::format("class=\"ending\" stroke=\"{}\"", orange));
   const double thick = node.is_on_branch ? 1.8 : 0.9;
-  const std::string style = fmt::format("class=\"branch\" stroke=\"{}\"", node.is_on_branch ? blue : grey);
+  const std::string style = fmt::format("class=\"{}\" stroke=\"{}\"", kind, node.is_on_branch ? blue : grey);
   if (node.meeting == Meeting::touching)
     return line_svg(a, b, style + fmt::format(" stroke-width=\"{:.1f}\"", 2 * thick + 1)) +
            line_svg(a, b, "stroke=\"#FFFFFF\" stroke-width=\"1\"");
@@ -218,8 +219,7 @@ std::string sample_branch(const Eigen::Vector2d& from, const Eigen::Vector2d& to
   node.side = side;
   node.is_on_branch = is_on_branch;
   node.meeting = meeting;
-  std::string text = branch_svg(from, to, node);
-  return text.replace(text.find("branch"), 6, "sample");
+  return branch_svg(from, to, node, "sample");
 }
 
 std::string sample_cross(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {

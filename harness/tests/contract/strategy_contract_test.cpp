@@ -218,7 +218,7 @@ TEST_CASE("all strategies agree on random lengths") {
     const ProblemStatement problem = load_instance(id).problem;
     const TheoreticalCounts counts = theoretical_counts(problem);
     std::size_t solutions = 0;
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 16; ++i) {
       const Scene scene(with_random_targets(problem, random));
       const std::string name = id + " with random lengths " + std::to_string(i);
       for (const SolveReport& report : check_agreement(scene, counts, subjects(), name))

@@ -142,7 +142,9 @@ TEST_CASE("every turn of a chain of rockers costs the plan an exchange") {
       CHECK(static_cast<int>(run.crossings.size()) == FiguresByCircles(problem, 1).count());
       CHECK(run.work.plan_changes >= turns);
     }
-    for (const Particular& count : published.particulars)
-      if (count.name == "exchanges") CHECK(count.value == turns);
+    const auto exchanges = std::find_if(published.particulars.begin(), published.particulars.end(),
+                                        [](const Particular& count) { return count.name == "exchanges"; });
+    REQUIRE(exchanges != published.particulars.end());
+    CHECK(exchanges->value == turns);
   }
 }

@@ -11,18 +11,24 @@ Figure Figure::scaled(int exponent) const {
   result.imaginary = imaginary.unaryExpr(scale);
   for (auto* of_lines : {&result.lines, &result.imaginary_lines})
     for (LinePosition& line : *of_lines) line.point = line.point.unaryExpr(scale);
+  for (auto* of_planes : {&result.planes, &result.imaginary_planes})
+    for (PlanePosition& plane : *of_planes) plane.offset = scale(plane.offset);
   return result;
 }
 
 bool ProblemStatement::is_fixed(int entity) const {
   const std::size_t point = static_cast<std::size_t>(entity);
   if (is_point(entity)) return point < fixed_points.size() && fixed_points[point].has_value();
-  const std::size_t line = point - points.size();
+  if (is_plane(entity)) {
+    const auto plane = static_cast<std::size_t>(plane_of(entity));
+    return plane < fixed_planes.size() && fixed_planes[plane].has_value();
+  }
+  const auto line = static_cast<std::size_t>(line_of(entity));
   return line < fixed_lines.size() && fixed_lines[line].has_value();
 }
 
 bool ProblemStatement::is_anchored() const {
-  for (int entity = 0; entity < static_cast<int>(points.size() + lines.size()); ++entity)
+  for (int entity = 0; entity < entity_count(); ++entity)
     if (is_fixed(entity)) return true;
   return false;
 }

@@ -24,6 +24,12 @@ struct LinePosition {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
 };
 
+/// A plane with a side: normal·x = offset, the normal of length 1.
+struct PlanePosition {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  double offset = 0;
+};
+
 /// A placement of all entities ("figure" in [I]): column i of `points` is point i; in the plane z = 0.
 struct Figure {
   Eigen::Matrix3Xd points;
@@ -31,14 +37,18 @@ struct Figure {
   Eigen::Matrix3Xd imaginary{};  ///< imaginary parts of the points of a complex placement; empty: it is real
   /// Those of its lines, one for each; empty as well: it is real.
   std::vector<LinePosition> imaginary_lines{};
+  std::vector<PlanePosition> planes{};
+  std::vector<PlanePosition> imaginary_planes{};  ///< likewise
 
-  bool is_real() const { return imaginary.cols() == 0 && imaginary_lines.empty(); }
+  bool is_real() const {
+    return imaginary.cols() == 0 && imaginary_lines.empty() && imaginary_planes.empty();
+  }
   /// In a unit of 2^−exponent of this one; exact unless it overflows or underflows.
   Figure scaled(int exponent) const;
 };
 
-/// |between[0] − between[1]| is given. Entities are numbered points first, then lines
-/// (entity e is the line e − points.size() when e ≥ points.size()). At most one of the two is a line.
+/// |between[0] − between[1]| is given. Entities are numbered points first, then lines, then planes
+/// (entity e is the line e − points.size() when e ≥ points.size()). At most one of the two is a line, none a plane.
 struct DistanceConstraint {
   std::string id;
   std::array<int, 2> between{};
@@ -90,6 +100,53 @@ struct PlanStep {
   std::vector<Radius> from;
 };
 
+/// What the exact numbers of an element of a body are: a point's coordinates (two in the plane), a line's point and
+/// direction, a plane's normal and offset.
+struct BodyElement {
+  int entity = -1;
+  std::vector<Decimal> numbers;
+};
+
+/// Elements that are moved as one, never mirrored: a solution has them as here but for a motion.
+struct RigidBody {
+  std::string name;
+  std::vector<BodyElement> elements;
+};
+
+/// What a relation is between: an entity, or the segment from one point to another.
+struct Operand {
+  int entity = -1;  ///< of a segment its first point
+  int end = -1;     ///< of a segment its second point; −1: an entity
+
+  bool is_segment() const { return end >= 0; }
+  bool operator==(const Operand&) const = default;
+};
+
+enum class RelationType {
+  distance,  ///< but of two points, or of a point and a line in space: those are DistanceConstraints
+  angle,
+  on,
+  meet,
+  parallel,
+  perpendicular,
+  collinear,
+  coplanar,
+  orientation  ///< selects real solutions, and is no equation
+};
+
+/// A constraint that is no distance between points, or of a point from a line.
+struct Relation {
+  /// How `given` says the value.
+  enum class Form { none, length, squared, degrees, cosine };
+
+  std::string id;
+  RelationType type = RelationType::on;
+  std::vector<Operand> of;
+  Form form = Form::none;
+  Decimal given{};  ///< lengths in the file's unit; from a plane's side they have a sign
+  int sign = 0;     ///< of an orientation
+};
+
 struct ProblemStatement {
   int dimension = 3;  ///< 2 or 3
   std::vector<std::string> points;
@@ -103,10 +160,25 @@ struct ProblemStatement {
   std::optional<Figure> sketch;
   InterpolationChoice interpolation;
   std::vector<PlanStep> construction;  ///< empty: derived
+  std::vector<std::string> planes{};
+  std::vector<RigidBody> bodies{};  ///< their elements are among the points, lines and planes
+  std::vector<Relation> relations{};
+  std::vector<std::optional<PlanePosition>> fixed_planes{};  ///< one per plane, or empty
+  int reference_body = -1;  ///< the body that the frame is put in; −1: see Reference
 
+  int entity_count() const { return static_cast<int>(points.size() + lines.size() + planes.size()); }
   bool is_point(int entity) const { return entity < static_cast<int>(points.size()); }
+  bool is_plane(int entity) const { return entity >= static_cast<int>(points.size() + lines.size()); }
+  bool is_line(int entity) const { return !is_point(entity) && !is_plane(entity); }
+  int line_of(int entity) const { return entity - static_cast<int>(points.size()); }
+  int plane_of(int entity) const { return entity - static_cast<int>(points.size() + lines.size()); }
   const std::string& name(int entity) const {
-    return is_point(entity) ? points[entity] : lines[entity - points.size()];
+    if (is_point(entity)) return points[entity];
+    return is_line(entity) ? lines[line_of(entity)] : planes[plane_of(entity)];
+  }
+  /// Whether there is more than points, lines in space and distances between them.
+  bool is_general() const {
+    return !planes.empty() || !bodies.empty() || !relations.empty() || (dimension == 2 && !lines.empty());
   }
   /// True when the file gives the entity's position. A problem without any may leave both vectors empty.
   bool is_fixed(int entity) const;

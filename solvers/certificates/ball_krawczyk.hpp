@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solvers/certificates/enclosure.hpp"
-#include "solvers/certificates/quadratic_system.hpp"
+#include "solvers/model/quadratic_system.hpp"
 #include "solvers/numeric/balls.hpp"
 
 namespace gcs {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solvers/certificates/enclosure.hpp"
+#include "solvers/numeric/sign_masks.hpp"
 
 namespace gcs {
 
@@ -17,12 +18,11 @@ struct Coincidence {
 /// All pairs of solutions whose boxes, or those of their mirror images, meet. Two solutions of one system are
 /// different classes when the box of one misses every mirror image of the other's. `mirror`: see
 /// QuadraticSystem. Ordered by first, then second. n log n for n solutions of which few meet.
-std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions,
-                                      const std::vector<int>& mirror);
+std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions, const SignMasks& mirror);
 
 /// How many of its mirror images, itself among them, may meet the box. Where it is alone what the box holds
 /// are as many classes as solutions; otherwise they are at least so many times fewer, as many as that where
 /// it holds solutions that are their own mirror images.
-int meeting_images(const Enclosure& box, const std::vector<int>& mirror);
+int meeting_images(const Enclosure& box, const SignMasks& mirror);
 
 }  // namespace gcs

@@ -10,7 +10,7 @@
 
 #include "solvers/certificates/enclosure.hpp"
 #include "solvers/certificates/krawczyk_image.hpp"
-#include "solvers/certificates/quadratic_system.hpp"
+#include "solvers/model/quadratic_system.hpp"
 #include "solvers/numeric/complex_double_double.hpp"
 
 namespace gcs {

@@ -155,7 +155,7 @@ class Search {
   }
 
   BallKrawczyk system_;
-  std::vector<int> mirror_;
+  SignMasks mirror_;
 };
 
 }  // namespace

@@ -7,8 +7,8 @@ double uncertainty(bool is_singular) { return is_singular ? singular_uncertainty
 
 }  // namespace
 
-DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, std::vector<int> axes, std::mt19937_64& random)
-    : set_(std::move(axes), random) {
+DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, std::mt19937_64& random)
+    : set_(std::move(signs), random) {
   for (const PathEnd& end : ends) {
     const bool is_singular = end.kind == PathEnd::Kind::singular;
     if (!is_singular && end.kind != PathEnd::Kind::regular) continue;

@@ -13,11 +13,10 @@ namespace gcs {
 /// rounding of its samples, which a double root feels by its square root.
 inline constexpr double singular_uncertainty = 1e-7;
 
-/// The finite ends, distinct up to reflections, with the number of paths that end at each.
+/// The finite ends, distinct up to signs, with the number of paths that end at each.
 class DistinctEnds {
  public:
-  /// `axes`: as mirror_axes gives them.
-  DistinctEnds(const std::vector<PathEnd>& ends, std::vector<int> axes, std::mt19937_64& random);
+  DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, std::mt19937_64& random);
 
   int size() const { return set_.size(); }
   const ComplexVectorX& operator[](int i) const { return set_[i]; }

@@ -1,7 +1,6 @@
 #include "solvers/homotopies/mirror_images.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -25,42 +24,41 @@ int image_count(const std::vector<int>& axes) {
   return count;
 }
 
-SolutionSet::SolutionSet(std::vector<int> axes, std::mt19937_64& random) : axes_(std::move(axes)) {
+SolutionSet::SolutionSet(SignMasks signs, std::mt19937_64& random) : signs_(std::move(signs)) {
   std::normal_distribution<double> normal;
-  for (std::size_t i = 0; i < axes_.size(); ++i) weights_.push_back(normal(random));
+  const std::vector<SignMask> kinds = signs_.kinds();
+  kinds_ = kinds.size();
+  for (const SignMask mask : signs_) {
+    weights_.push_back(normal(random));
+    kind_.push_back(
+        static_cast<std::size_t>(std::lower_bound(kinds.begin(), kinds.end(), mask) - kinds.begin()));
+  }
 }
 
-/// Of the weighted sums over an axis the square is the same for all reflections.
+/// Of the weighted sums over the unknowns of one mask the square is the same for all signs.
 SolutionSet::Key SolutionSet::key_of(const ComplexVectorX& x, double uncertainty) const {
-  std::array<std::complex<double>, 3> sums{};
-  std::complex<double> fixed = 0;
+  std::vector<std::complex<double>> sums(kinds_);
   double size = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    (axes_[i] < 0 ? fixed : sums[axes_[i]]) += weights_[i] * x[i];
+    sums[kind_[i]] += weights_[i] * x[i];
     size += std::abs(weights_[i]) * (std::abs(x[i].real()) + std::abs(x[i].imag()));
   }
   Key key;
-  key.value = fixed.real() + fixed.imag();
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::complex<double> square = sums[axis] * sums[axis];
-    key.value += (axis + 1) * (square.real() + square.imag());
+  key.value = sums[0].real() + sums[0].imag();
+  for (std::size_t kind = 1; kind < kinds_; ++kind) {
+    const std::complex<double> square = sums[kind] * sums[kind];
+    key.value += static_cast<double>(kind) * (square.real() + square.imag());
   }
-  // The derivative of the key is at most 12 size + 2 in each weighted unknown.
-  key.window = (equality + uncertainty) * (1 + largest(x)) * static_cast<double>(x.size()) * (12 * size + 2);
+  // The derivative of the key is at most 4 (kinds − 1) size + 2 in each weighted unknown.
+  const double slope = 4 * static_cast<double>(kinds_ - 1) * size + 2;
+  key.window = (equality + uncertainty) * (1 + largest(x)) * static_cast<double>(x.size()) * slope;
   return key;
 }
 
 bool SolutionSet::equal(const ComplexVectorX& x, const ComplexVectorX& y, double uncertainty) const {
   const double tolerance = (equality + uncertainty) * (1 + std::max(largest(x), largest(y)));
-  std::array<bool, 4> same{true, true, true, true}, opposite{false, true, true, true};
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const int group = axes_[i] + 1;  // 0: no reflection
-    same[group] = same[group] && std::abs(x[i] - y[i]) <= tolerance;
-    opposite[group] = opposite[group] && std::abs(x[i] + y[i]) <= tolerance;
-  }
-  for (int group = 0; group < 4; ++group)
-    if (!same[group] && !opposite[group]) return false;
-  return true;
+  return some_signs_fit(
+      signs_, [&](std::size_t i, double sign) { return std::abs(x[i] - sign * y[i]) <= tolerance; });
 }
 
 int SolutionSet::find(const ComplexVectorX& x, double uncertainty) const {

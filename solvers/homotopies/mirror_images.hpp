@@ -1,11 +1,12 @@
 #pragma once
-/// Solutions that differ by a reflection in a coordinate plane of the frame are one class.
+/// Solutions that differ by a change of signs, such as a reflection in a coordinate plane of the frame, are one class.
 
 #include <map>
 #include <random>
 #include <vector>
 
 #include "solvers/lanes/square_system.hpp"
+#include "solvers/numeric/sign_masks.hpp"
 
 namespace gcs {
 
@@ -15,12 +16,12 @@ std::vector<int> divided_by_none(const std::vector<int>& axes);
 /// How many solutions a class has at generic lengths: 2 to the number of axes.
 int image_count(const std::vector<int>& axes);
 
-/// Distinct solutions of one system, up to reflections in coordinate planes.
+/// Distinct solutions of one system, up to changes of signs.
 class SolutionSet {
  public:
-  SolutionSet(std::vector<int> axes, std::mt19937_64& random);
+  SolutionSet(SignMasks signs, std::mt19937_64& random);
 
-  /// The number of the solution that equals x up to reflections, or −1. `uncertainty`: of x, relative to
+  /// The number of the solution that equals x up to signs, or −1. `uncertainty`: of x, relative to
   /// 1 + the largest |x_i|.
   int find(const ComplexVectorX& x, double uncertainty) const;
   /// The number of x, which is a new one where `find` knows none.
@@ -32,14 +33,17 @@ class SolutionSet {
 
  private:
   struct Key {
-    double value = 0;   ///< changes with no reflection
+    double value = 0;   ///< the same for all signs
     double window = 0;  ///< how far those of equal solutions may be apart
   };
 
   Key key_of(const ComplexVectorX& x, double uncertainty) const;
   bool equal(const ComplexVectorX& x, const ComplexVectorX& y, double uncertainty) const;
 
-  std::vector<int> axes_;
+  SignMasks signs_;
+  std::vector<std::size_t>
+      kind_;  ///< of each unknown: which of the different masks it has, 0: its sign stays
+  std::size_t kinds_ = 1;
   std::vector<double> weights_;
   std::vector<ComplexVectorX> solutions_;
   std::vector<double> uncertainties_;

@@ -9,6 +9,10 @@ void enclose(acb_ptr ball, const ExactNumber& number, slong bits) {
   acb_set_d_d(ball, number.value.real(), number.value.imag());
   if (!number.decimal.empty() && arb_set_str(acb_realref(ball), number.decimal.c_str(), bits) != 0)
     throw std::invalid_argument("'" + number.decimal + "' is no decimal number");
+  if (number.is_cosine_of_degrees) {
+    acb_div_ui(ball, ball, 180, bits);
+    acb_cos_pi(ball, ball, bits);
+  }
   acb_mul_2exp_si(ball, ball, number.exponent);
   if (number.is_squared) acb_sqr(ball, ball, bits);
   if (number.is_negative) acb_neg(ball, ball);

@@ -1,7 +1,6 @@
 #include "solvers/subdivision/distinct_solutions.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace gcs {
 namespace {
@@ -18,25 +17,25 @@ bool misses(const Box& box, const Box& other) {
   return (apart > (box.radius + other.radius).array() * rounded_out).any();
 }
 
-enum class Relation { same, different, open };
+enum class Likeness { same, different, open };
 
-Relation relation(const Box& box, const ProvenSolution& known, const std::vector<Eigen::VectorXd>& signs) {
+Likeness likeness(const Box& box, const ProvenSolution& known, const std::vector<Eigen::VectorXd>& signs) {
   bool is_apart = true;
   for (const Eigen::VectorXd& sign : signs) {
     const Box image{box.mid.cwiseProduct(sign), box.radius};
-    if (lies_where_unique(image, known)) return Relation::same;
+    if (lies_where_unique(image, known)) return Likeness::same;
     is_apart = is_apart && misses(image, known.enclosure);
   }
-  return is_apart ? Relation::different : Relation::open;
+  return is_apart ? Likeness::different : Likeness::open;
 }
 
 }  // namespace
 
-std::vector<Eigen::VectorXd> mirror_signs(const std::vector<int>& mirror) {
+std::vector<Eigen::VectorXd> mirror_signs(const SignMasks& mirror) {
   const auto n = static_cast<Eigen::Index>(mirror.size());
   std::vector<Eigen::VectorXd> result{Eigen::VectorXd::Ones(n)};
-  for (const int kind : std::set<int>(mirror.begin(), mirror.end())) {
-    if (kind < 0) continue;
+  for (const SignMask kind : mirror.kinds()) {
+    if (kind == 0) continue;
     const std::size_t known = result.size();
     for (std::size_t i = 0; i < known; ++i) {
       Eigen::VectorXd signs = result[i];
@@ -48,16 +47,15 @@ std::vector<Eigen::VectorXd> mirror_signs(const std::vector<int>& mirror) {
   return result;
 }
 
-DistinctSolutions distinct_solutions(const std::vector<ProvenSolution>& found,
-                                     const std::vector<int>& mirror) {
+DistinctSolutions distinct_solutions(const std::vector<ProvenSolution>& found, const SignMasks& mirror) {
   const std::vector<Eigen::VectorXd> signs = mirror_signs(mirror);
   DistinctSolutions result;
   for (const ProvenSolution& solution : found) {
     bool is_known = false, is_open = false;
     for (const ProvenSolution& known : result.list) {
-      const Relation to_known = relation(solution.enclosure, known, signs);
-      is_known = is_known || to_known == Relation::same;
-      is_open = is_open || to_known == Relation::open;
+      const Likeness to_known = likeness(solution.enclosure, known, signs);
+      is_known = is_known || to_known == Likeness::same;
+      is_open = is_open || to_known == Likeness::open;
     }
     if (is_known) continue;
     if (is_open)

@@ -8,7 +8,7 @@
 namespace gcs {
 
 /// The unknowns' signs, each 1 or −1, that lead from a solution to others of its class.
-std::vector<Eigen::VectorXd> mirror_signs(const std::vector<int>& mirror);
+std::vector<Eigen::VectorXd> mirror_signs(const SignMasks& mirror);
 
 struct DistinctSolutions {
   std::vector<ProvenSolution> list;  ///< proven to be of different classes
@@ -17,7 +17,6 @@ struct DistinctSolutions {
 
 /// A solution is the one listed where a mirror image of its enclosure lies where that is the only one, and
 /// another one where all miss the listed one's enclosure. `mirror`: see QuadraticSystem.
-DistinctSolutions distinct_solutions(const std::vector<ProvenSolution>& found,
-                                     const std::vector<int>& mirror);
+DistinctSolutions distinct_solutions(const std::vector<ProvenSolution>& found, const SignMasks& mirror);
 
 }  // namespace gcs

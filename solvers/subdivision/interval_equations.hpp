@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "solvers/certificates/quadratic_system.hpp"
+#include "solvers/model/quadratic_system.hpp"
 #include "solvers/numeric/double_double.hpp"
 #include "solvers/numeric/interval.hpp"
 

@@ -111,10 +111,10 @@ class StartBox {
 std::vector<int> signed_unknowns(const Scene& scene, const SceneEquations& equations) {
   const DistanceSystem points(scene);
   const Reference& frame = points.reference();
-  const std::vector<int> mirror = equations.system().mirror;
-  std::map<int, int> chosen;  // by kind of mirror image
+  const SignMasks mirror = equations.system().mirror;
+  std::map<SignMask, int> chosen;  // by kind of mirror image
   for (int unknown = 0; unknown < static_cast<int>(mirror.size()); ++unknown)
-    if (const int kind = mirror[static_cast<std::size_t>(unknown)]; kind >= 0)
+    if (const SignMask kind = mirror[static_cast<std::size_t>(unknown)]; kind != 0)
       chosen.try_emplace(kind, unknown);
   const auto prefer = [&](int point, int axis) {
     const int unknown = point < 0 || scene.is_anchored() ? -1 : equations.point_unknown(point, axis);

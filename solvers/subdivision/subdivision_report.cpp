@@ -172,7 +172,7 @@ class Report {
   const SceneEquations& equations_;
   DistanceSystem points_;
   const SubdivisionOutcome& outcome_;
-  std::vector<int> mirror_;
+  SignMasks mirror_;
   std::vector<Eigen::VectorXd> signs_;
   std::vector<Place> places_;
   SolveReport report_;

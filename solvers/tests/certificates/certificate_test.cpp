@@ -183,7 +183,7 @@ TEST_CASE("solutions that differ by the side of one point are different classes"
   Enclosure other = box;
   int moved = 0;
   for (std::size_t i = 0; i < x.size() && moved == 0; ++i)
-    if (equations.system().mirror[i] == 2 && x[i] != 0.0) {
+    if (equations.system().mirror[i] == 4 && x[i] != 0.0) {
       other.mid[i] = -other.mid[i];
       ++moved;
     }

@@ -84,7 +84,7 @@ class KnownSystem {
   explicit KnownSystem(const KnownScene& known)
       : scene_(Scene::unchecked(known.problem)), of_scene_(scene_), system(of_scene_.system()) {
     const auto x = of_scene_.coordinates(known.figure.scaled(-scene_.unit_exponent()));
-    const std::vector<int> mirror = of_scene_.system().mirror;
+    const SignMasks mirror = of_scene_.system().mirror;
     for (const std::complex<double>& coordinate : x) solution.push_back(coordinate.real());
     for (const int unknown : signed_unknowns(scene_, of_scene_)) {
       if (solution[unknown] >= 0) continue;

@@ -1,9 +1,10 @@
 #pragma once
-/// Square systems of quadratic equations with exactly known coefficients: what certificates speak about.
+/// Square systems of quadratic equations with exactly known coefficients.
 
 #include <vector>
 
 #include "solvers/numeric/exact_number.hpp"
+#include "solvers/numeric/sign_masks.hpp"
 
 namespace gcs {
 
@@ -34,9 +35,7 @@ struct QuadraticEquation {
 struct QuadraticSystem {
   int unknowns = 0;
   std::vector<QuadraticEquation> equations;
-  /// Changing the signs of all unknowns with the same number ≥ 0 leads from solutions to solutions that are
-  /// not counted apart; −1: the unknown's sign stays. One per unknown.
-  std::vector<int> mirror;
+  SignMasks mirror;  ///< changes of signs that lead from solutions to solutions that are not counted apart
 };
 
 }  // namespace gcs

@@ -40,6 +40,23 @@ std::vector<BentLength> bent_lengths(const ProblemStatement& problem) {
   return {{choice.bent >= 0 ? choice.bent : static_cast<int>(problem.constraints.size()) - 1, {choice.bend}}};
 }
 
+bool is_flat(const RigidBody& body, int dimension) {
+  const auto d = static_cast<std::size_t>(dimension);
+  return std::all_of(body.elements.begin(), body.elements.end(), [&](const BodyElement& element) {
+    return element.numbers.size() == d && element.numbers[d - 1].value == 0;
+  });
+}
+
+Convention convention_of(const ProblemStatement& problem) {
+  if (problem.is_anchored()) return Convention::in_the_given_frame;
+  const bool is_oriented = std::any_of(problem.relations.begin(), problem.relations.end(),
+                                       [](const Relation& r) { return r.type == RelationType::orientation; });
+  const bool is_chiral =
+      std::any_of(problem.bodies.begin(), problem.bodies.end(),
+                  [&](const RigidBody& body) { return !is_flat(body, problem.dimension); });
+  return is_oriented || is_chiral ? Convention::up_to_motion : Convention::up_to_reflection;
+}
+
 FrameImages frame_images(const ProblemStatement& problem) {
   const int points = static_cast<int>(problem.points.size());
   if (problem.is_anchored()) return {1, 1};

@@ -189,6 +189,16 @@ struct ProblemStatement {
 /// The constraints that are bent, however `interpolation` says so.
 std::vector<BentLength> bent_lengths(const ProblemStatement& problem);
 
+/// Which figures are one solution.
+enum class Convention { in_the_given_frame, up_to_motion, up_to_reflection };
+
+/// The convention of a problem: in the given frame where there are positions; up to motion with an orientation or
+/// with a body that is not flat; otherwise up to reflection.
+Convention convention_of(const ProblemStatement& problem);
+
+/// Whether a body has nothing but points whose last coordinate is 0: then it is its own mirror image.
+bool is_flat(const RigidBody& body, int dimension);
+
 /// How many mirror images of a solution a frame tells apart.
 struct FrameImages {
   /// By reflections that the frame leaves: the one through the reference unless all points lie in it; with a

@@ -1,0 +1,139 @@
+#include <array>
+
+#include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/model/given_numbers.hpp"
+#include "solvers/numeric/bilinear_product.hpp"
+
+namespace gcs {
+namespace {
+
+ExactNumber given_square(const SystemBuilder& builder, const Relation& relation) {
+  return builder.square(relation.given, relation.form == Relation::Form::squared);
+}
+
+bool is_constant(const VectorForm& form) {
+  return form[0].terms.empty() && form[1].terms.empty() && form[2].terms.empty();
+}
+
+/// Σ c_i·u_i for a point c that does not move.
+LinearForm along(const VectorForm& point, const VectorForm& direction) {
+  LinearForm sum;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (is_zero(point[axis])) continue;
+    for (ScaledUnknown term : direction[axis].terms) {
+      const bool is_negative = term.coefficient.is_negative != point[axis].constant.is_negative;
+      term.coefficient = point[axis].constant;
+      term.coefficient.is_negative = is_negative;
+      sum.terms.push_back(term);
+    }
+  }
+  return sum;
+}
+
+/// Whether each of the direction's components is ± an unknown.
+bool has_unit_terms(const VectorForm& direction) {
+  for (const LinearForm& form : direction) {
+    if (!form.constant.is_zero()) return false;
+    for (const ScaledUnknown& term : form.terms)
+      if (!term.coefficient.decimal.empty() || term.coefficient.value != 1.0) return false;
+  }
+  return true;
+}
+
+void distance_point_line(SystemBuilder& builder, const StatedRelation& stated) {
+  state_distance_to_line(builder, stated.entity(1), stated.entity(0), given_square(builder, stated.relation),
+                         stated.value);
+}
+
+bool are_parallel(const ProblemStatement& problem, int a, int b) {
+  for (const Relation& relation : problem.relations)
+    if (relation.type == RelationType::parallel && relation.of.size() == 2 &&
+        ((relation.of[0].entity == a && relation.of[1].entity == b) ||
+         (relation.of[0].entity == b && relation.of[1].entity == a)))
+      return true;
+  return false;
+}
+
+/// Of lines that are not parallel the common normal n: n·u = n·v = 0, n·n = 1; then (n·(p − q))² = a².
+void distance_line_line(SystemBuilder& builder, const StatedRelation& stated) {
+  const LineForms &a = builder.line(stated.entity(0)), &b = builder.line(stated.entity(1));
+  const ExactNumber square = given_square(builder, stated.relation);
+  if (are_parallel(builder.problem(), stated.entity(0), stated.entity(1))) {
+    builder.add(Equation().plus_square_of_difference(a.foot, b.foot).equals(square), stated.value);
+    return;
+  }
+  const SignMask turning = builder.new_turning();
+  const VectorForm normal = builder.vector(turning);
+  builder.define([a, b](const Placement&, const ComplexValues& x) {
+    return components(unit_vector(cross_product(vector_at(a.direction, x), vector_at(b.direction, x))), 3);
+  });
+  const LinearForm apart = builder.unknown(turning);
+  builder.define([a, b, normal](const Placement&, const ComplexValues& x) {
+    return ComplexValues{bilinear_product(vector_at(normal, x),
+                                          Eigen::Vector3cd(vector_at(a.foot, x) - vector_at(b.foot, x)))};
+  });
+  builder.add(Equation().plus(normal, normal).equals(exactly(1)));
+  builder.add(Equation().plus(normal, a.direction).equals());
+  builder.add(Equation().plus(normal, b.direction).equals());
+  builder.add(Equation().plus(apart).minus(normal, a.foot).plus(normal, b.foot).equals());
+  builder.add(Equation().plus(apart, apart).equals(square), stated.value);
+}
+
+/// n·p − h = a, as seen from the plane's side.
+void distance_plane_point(SystemBuilder& builder, const StatedRelation& stated) {
+  const PlaneForms& plane = builder.plane(stated.entity(0));
+  builder.add(Equation()
+                  .plus(plane.normal, builder.point(stated.entity(1)))
+                  .minus(plane.offset)
+                  .equals(builder.length(stated.relation.given)),
+              stated.value);
+}
+
+/// Of a line that is parallel to the plane, (n·p − h)² = a².
+void distance_line_plane(SystemBuilder& builder, const StatedRelation& stated) {
+  const LineForms& line = builder.line(stated.entity(0));
+  const PlaneForms& plane = builder.plane(stated.entity(1));
+  const LinearForm apart = builder.unknown(plane.turning);
+  builder.define([line, plane](const Placement&, const ComplexValues& x) {
+    return ComplexValues{bilinear_product(vector_at(plane.normal, x), vector_at(line.foot, x)) -
+                         value_at(plane.offset, x)};
+  });
+  builder.add(Equation().plus(apart).minus(plane.normal, line.foot).plus(plane.offset).equals());
+  builder.add(Equation().plus(apart, apart).equals(given_square(builder, stated.relation)), stated.value);
+}
+
+}  // namespace
+
+std::span<const ConstraintKind> distance_kinds() {
+  static constexpr std::array rows{
+      ConstraintKind{RelationType::distance, "line point", distance_point_line},
+      ConstraintKind{RelationType::distance, "line line", distance_line_line},
+      ConstraintKind{RelationType::distance, "plane point", distance_plane_point},
+      ConstraintKind{RelationType::distance, "line plane", distance_line_plane}};
+  return rows;
+}
+
+/// |c − f|² − w² = a² with w = (c − f)·u = c·u.
+void state_distance_to_line(SystemBuilder& builder, int point, int line, const ExactNumber& square,
+                            int value) {
+  const VectorForm& c = builder.point(point);
+  const LineForms& l = builder.line(line);
+  const LinearForm w = is_constant(c) && has_unit_terms(l.direction)
+                           ? along(c, l.direction)
+                           : product_unknown(builder, c, l.direction, l.turning);
+  builder.add(Equation().plus_square_of_difference(c, l.foot).minus(w, w).equals(square), value);
+}
+
+void state_distance(SystemBuilder& builder, int constraint) {
+  const ProblemStatement& problem = builder.problem();
+  auto [a, b] = problem.constraints[static_cast<std::size_t>(constraint)].between;
+  const ExactNumber square = gcs::given_square(builder.scene(), constraint);
+  if (!problem.is_point(a)) std::swap(a, b);
+  if (problem.is_line(b))
+    state_distance_to_line(builder, a, b, square, constraint);
+  else if (!builder.is_stated_by_segment(constraint))
+    builder.add(Equation().plus_square_of_difference(builder.point(a), builder.point(b)).equals(square),
+                constraint);
+}
+
+}  // namespace gcs

@@ -1,0 +1,48 @@
+#include "solvers/elements/element_forms.hpp"
+
+#include <utility>
+
+namespace gcs {
+
+LinearForm constant_form(const ExactNumber& number) { return {{}, number}; }
+
+LinearForm negated(LinearForm form) {
+  for (ScaledUnknown& term : form.terms) term.coefficient = negated(term.coefficient);
+  form.constant = negated(form.constant);
+  return form;
+}
+
+VectorForm negated(VectorForm forms) {
+  for (LinearForm& form : forms) form = negated(std::move(form));
+  return forms;
+}
+
+Equation& Equation::plus(const LinearForm& left, const LinearForm& right) {
+  if (!is_zero(left) && !is_zero(right)) equation_.products.push_back({left, right});
+  return *this;
+}
+
+Equation& Equation::plus(const VectorForm& left, const VectorForm& right) {
+  for (std::size_t axis = 0; axis < 3; ++axis) plus(left[axis], right[axis]);
+  return *this;
+}
+
+Equation& Equation::plus_square_of_difference(const VectorForm& left, const VectorForm& right) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    LinearForm difference = left[axis];
+    const LinearForm opposite = negated(right[axis]);
+    difference.terms.insert(difference.terms.end(), opposite.terms.begin(), opposite.terms.end());
+    if (difference.constant.is_zero()) difference.constant = opposite.constant;
+    plus(difference, difference);
+  }
+  return *this;
+}
+
+std::complex<double> value_at(const LinearForm& form, const std::vector<std::complex<double>>& x) {
+  std::complex<double> sum = rounded_to_double(form.constant);
+  for (const ScaledUnknown& term : form.terms)
+    sum += rounded_to_double(term.coefficient) * x[static_cast<std::size_t>(term.unknown)];
+  return sum;
+}
+
+}  // namespace gcs

@@ -1,0 +1,32 @@
+#pragma once
+/// The kinds of elements, a file for each: unknowns, their normalisation, and how they follow from a placement.
+
+#include <functional>
+#include <vector>
+
+#include "solvers/elements/system_builder.hpp"
+
+namespace gcs {
+
+/// A line by its point f nearest to the origin and its direction u: u·u = 1, f·u = 0.
+LineForms free_line(SystemBuilder& builder, SignMask turning,
+                    const std::function<ComplexLine(const Placement&)>& where);
+/// The line of that number, whose direction is that of another element: f·u = 0.
+LineForms line_along(SystemBuilder& builder, const VectorForm& direction, SignMask turning, int line);
+/// The lines, itself among them, that the problem says are parallel to a line, by their numbers.
+std::vector<int> parallel_lines(const ProblemStatement& problem, int line);
+/// The planes that are perpendicular to one of these lines.
+std::vector<int> planes_across(const ProblemStatement& problem, const std::vector<int>& lines);
+
+/// A plane by its unit normal and its offset.
+PlaneForms free_plane(SystemBuilder& builder, SignMask turning,
+                      const std::function<ComplexPlane(const Placement&)>& where);
+
+/// A body by the place t of its origin and the images e, f, g of its axes: e·e = f·f = 1, e·f = 0, g = e × f. Each
+/// posture once, half-turns included. g is left out where all points have a last coordinate of 0; in the plane
+/// e·e = 1, and f is e turned by a right angle.
+std::vector<BodyPoint> free_body(SystemBuilder& builder, const RigidBody& body);
+/// The same at t = 0 with the axes of the frame.
+std::vector<BodyPoint> body_at_rest(SystemBuilder& builder, const RigidBody& body);
+
+}  // namespace gcs

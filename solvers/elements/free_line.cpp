@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include "solvers/elements/element_kinds.hpp"
+
+namespace gcs {
+namespace {
+
+bool is_line(const ProblemStatement& problem, const Operand& of) {
+  return !of.is_segment() && problem.is_line(of.entity);
+}
+
+/// The other line of a relation that says that two are parallel; −1 where it says nothing of the kind.
+int parallel_line(const ProblemStatement& problem, const Relation& relation, int line) {
+  if (relation.type != RelationType::parallel || relation.of.size() != 2) return -1;
+  const auto& of = relation.of;
+  if (!is_line(problem, of[0]) || !is_line(problem, of[1])) return -1;
+  const int a = problem.line_of(of[0].entity), b = problem.line_of(of[1].entity);
+  if (a == line) return b;
+  return b == line ? a : -1;
+}
+
+}  // namespace
+
+LineForms free_line(SystemBuilder& builder, SignMask turning,
+                    const std::function<ComplexLine(const Placement&)>& where) {
+  LineForms line;
+  line.turning = turning;
+  line.foot = builder.vector();
+  line.direction = builder.vector(turning);
+  builder.define([where, d = builder.dimension()](const Placement& at, const ComplexValues&) {
+    const ComplexLine known = where(at);
+    ComplexValues values = components(known.point, d);
+    const ComplexValues direction = components(known.direction, d);
+    values.insert(values.end(), direction.begin(), direction.end());
+    return values;
+  });
+  builder.add(Equation().plus(line.direction, line.direction).equals(exactly(1)));
+  builder.add(Equation().plus(line.foot, line.direction).equals());
+  return line;
+}
+
+LineForms line_along(SystemBuilder& builder, const VectorForm& direction, SignMask turning, int number) {
+  LineForms line{builder.vector(), direction, turning};
+  builder.define([number, d = builder.dimension()](const Placement& at, const ComplexValues&) {
+    return components(at.lines[static_cast<std::size_t>(number)].point, d);
+  });
+  builder.add(Equation().plus(line.foot, line.direction).equals());
+  return line;
+}
+
+std::vector<int> parallel_lines(const ProblemStatement& problem, int line) {
+  std::vector<int> found{line};
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const Relation& relation : problem.relations) {
+      const int other = parallel_line(problem, relation, found[i]);
+      if (other >= 0 && std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
+    }
+  return found;
+}
+
+std::vector<int> planes_across(const ProblemStatement& problem, const std::vector<int>& lines) {
+  std::vector<int> planes;
+  for (const Relation& relation : problem.relations) {
+    if (relation.type != RelationType::perpendicular) continue;
+    for (int i = 0; i < 2; ++i) {
+      const Operand &line = relation.of[static_cast<std::size_t>(i)],
+                    &plane = relation.of[static_cast<std::size_t>(1 - i)];
+      if (!is_line(problem, line) || plane.is_segment() || !problem.is_plane(plane.entity)) continue;
+      if (std::find(lines.begin(), lines.end(), problem.line_of(line.entity)) != lines.end())
+        planes.push_back(problem.plane_of(plane.entity));
+    }
+  }
+  return planes;
+}
+
+}  // namespace gcs

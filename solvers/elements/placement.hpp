@@ -1,0 +1,31 @@
+#pragma once
+/// Where elements are, as complex numbers with the bilinear form p·q = Σ p_i q_i.
+
+#include <complex>
+#include <vector>
+
+#include "solvers/model/complex_lines.hpp"
+#include "solvers/model/complex_points.hpp"
+
+namespace gcs {
+
+/// normal·x = offset with normal·normal = 1.
+struct ComplexPlane {
+  Eigen::Vector3cd normal;
+  std::complex<double> offset;
+};
+
+/// In space; in the plane z = 0. A line by its point with point·direction = 0, direction·direction = 1.
+struct Placement {
+  ComplexPoints points;
+  std::vector<ComplexLine> lines;
+  std::vector<ComplexPlane> planes;
+};
+
+/// The elements of a figure, real or not, its lines normalised.
+Placement placement_of(const Figure& figure);
+/// The figure of a placement or, where it is real, of its real parts. A plane with a direction of its own, as `turned`
+/// says, has the sign that lines have.
+Figure figure_of(const Placement& placement, bool is_real, const std::vector<bool>& turned);
+
+}  // namespace gcs

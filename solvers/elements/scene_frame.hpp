@@ -1,0 +1,54 @@
+#pragma once
+/// Where a general scene stands, and what may be mirrored or turned over without leaving a solution's class.
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solvers/model/scene.hpp"
+#include "solvers/numeric/sign_masks.hpp"
+
+namespace gcs {
+
+/// A frame is put in a body, or three points (two in the plane), or given by positions.
+class SceneFrame {
+ public:
+  explicit SceneFrame(const Scene& scene);
+
+  /// The body that is not moved; −1: none.
+  int body() const { return body_; }
+  /// Whether coordinate `axis` of a point is 0 in the frame.
+  bool is_zero(int point, int axis) const;
+  /// Of the components of vectors, for the reflections or half-turns that the frame leaves.
+  SignMask axis(int i) const { return axes_[static_cast<std::size_t>(i)]; }
+  /// Of the sign that a mirror image gives to a product of three vectors.
+  SignMask mirror() const { return axes_[0] ^ axes_[1] ^ axes_[2]; }
+
+ private:
+  int body_ = -1;
+  Reference reference_;
+  std::array<SignMask, 3> axes_{};
+};
+
+/// Why no frame can be found, in a sentence; nothing where one can.
+std::optional<std::string> why_no_frame(const Scene& scene);
+
+/// Sets of planes, and of segments, that may be turned over together.
+class Turnings {
+ public:
+  explicit Turnings(const ProblemStatement& problem);
+
+  /// The number of the set that a plane is in; −1: it has a side.
+  int of_plane(int plane) const { return planes_[static_cast<std::size_t>(plane)]; }
+  /// That of a segment, whose length may be minus a root; −1: a constraint gives its length.
+  int of_segment(int a, int b) const;
+
+ private:
+  std::vector<int> planes_;
+  std::map<std::pair<int, int>, int> segments_;
+};
+
+}  // namespace gcs

@@ -1,0 +1,144 @@
+#include "solvers/elements/scene_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solvers/elements/constraint_kinds.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr std::size_t most_turnings = 56;
+
+int times_in_bodies(const ProblemStatement& problem, int entity) {
+  int count = 0;
+  for (const RigidBody& body : problem.bodies)
+    for (const BodyElement& element : body.elements) count += element.entity == entity ? 1 : 0;
+  return count;
+}
+
+std::optional<std::string> why_no_bodies(const ProblemStatement& problem) {
+  for (const RigidBody& body : problem.bodies) {
+    int joints = 0;
+    for (const BodyElement& element : body.elements) {
+      if (!problem.is_point(element.entity))
+        return fmt::format("'{}' is a line or a plane of body '{}', for which there are no equations yet",
+                           problem.name(element.entity), body.name);
+      joints += times_in_bodies(problem, element.entity) > 1 ? 1 : 0;
+    }
+    if (joints > 1 && problem.dimension == 3)
+      for (const RigidBody& other : problem.bodies) {
+        const auto shared =
+            std::count_if(body.elements.begin(), body.elements.end(), [&](const BodyElement& a) {
+              return &other != &body &&
+                     std::any_of(other.elements.begin(), other.elements.end(),
+                                 [&](const BodyElement& b) { return a.entity == b.entity; });
+            });
+        if (shared > 1)
+          return fmt::format(
+              "bodies '{}' and '{}' share more than a point, for which there are no equations yet", body.name,
+              other.name);
+      }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> why_no_positions(const ProblemStatement& problem) {
+  const auto points = static_cast<int>(problem.points.size());
+  for (int entity = points; entity < problem.entity_count(); ++entity)
+    if (problem.is_fixed(entity))
+      return fmt::format("'{}' has a given position; there are equations for fixed points only yet",
+                         problem.name(entity));
+  return std::nullopt;
+}
+
+std::optional<std::string> why_no_relation(const ProblemStatement& problem) {
+  for (Relation relation : problem.relations)
+    if (kind_of(problem, relation) == nullptr)
+      return fmt::format("there are no equations yet for constraint '{}'", relation.id);
+  return std::nullopt;
+}
+
+/// At most so much changes a form when each unknown changes by its offset.
+double shift_of(const LinearForm& form, const std::vector<double>& offsets) {
+  double sum = 0;
+  for (const ScaledUnknown& term : form.terms)
+    sum += std::abs(rounded_to_double(term.coefficient)) * offsets[static_cast<std::size_t>(term.unknown)];
+  return sum * (1 + 16 * std::numeric_limits<double>::epsilon());
+}
+
+void state_all(SystemBuilder& builder) {
+  const ProblemStatement& problem = builder.problem();
+  int value = builder.scene().constraint_count();
+  for (Relation relation : problem.relations) {
+    const ConstraintKind* kind = kind_of(problem, relation);
+    kind->state(builder, {relation, value++});
+  }
+  for (int i = 0; i < builder.scene().constraint_count(); ++i) state_distance(builder, i);
+}
+
+}  // namespace
+
+std::optional<std::string> why_no_system(const Scene& scene) {
+  const ProblemStatement& problem = scene.problem();
+  if (auto reason = why_no_frame(scene)) return reason;
+  if (auto reason = why_no_bodies(problem)) return reason;
+  if (auto reason = why_no_positions(problem)) return reason;
+  if (auto reason = why_no_relation(problem)) return reason;
+  if (problem.lines.size() + problem.planes.size() + 2 * problem.relations.size() > most_turnings)
+    return fmt::format("there are more than {} lines, planes and constraints that may be turned over",
+                       most_turnings);
+  return std::nullopt;
+}
+
+SceneSystem::SceneSystem(const Scene& scene) : builder_(scene) { state_all(builder_); }
+
+ComplexValues SceneSystem::coordinates(const Figure& figure) const {
+  return builder_.values(placement_of(figure));
+}
+
+double SceneSystem::distance(const Figure& figure, const ComplexValues& x,
+                             const std::vector<double>& offsets) const {
+  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  const ProblemStatement& problem = builder_.problem();
+  const Placement at = placement_of(figure), at_x = builder_.placement(x);
+  const auto apart = [](const Eigen::Vector3cd& a, const Eigen::Vector3cd& b) {
+    return (a - b).norm() + rounding * (a.norm() + b.norm());
+  };
+  const auto shift = [&](const VectorForm& forms) {
+    return std::hypot(shift_of(forms[0], offsets), shift_of(forms[1], offsets), shift_of(forms[2], offsets));
+  };
+  double largest = 0;
+  for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
+    largest =
+        std::max(largest, apart(at.points.col(point), at_x.points.col(point)) + shift(builder_.point(point)));
+  const double size = builder_.scene().size();
+  for (int line = 0; line < static_cast<int>(problem.lines.size()); ++line) {
+    const auto i = static_cast<std::size_t>(line);
+    const LineForms& forms = builder_.line(static_cast<int>(problem.points.size()) + line);
+    const Eigen::Vector3cd &u = at.lines[i].direction, &v = at_x.lines[i].direction;
+    largest = std::max({largest, apart(at.lines[i].point, at_x.lines[i].point) + shift(forms.foot),
+                        size * (std::min(apart(u, v), apart(u, -v)) + shift(forms.direction))});
+  }
+  for (int plane = 0; plane < static_cast<int>(problem.planes.size()); ++plane) {
+    const auto i = static_cast<std::size_t>(plane);
+    const PlaneForms& forms =
+        builder_.plane(static_cast<int>(problem.points.size() + problem.lines.size()) + plane);
+    largest =
+        std::max({largest, size * (apart(at.planes[i].normal, at_x.planes[i].normal) + shift(forms.normal)),
+                  std::abs(at.planes[i].offset - at_x.planes[i].offset) + shift_of(forms.offset, offsets)});
+  }
+  return largest * (1 + rounding);
+}
+
+Figure SceneSystem::figure(const ComplexValues& x, bool is_real) const {
+  ComplexValues values = x;
+  for (std::complex<double>& value : values)
+    if (is_real) value = value.real();
+  return figure_of(builder_.placement(values), is_real, builder_.turned_planes());
+}
+
+}  // namespace gcs

@@ -1,0 +1,37 @@
+#pragma once
+/// The equations of a general scene: points, lines, planes and bodies with everything that the file states between them,
+/// as one sparse system of degree two with the exact numbers of the file, in the scene's unit and frame.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solvers/elements/system_builder.hpp"
+
+namespace gcs {
+
+/// Why there is no system for the scene, in a sentence; nothing where there is one.
+std::optional<std::string> why_no_system(const Scene& scene);
+
+class SceneSystem {
+ public:
+  /// Precondition: !why_no_system(scene). The scene outlives this.
+  explicit SceneSystem(const Scene& scene);
+
+  const QuadraticSystem& equations() const { return builder_.system(); }
+  /// Of each equation the value that it gives, or no_value.
+  const std::vector<int>& value_of() const { return builder_.value_of(); }
+  /// The unknowns at a figure that is in the scene's frame.
+  ComplexValues coordinates(const Figure& figure) const;
+  /// At most so far are points, and lines and planes as SceneEquations::distance says, from where the unknowns put them
+  /// that are off from x by these amounts. `x`: coordinates(figure).
+  double distance(const Figure& figure, const ComplexValues& x, const std::vector<double>& offsets) const;
+  /// The figure at values of the unknowns or, where it is real, at their real parts.
+  Figure figure(const ComplexValues& x, bool is_real) const;
+
+ private:
+  SystemBuilder builder_;
+};
+
+}  // namespace gcs

@@ -1,0 +1,130 @@
+#pragma once
+/// The unknowns and equations of a general scene while they are written: element kinds add the unknowns of elements,
+/// constraint kinds the equations between them and what further unknowns these need.
+
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "solvers/elements/element_forms.hpp"
+#include "solvers/elements/placement.hpp"
+#include "solvers/elements/scene_frame.hpp"
+
+namespace gcs {
+
+/// A line by its point with foot·direction = 0, direction·direction = 1.
+struct LineForms {
+  VectorForm foot;
+  VectorForm direction;
+  SignMask turning = 0;  ///< of the direction's sign
+};
+
+/// A point of a body, by its number in the problem.
+struct BodyPoint {
+  int point = -1;
+  VectorForm at;
+};
+
+/// normal·x = offset, normal·normal = 1.
+struct PlaneForms {
+  VectorForm normal;
+  LinearForm offset;
+  SignMask turning = 0;  ///< of the sign of both
+};
+
+/// The vector from one point to another is length·direction, direction·direction = 1.
+struct SegmentForms {
+  LinearForm length;
+  VectorForm direction;
+  SignMask turning = 0;  ///< of the sign of both
+};
+
+using ComplexValues = std::vector<std::complex<double>>;
+
+/// Which value of the problem stands on the right-hand side of an equation: that of a distance constraint or, counted on,
+/// of a relation.
+inline constexpr int no_value = -1;
+
+class SystemBuilder {
+ public:
+  /// Writes the elements of the scene. Preconditions: !why_no_frame(scene); the scene outlives this.
+  explicit SystemBuilder(const Scene& scene);
+
+  const Scene& scene() const { return scene_; }
+  const ProblemStatement& problem() const { return scene_.problem(); }
+  int dimension() const { return scene_.dimension(); }
+
+  // Unknowns. `turning`: of all components.
+  LinearForm unknown(SignMask mask);
+  VectorForm vector(SignMask turning = 0);
+  /// Of what has another sign in a mirror image, such as a vector product.
+  VectorForm pseudo_vector();
+  /// A generator of its own, for what may be turned over.
+  SignMask new_turning();
+
+  // Equations.
+  void add(QuadraticEquation equation, int value = no_value);
+  /// How the unknowns that were added since the last call follow from a placement and from earlier unknowns: their values,
+  /// one each.
+  void define(std::function<ComplexValues(const Placement&, const ComplexValues&)> values);
+
+  // Elements.
+  const VectorForm& point(int entity) const { return points_[static_cast<std::size_t>(entity)]; }
+  const LineForms& line(int entity) const {
+    return lines_[static_cast<std::size_t>(problem().line_of(entity))];
+  }
+  const PlaneForms& plane(int entity) const {
+    return planes_[static_cast<std::size_t>(problem().plane_of(entity))];
+  }
+  /// Unknowns for a segment are added when it is first asked for.
+  SegmentForms segment(const Operand& segment);
+  /// A line, or a plane, beyond those of the scene. `through`: points that it is to go through, by which its unknowns are
+  /// found.
+  LineForms further_line(std::vector<int> through);
+  PlaneForms further_plane(std::vector<int> through);
+  /// Whether the length of a segment, and thus a distance constraint, is one of its equations.
+  bool is_stated_by_segment(int constraint) const;
+
+  // A number of the problem in the scene's unit, to the power of which it is a length.
+  ExactNumber length(const Decimal& given) const;
+  ExactNumber square(const Decimal& given, bool is_squared) const;
+
+  // What was written.
+  const QuadraticSystem& system() const { return system_; }
+  const std::vector<int>& value_of() const { return value_of_; }
+  ComplexValues values(const Placement& placement) const;
+  Placement placement(const ComplexValues& x) const;
+  std::vector<bool> turned_planes() const;
+
+ private:
+  void place(const std::vector<BodyPoint>& points);
+  void place_points();
+  void place_lines();
+  void place_planes();
+  void place_bodies();
+
+  const Scene& scene_;
+  SceneFrame frame_;
+  Turnings turnings_;
+  SignMask next_turning_;
+  std::map<int, SignMask> turning_of_set_;       // of planes
+  std::map<int, SignMask> turning_of_segments_;  // of segments
+  QuadraticSystem system_;
+  std::vector<int> value_of_;
+  std::vector<std::function<ComplexValues(const Placement&, const ComplexValues&)>> definitions_;
+  std::vector<VectorForm> points_;
+  std::vector<bool> has_place_;  // one per point
+  std::vector<LineForms> lines_;
+  std::vector<PlaneForms> planes_;
+  std::map<std::pair<int, int>, SegmentForms> segments_;
+};
+
+/// The bilinear product and the vector product of forms at x.
+Eigen::Vector3cd vector_at(const VectorForm& forms, const ComplexValues& x);
+/// The components of a vector that a scene of that dimension has.
+ComplexValues components(const Eigen::Vector3cd& vector, int dimension);
+/// v/√(v·v).
+Eigen::Vector3cd unit_vector(const Eigen::Vector3cd& v);
+
+}  // namespace gcs

@@ -144,7 +144,7 @@ std::optional<TraceTest> read_trace(const JsonCursor& trace) {
                    read_count(trace.required("solutions")), trace.required("defect").number().value};
 }
 
-void require_solutions(const JsonCursor& document, const std::string& file, const HomotopyFamily& family,
+void require_solutions(const JsonCursor& document, const std::string& file, const LengthFamily& family,
                        const GenericSolutions& generic) {
   const JsonCursor solutions = document.required("solutions"),
                    count = document.required("search").required("solutions");
@@ -158,7 +158,7 @@ void require_solutions(const JsonCursor& document, const std::string& file, cons
 }
 
 /// `solutions`: where they are known already, and the document has an empty list in their place.
-StartSystem read_start(const JsonCursor& document, const std::string& file, const HomotopyFamily& family,
+StartSystem read_start(const JsonCursor& document, const std::string& file, const LengthFamily& family,
                        std::vector<ComplexVectorX> solutions) {
   document.require_format(format_name);
   document.allow_members({"format", "equations", "search", "trace", "squares", "solutions"});
@@ -180,7 +180,7 @@ bool has_no_solutions(const JsonValue& document) {
 
 }  // namespace
 
-StartSystem StartFiles::read(const std::string& name, const HomotopyFamily& family) const {
+StartSystem StartFiles::read(const std::string& name, const LengthFamily& family) const {
   const std::string text = read_file(name, "give a file that save_start has written");
   if (std::optional<ComplexRows> taken = take_complex_rows(text, "solutions", family.system.unknowns)) {
     const JsonValue document = parse_json(taken->rest, name);
@@ -194,7 +194,7 @@ StartSystem StartFiles::read(const std::string& name, const HomotopyFamily& fami
 
 void StartFiles::reserve(const std::string& name) { reserved_[name] = std::make_unique<AtomicFile>(name); }
 
-void StartFiles::write(const std::string& name, const HomotopyFamily& family, const StartSystem& start) {
+void StartFiles::write(const std::string& name, const LengthFamily& family, const StartSystem& start) {
   const auto file = reserved_.extract(name);
   file.mapped()->commit(file_text(family.system, start));
 }

@@ -36,12 +36,14 @@ struct Judged {
 };
 
 bool is_finite(const LinePosition& line) { return line.point.allFinite() && line.direction.allFinite(); }
+bool is_finite(const PlanePosition& plane) { return plane.normal.allFinite() && std::isfinite(plane.offset); }
 
 /// Up to motions, complex figures are compared with one line at most.
 bool is_usable_as_complex(const Scene& scene, const Figure& figure) {
   if (figure.imaginary.cols() != scene.point_count() || figure.imaginary_lines.size() != figure.lines.size())
     return false;
-  if (!scene.is_anchored() && figure.lines.size() > 1) return false;
+  if (figure.imaginary_planes.size() != figure.planes.size()) return false;
+  if (!scene.problem().is_general() && !scene.is_anchored() && figure.lines.size() > 1) return false;
   const Figure framed = scene.in_frame(figure);
   return framed.points.allFinite() && framed.imaginary.allFinite() &&
          std::isfinite(extent(scene.representative(figure)));
@@ -50,7 +52,9 @@ bool is_usable_as_complex(const Scene& scene, const Figure& figure) {
 bool is_usable(const Scene& scene, const Candidate& candidate) {
   const Figure& figure = candidate.figure;
   return figure.points.cols() == scene.point_count() && figure.lines.size() == scene.problem().lines.size() &&
-         figure.points.allFinite() && std::all_of(figure.lines.begin(), figure.lines.end(), is_finite) &&
+         figure.planes.size() == scene.problem().planes.size() && figure.points.allFinite() &&
+         std::ranges::all_of(figure.lines, [](const LinePosition& line) { return is_finite(line); }) &&
+         std::ranges::all_of(figure.planes, [](const PlanePosition& plane) { return is_finite(plane); }) &&
          (figure.is_real() || is_usable_as_complex(scene, figure)) && candidate.multiplicity >= 1;
 }
 
@@ -79,6 +83,11 @@ void append_cut(const Scene& scene, const Figure& figure, double grain, std::vec
     for (const LinePosition& line : *lines) {
       append(line.point, grain * scene.size());
       append(line.direction, grain);
+    }
+  for (const auto* planes : {&figure.planes, &figure.imaginary_planes})
+    for (const PlanePosition& plane : *planes) {
+      append(plane.normal, grain);
+      append(Eigen::Vector3d(plane.offset, 0, 0), grain * scene.size());
     }
 }
 
@@ -313,8 +322,9 @@ void Assessor::count() {
 }  // namespace
 
 std::shared_ptr<const FileTerms> file_terms(const Scene& scene) {
-  return std::make_shared<const FileTerms>(
-      FileTerms{scene.dimension(), scene.problem().points, scene.problem().lines, scene.unit_exponent()});
+  return std::make_shared<const FileTerms>(FileTerms{scene.dimension(), scene.problem().points,
+                                                     scene.problem().lines, scene.problem().planes,
+                                                     scene.unit_exponent()});
 }
 
 std::optional<double> AssessedSolution::error() const {
@@ -342,6 +352,12 @@ LinePosition AssessedSolution::line(std::string_view name) const {
   const Eigen::Index i = index_of(terms->lines, name, "line");
   check_real(*this);
   return placement().lines[i];
+}
+
+PlanePosition AssessedSolution::plane(std::string_view name) const {
+  const Eigen::Index i = index_of(terms->planes, name, "plane");
+  check_real(*this);
+  return placement().planes[i];
 }
 
 Assessment assess(const Scene& scene, const SolveReport& report) { return Assessor(scene, report).run(); }

@@ -20,6 +20,7 @@ struct FileTerms {
   int dimension = 3;
   std::vector<std::string> points;
   std::vector<std::string> lines;
+  std::vector<std::string> planes;
   int unit_exponent = 0;  ///< see Scene::unit_exponent
 };
 
@@ -48,6 +49,7 @@ struct AssessedSolution {
   Eigen::VectorXcd complex_point(std::string_view name) const;
   /// Likewise a line, by a point on it and a direction of length 1. Throws as point() does.
   LinePosition line(std::string_view name) const;
+  PlanePosition plane(std::string_view name) const;
 };
 
 /// A crossing of t = 1: an index into the solutions, or empty when that solution was left out of the list.

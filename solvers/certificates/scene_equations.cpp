@@ -17,7 +17,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 enum LinePart { point = 0, direction = 1, moment = 2 };
 
 /// Changing the signs of a line's direction and moment together gives the same line.
-constexpr int first_line_mirror = 3;
+constexpr SignMask first_line_mirror = SignMask{1} << 3;
 
 bool is_free_beside_given_points(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
@@ -40,6 +40,13 @@ ScaledUnknown minus(int unknown) { return {unknown, exactly(-1)}; }
 
 std::optional<std::string> why_not_certified(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
+  if (problem.is_general()) {
+    if (auto reason = why_no_system(scene)) return reason;
+    const QuadraticSystem system = SceneSystem(scene).equations();
+    if (static_cast<int>(system.equations.size()) != system.unknowns)
+      return "the scene has not as many equations as unknowns";
+    return std::nullopt;
+  }
   if (std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(),
                   [](const auto& line) { return line.has_value(); }))
     return "a line has a given position, whose equations certificates do not know";
@@ -53,6 +60,10 @@ std::optional<std::string> why_not_certified(const Scene& scene) {
 }
 
 SceneEquations::SceneEquations(const Scene& scene) : scene_(scene), points_(scene) {
+  if (scene.problem().is_general()) {
+    general_.emplace(scene);
+    return;
+  }
   const ProblemStatement& problem = scene.problem();
   system_.mirror = mirror_axes(scene, points_);
   const bool has_free_lines = is_free_beside_given_points(scene);
@@ -66,9 +77,12 @@ SceneEquations::SceneEquations(const Scene& scene) : scene_(scene), points_(scen
 }
 
 QuadraticSystem SceneEquations::system_at(const std::vector<std::complex<double>>& squares) const {
-  QuadraticSystem system = system_;
-  for (std::size_t e = 0; e < squares.size(); ++e) system.equations[e].given = exactly(squares[e]);
-  return system;
+  QuadraticSystem result = system();
+  std::size_t next = 0;
+  for (std::size_t e = 0; e < result.equations.size() && next < squares.size(); ++e)
+    if (!general_ || general_->value_of()[e] != no_value)
+      result.equations[e].given = exactly(squares[next++]);
+  return result;
 }
 
 /// Coordinate `axis` of the point a less that of b, which may be the line on the x-axis. Without terms where
@@ -141,10 +155,12 @@ void SceneEquations::add_line_conditions(int line) {
                                  {}});
   }
   for (const int part : {point, direction, moment})
-    system_.mirror.insert(system_.mirror.end(), 3, part == point ? -1 : first_line_mirror + line);
+    for (int axis = 0; axis < 3; ++axis)
+      system_.mirror.push_back(part == point ? 0 : first_line_mirror << line);
 }
 
 std::vector<std::complex<double>> SceneEquations::coordinates(const Figure& figure) const {
+  if (general_) return general_->coordinates(figure);
   const Eigen::VectorXd real = points_.coordinates(figure);
   Eigen::VectorXd imaginary = Eigen::VectorXd::Zero(real.size());
   if (!figure.is_real()) imaginary = points_.coordinates({figure.imaginary, {}});
@@ -166,7 +182,15 @@ double SceneEquations::offset_from_given(const Figure& figure, int point, int ax
   return std::hypot(figure.points(axis, point) - given, height) + epsilon * std::abs(given);
 }
 
+double SceneEquations::general_distance(const Figure& figure, const Certificate& certificate) const {
+  const ComplexValues x = coordinates(figure);
+  std::vector<double> offsets;
+  for (std::size_t i = 0; i < x.size(); ++i) offsets.push_back(certificate.offset(i, x[i]));
+  return general_->distance(figure, x, offsets);
+}
+
 double SceneEquations::distance(const Figure& figure, const Certificate& certificate) const {
+  if (general_) return general_distance(figure, certificate);
   const std::vector<std::complex<double>> x = coordinates(figure);
   const auto offset = [&](int unknown) {
     const auto i = static_cast<std::size_t>(unknown);

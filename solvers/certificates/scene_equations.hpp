@@ -5,6 +5,7 @@
 /// Points: the squared distances in the free coordinates of the scene's frame. A line that the frame puts on
 /// the x-axis: y² + z² = a². A line beside given points: its point p nearest to the origin, its direction u
 /// and its moment m = p × u, with u·u = 1, u·m = 0, p = u × m and |c × u − m|² = a² for each given point c.
+/// General scenes: elements/scene_system.hpp.
 
 #include <array>
 #include <complex>
@@ -13,8 +14,9 @@
 #include <vector>
 
 #include "solvers/certificates/certificate.hpp"
-#include "solvers/certificates/quadratic_system.hpp"
+#include "solvers/elements/scene_system.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/quadratic_system.hpp"
 
 namespace gcs {
 
@@ -27,8 +29,9 @@ class SceneEquations {
   explicit SceneEquations(const Scene& scene);
 
   /// At the lengths of the file.
-  QuadraticSystem system() const { return system_; }
-  /// At other squared lengths, one per constraint, in the scene's unit. Precondition: no given positions.
+  QuadraticSystem system() const { return general_ ? general_->equations() : system_; }
+  /// At other squared lengths, one per constraint, in the scene's unit; of a general scene at other values, one for each
+  /// equation that has one. Precondition: no given positions.
   QuadraticSystem system_at(const std::vector<std::complex<double>>& squares) const;
 
   /// The unknowns of a figure that is in the scene's frame.
@@ -44,6 +47,7 @@ class SceneEquations {
   int line_unknown(int line, int part, int axis) const;
 
  private:
+  double general_distance(const Figure& figure, const Certificate& certificate) const;
   double offset_from_given(const Figure& figure, int point, int axis) const;
   LinearForm difference(int a, int b, int axis) const;
   void add_distance(int constraint);
@@ -53,6 +57,7 @@ class SceneEquations {
   const Scene& scene_;
   DistanceSystem points_;
   QuadraticSystem system_;
+  std::optional<SceneSystem> general_;  ///< in the place of the two above
 };
 
 }  // namespace gcs

@@ -241,7 +241,10 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std::vector<Part>& parts) {
   TheoreticalCounts counts;
-  if (seeks_common_tangents(problem)) {
+  if (problem.is_general()) {
+    counts.why_no_exact = "The exact number is known only for points with distances between them.";
+    counts.why_no_bound = "The bound is known for distances of points, and of one line, alone.";
+  } else if (seeks_common_tangents(problem)) {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";
     bound_tangents(counts);
   } else if (problem.is_anchored()) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "solvers/figures/general_figures.hpp"
 #include "solvers/figures/sparse_condition.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
@@ -132,6 +133,7 @@ bool may_be_stiff(const Matrix& matrix) {
 }  // namespace
 
 double relative_residual(const Scene& scene, const Figure& figure) {
+  if (scene.problem().is_general()) return general_residual(scene, figure);
   double worst = 0;
   for (int i = 0; i < scene.constraint_count(); ++i) {
     const double length = scene.target_lengths()[i];
@@ -155,6 +157,7 @@ bool loses_distances(const Scene& scene, const Figure& figure) {
 }
 
 double jacobian_condition(const Scene& scene, const Figure& figure) {
+  if (scene.problem().is_general()) return general_condition(scene, figure);
   if (scene.has_lines()) return singular_ratio(normalised_line_jacobian(scene, figure));
   const DistanceSystem system(scene);
   if (system.unknowns() > most_dense_unknowns) return sparse_jacobian_condition(scene, figure);
@@ -163,6 +166,7 @@ double jacobian_condition(const Scene& scene, const Figure& figure) {
 }
 
 bool is_stiff(const Scene& scene, const Figure& figure) {
+  if (scene.problem().is_general()) return general_condition(scene, figure) >= stiff_condition;
   if (const DistanceSystem system(scene); !scene.has_lines() && system.unknowns() <= most_dense_unknowns) {
     const bool may_be = figure.is_real() ? may_be_stiff(real_jacobian(system, figure))
                                          : may_be_stiff(complex_jacobian(system, figure));

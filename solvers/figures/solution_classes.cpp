@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/figures/general_figures.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 
 namespace gcs {
@@ -45,6 +46,12 @@ double merging_tolerance(double condition) {
 
 ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
                                    std::span<const SolutionAccuracy> accuracies) {
+  if (scene.problem().is_general()) {
+    std::vector<double> found;
+    for (const SolutionAccuracy& accuracy : accuracies)
+      found.push_back(merging_tolerance(accuracy.condition));
+    return general_classes(scene, representatives, found);
+  }
   std::vector<ClassTolerance> tolerances;
   for (std::size_t i = 0; i < representatives.size(); ++i)
     tolerances.push_back(tolerance_of(scene, representatives[i], accuracies[i]));

@@ -89,6 +89,10 @@ ComplexStrategy::ComplexStrategy(const HomotopySettings& settings)
 
 std::optional<std::string> ComplexStrategy::why_unsupported(const SolveRequest& request) const {
   const Scene& scene = request.scene;
+  if (scene.problem().is_general()) {
+    if (auto reason = why_no_general_scenes()) return reason;
+    return why_not_general(scene);
+  }
   if (scene.problem().lines.size() > 1) return "it places one line at most";
   if (is_released(scene)) return why_not_released(scene);
   if (scene.has_lines() && scene.reference().line < 0)
@@ -97,6 +101,10 @@ std::optional<std::string> ComplexStrategy::why_unsupported(const SolveRequest& 
 }
 
 void ComplexStrategy::prepare(const SolveRequest& request) {
+  if (request.scene.problem().is_general()) {
+    prepared_general_ = general_start(request);
+    return;
+  }
   if (!is_released(request.scene)) {
     prepared_ = solve_at_random_lengths(request, limit_of(request));
     return;
@@ -105,7 +113,23 @@ void ComplexStrategy::prepare(const SolveRequest& request) {
   prepared_ = solve_at_random_lengths(request.on(released.scene()), limit_of(request, released.doublings()));
 }
 
+std::unique_ptr<GeneralStart> ComplexStrategy::general_start(const SolveRequest& request) const {
+  auto start = std::make_unique<GeneralStart>(request.scene, request.seed, setup_for(request));
+  solve_random_member(request, *start);
+  return start;
+}
+
+SolveReport ComplexStrategy::solve_general(const SolveRequest& request) const {
+  const bool is_prepared = prepared_general_ && prepared_general_->serves(request.scene);
+  const std::unique_ptr<GeneralStart> fresh = is_prepared ? nullptr : general_start(request);
+  GeneralStart& start = fresh ? *fresh : *prepared_general_;
+  return start.carried_to(request.scene, request, [&](double fraction) {
+    report_progress(request, "paths to the given values", fraction);
+  });
+}
+
 SolveReport ComplexStrategy::solve(const SolveRequest& request) {
+  if (request.scene.problem().is_general()) return solve_general(request);
   if (!is_released(request.scene)) return solve_free(request, limit_of(request));
   const ReleasedScene released(request.scene);
   return carried_back(released, request.scene,

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/homotopies/general_start.hpp"
 #include "solvers/homotopies/homotopy_settings.hpp"
 #include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/interface/strategy_interface.hpp"
@@ -73,12 +74,21 @@ class ComplexStrategy : public Strategy {
   /// The scene has no given positions; `limit` is called while the request lives.
   virtual std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request,
                                                                 const ClassLimit& limit) const = 0;
+  /// Why it does not find the solutions of general scenes; nothing where it does.
+  virtual std::optional<std::string> why_no_general_scenes() const {
+    return "it knows points, one line and distances between them alone";
+  }
+  /// Finds a member of the scene's family with its solutions. Precondition: !why_no_general_scenes().
+  virtual void solve_random_member(const SolveRequest&, GeneralStart&) const {}
+  std::unique_ptr<GeneralStart> general_start(const SolveRequest& request) const;
+  SolveReport solve_general(const SolveRequest& request) const;
   SolveReport solve_free(const SolveRequest& request, const ClassLimit& limit) const;
   bool is_prepared_for(const Scene& scene) const;
 
   TrackingSetup setup_;
   bool follows_mirror_images_;
   std::unique_ptr<GenericStart> prepared_;
+  std::unique_ptr<GeneralStart> prepared_general_;
 };
 
 }  // namespace gcs

@@ -40,10 +40,10 @@ class Search {
  public:
   Search(const HomotopyFamily& family, const MonodromyOptions& options, std::mt19937_64& random)
       : family_(family), options_(options), random_(random) {
-    const ComplexVectorX start = family.random_point(random);
-    for (const ComplexVectorX& x : {start, family.random_point(random)})
-      nodes_.push_back({squares_at(family.system, x), SolutionSet(family.mirror_axes, random)});
-    add(0, start, 0);
+    const FamilyMember start = family.random_member(random), other = family.random_member(random);
+    for (const FamilyMember& member : {start, other})
+      nodes_.push_back({member.parameters, SolutionSet(family.signs, random)});
+    add(0, start.x, 0);
     found_.squares = nodes_[0].squares;
     while (static_cast<int>(gammas_.size()) < std::min(options.first_arcs, options.arcs)) add_arc();
   }
@@ -132,8 +132,8 @@ class Search {
 
   void add_arc() {
     std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
-    const std::complex<double> gamma = is_homogeneous(family_.system) ? std::polar(1.0, angle(random_)) : 1.0;
-    ComplexVectorX bend = random_complex_vector(family_.system.equations(), random_);
+    const std::complex<double> gamma = family_.is_homogeneous ? std::polar(1.0, angle(random_)) : 1.0;
+    ComplexVectorX bend = random_complex_vector(static_cast<int>(family_.is_free.size()), random_);
     for (std::size_t e = 0; e < bend.size(); ++e) {
       const double size = std::sqrt(std::abs(nodes_[0].squares[e]) * std::abs(nodes_[1].squares[e]));
       bend[e] *= family_.is_free[e] ? options_.bend * size : 0;
@@ -190,9 +190,20 @@ class Search {
 
 }  // namespace
 
-HomotopyFamily all_lengths(const SquareSystem& system, std::vector<int> mirror_axes) {
-  return {system, std::move(mirror_axes), std::vector<bool>(system.given.size(), true),
-          [n = system.unknowns](std::mt19937_64& random) { return random_complex_vector(n, random); }};
+HomotopyFamily square_family(const SquareSystem& system, SignMasks signs, std::vector<bool> is_free,
+                             std::function<ComplexVectorX(std::mt19937_64&)> random_point) {
+  return {std::move(signs), std::move(is_free), is_homogeneous(system),
+          [&system, random_point = std::move(random_point)](std::mt19937_64& random) {
+            ComplexVectorX x = random_point(random);
+            ComplexVectorX parameters = squares_at(system, x);
+            return FamilyMember{std::move(x), std::move(parameters)};
+          }};
+}
+
+HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs) {
+  return square_family(
+      system, std::move(signs), std::vector<bool>(system.given.size(), true),
+      [n = system.unknowns](std::mt19937_64& random) { return random_complex_vector(n, random); });
 }
 
 GenericSolutions search_by_monodromy(const HomotopyFamily& family, LegTracking& tracking,

@@ -23,17 +23,28 @@
 
 namespace gcs {
 
-/// Equations whose right-hand sides are the parameters, some of them perhaps fixed.
-struct HomotopyFamily {
-  const SquareSystem& system;
-  std::vector<int> mirror_axes;  ///< see mirror_axes; −1 for unknowns that no reflection changes
-  std::vector<bool> is_free;     ///< one per equation: whether its right-hand side may change
-  /// A point at which the right-hand sides that are not free have their values.
-  std::function<ComplexVectorX(std::mt19937_64&)> random_point;
+/// A point and the parameters for which it is a zero.
+struct FamilyMember {
+  ComplexVectorX x;
+  ComplexVectorX parameters;
 };
 
+/// Equations with parameters, some of them perhaps fixed.
+struct HomotopyFamily {
+  SignMasks signs;            ///< changes of signs that are divided out
+  std::vector<bool> is_free;  ///< one per parameter: whether it may change
+  /// Whether γx is a zero for γ² times the parameters.
+  bool is_homogeneous = false;
+  /// A member at random, in which the parameters that are not free have their values.
+  std::function<FamilyMember(std::mt19937_64&)> random_member;
+};
+
+/// Equations whose right-hand sides are the parameters.
+HomotopyFamily square_family(const SquareSystem& system, SignMasks signs, std::vector<bool> is_free,
+                             std::function<ComplexVectorX(std::mt19937_64&)> random_point);
+
 /// Distance equations, with all squared lengths free.
-HomotopyFamily all_lengths(const SquareSystem& system, std::vector<int> mirror_axes);
+HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs);
 
 struct MonodromyOptions {
   int first_arcs = 4;      ///< between the nodes; one more whenever the others find nothing new
@@ -52,7 +63,7 @@ enum class SearchEnd {
 
 struct GenericSolutions {
   SearchEnd end = SearchEnd::stopped;
-  ComplexVectorX squares;                 ///< A_0
+  ComplexVectorX squares;                 ///< A_0, or other parameters
   std::vector<ComplexVectorX> solutions;  ///< distinct up to reflections
   int arcs_used = 0;
   std::int64_t legs = 0;       ///< followed

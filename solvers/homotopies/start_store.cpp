@@ -30,9 +30,9 @@ double relative_residual(const SquareSystem& system, const ComplexVectorX& x, co
 
 }  // namespace
 
-std::optional<StartDefect> find_defect(const HomotopyFamily& family, const GenericSolutions& generic) {
+std::optional<StartDefect> find_defect(const LengthFamily& family, const GenericSolutions& generic) {
   std::mt19937_64 random(1);  // for keys of a set, which change no answer
-  SolutionSet known(family.mirror_axes, random);
+  SolutionSet known(family.signs, random);
   for (std::size_t i = 0; i < generic.solutions.size(); ++i) {
     const int number = static_cast<int>(i);
     const ComplexVectorX& x = generic.solutions[i];

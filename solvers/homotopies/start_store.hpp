@@ -16,16 +16,22 @@ struct StartSystem {
   std::optional<TraceTest> trace;  ///< where no count said that the list is complete
 };
 
+/// The equations that a start system is for, with all squared lengths free.
+struct LengthFamily {
+  const SquareSystem& system;
+  SignMasks signs;  ///< that are divided out
+};
+
 /// Where start systems are kept, by the names that the user gives them. Implementations say how they fail.
 class StartStore {
  public:
   virtual ~StartStore() = default;
-  /// The start system of that name, which is one of the family: nothing else is ever returned.
-  virtual StartSystem read(const std::string& name, const HomotopyFamily& family) const = 0;
+  /// The start system of that name, which is one of these equations: nothing else is ever returned.
+  virtual StartSystem read(const std::string& name, const LengthFamily& family) const = 0;
   /// Makes sure, before the work, that `name` can be written.
   virtual void reserve(const std::string& name) = 0;
   /// Precondition: `name` is reserved, and neither the search nor the trace test was stopped.
-  virtual void write(const std::string& name, const HomotopyFamily& family, const StartSystem& start) = 0;
+  virtual void write(const std::string& name, const LengthFamily& family, const StartSystem& start) = 0;
 };
 
 /// What keeps the lists of `generic`, of the right sizes, from being distinct solutions of one member of the
@@ -34,6 +40,6 @@ struct StartDefect {
   int solution = 0;  ///< the first that is wrong
   std::string what;  ///< about it, in words
 };
-std::optional<StartDefect> find_defect(const HomotopyFamily& family, const GenericSolutions& generic);
+std::optional<StartDefect> find_defect(const LengthFamily& family, const GenericSolutions& generic);
 
 }  // namespace gcs

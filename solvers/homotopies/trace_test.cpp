@@ -75,13 +75,13 @@ class TraceSystem {
   int s() const { return s_; }
   int product_equation() const { return system_.equations() - 1; }
 
-  HomotopyFamily family(std::vector<int> mirror_axes) const {
-    mirror_axes.resize(static_cast<std::size_t>(system_.unknowns), -1);
+  HomotopyFamily family(SignMasks signs) const {
+    while (signs.size() < static_cast<std::size_t>(system_.unknowns)) signs.push_back(0);
     std::vector<bool> is_free(system_.given.size(), false);
     std::fill_n(is_free.begin(), lengths_.equations(), true);
     is_free.back() = true;
-    return {system_, std::move(mirror_axes), std::move(is_free),
-            [this](std::mt19937_64& random) { return random_point(random); }};
+    return square_family(system_, std::move(signs), std::move(is_free),
+                         [this](std::mt19937_64& random) { return random_point(random); });
   }
 
   /// φ at a point, with weights of its own.
@@ -158,12 +158,12 @@ class TraceSystem {
 /// All points of a fibre followed to another value of the product's right-hand side;
 /// nothing where one was lost.
 std::optional<std::vector<ComplexVectorX>> moved(LegTracking& tracking, const GenericSolutions& fibre,
-                                                 int equation, Complex factor,
+                                                 int parameter, Complex factor,
                                                  const std::function<bool()>& stopped, WorkCounters& work) {
   const ComplexVectorX zero(fibre.squares.size());
   Route route{{fibre.squares, zero, zero, zero}, fibre.squares};
-  route.coefficients[1][equation] = (factor - 1.0) * fibre.squares[equation];
-  route.end[equation] *= factor;
+  route.coefficients[1][parameter] = (factor - 1.0) * fibre.squares[parameter];
+  route.end[parameter] *= factor;
   std::vector<Leg> legs;
   for (const ComplexVectorX& x : fibre.solutions) legs.push_back({x.data(), &route});
   std::vector<ComplexVectorX> ends;
@@ -177,11 +177,11 @@ std::optional<std::vector<ComplexVectorX>> moved(LegTracking& tracking, const Ge
 /// The test of one fibre, found by a search.
 class FibreTest {
  public:
-  FibreTest(const TraceSystem& trace, LegTracking& tracking, std::mt19937_64& random,
+  FibreTest(const TraceProblem& problem, LegTracking& tracking, std::mt19937_64& random,
             const std::function<bool()>& stopped, WorkCounters& work)
-      : trace_(trace),
+      : problem_(problem),
         tracking_(tracking),
-        weights_(random_complex_vector(trace.weights_needed(), random)),
+        weights_(random_complex_vector(problem.weights, random)),
         stopped_(stopped),
         work_(work) {}
 
@@ -207,17 +207,17 @@ class FibreTest {
     const auto end = at(fibre, almost_zero);
     if (!end) return std::nullopt;
     return std::count_if(end->begin(), end->end(), [&](const ComplexVectorX& x) {
-      return std::abs(x[trace_.s()]) <= std::sqrt(almost_zero);
+      return std::abs(x[problem_.s]) <= std::sqrt(almost_zero);
     });
   }
 
  private:
   std::optional<std::vector<ComplexVectorX>> at(const GenericSolutions& fibre, Complex factor) const {
-    return moved(tracking_, fibre, trace_.product_equation(), factor, stopped_, work_);
+    return moved(tracking_, fibre, problem_.product, factor, stopped_, work_);
   }
-  Complex phi(const ComplexVectorX& x) const { return trace_.sum_of_squares(x, weights_); }
+  Complex phi(const ComplexVectorX& x) const { return problem_.phi(x, weights_); }
 
-  const TraceSystem& trace_;
+  const TraceProblem& problem_;
   LegTracking& tracking_;
   ComplexVectorX weights_;
   const std::function<bool()>& stopped_;
@@ -226,6 +226,24 @@ class FibreTest {
 
 }  // namespace
 
+TraceTest test_trace(const TraceProblem& problem, LegTracking& tracking, const MonodromyOptions& options,
+                     std::mt19937_64& random, const std::function<bool()>& stopped,
+                     const std::function<void(int)>& progress, WorkCounters& work) {
+  const FibreTest fibre_test(problem, tracking, random, stopped, work);
+  TraceTest test;
+  const auto sums_are_affine = [&](const GenericSolutions& fibre) {
+    const std::optional<double> defect = fibre_test.defect(fibre);
+    test.defect = defect.value_or(1);
+    return test.is_affine();
+  };
+  const GenericSolutions fibre = search_by_monodromy(
+      problem.family, tracking, {std::nullopt, sums_are_affine}, options, random, stopped, progress, work);
+  test.end = fibre.end;
+  test.points = static_cast<std::int64_t>(fibre.solutions.size());
+  if (test.passed()) test.solutions = fibre_test.count_solutions(fibre).value_or(0);
+  return test;
+}
+
 TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_axes,
                      const TrackingSetup& setup, const MonodromyOptions& options, std::mt19937_64& random,
                      const std::function<bool()>& stopped, const std::function<void(int)>& progress,
@@ -233,20 +251,12 @@ TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_
   const TraceSystem trace(system, mirror_axes, random);
   const Elimination elimination = order_elimination(trace.system(), random);
   LegTracking tracking(trace.system(), elimination, setup);
-  const FibreTest fibre_test(trace, tracking, random, stopped, work);
-  TraceTest test;
-  const auto sums_are_affine = [&](const GenericSolutions& fibre) {
-    const std::optional<double> defect = fibre_test.defect(fibre);
-    test.defect = defect.value_or(1);
-    return test.is_affine();
-  };
-  const GenericSolutions fibre =
-      search_by_monodromy(trace.family(mirror_axes), tracking, {std::nullopt, sums_are_affine}, options,
-                          random, stopped, progress, work);
-  test.end = fibre.end;
-  test.points = static_cast<std::int64_t>(fibre.solutions.size());
-  if (test.passed()) test.solutions = fibre_test.count_solutions(fibre).value_or(0);
-  return test;
+  const TraceProblem problem{trace.family(mirror_axes), trace.s(), trace.product_equation(),
+                             trace.weights_needed(),
+                             [&](const ComplexVectorX& x, const ComplexVectorX& weights) {
+                               return trace.sum_of_squares(x, weights);
+                             }};
+  return test_trace(problem, tracking, options, random, stopped, progress, work);
 }
 
 }  // namespace gcs

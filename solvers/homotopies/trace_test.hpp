@@ -40,6 +40,20 @@ struct TraceTest {
   bool passed() const { return end == SearchEnd::complete; }
 };
 
+/// The curve and the functions on it.
+struct TraceProblem {
+  HomotopyFamily family;  ///< of points with s·E = ε, with A_0 and ε free
+  int s = 0;              ///< its number among the unknowns
+  int product = 0;        ///< the parameter that ε is, or minus that
+  int weights = 0;        ///< how many φ takes
+  std::function<std::complex<double>(const ComplexVectorX& x, const ComplexVectorX& weights)> phi;
+};
+
+/// `tracking` is of the family's system. Adds to `work`.
+TraceTest test_trace(const TraceProblem& problem, LegTracking& tracking, const MonodromyOptions& options,
+                     std::mt19937_64& random, const std::function<bool()>& stopped,
+                     const std::function<void(int)>& progress, WorkCounters& work);
+
 /// Precondition: all right-hand sides of `system` are squared lengths (see all_lengths).
 /// Adds to `work`.
 TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_axes,

@@ -168,6 +168,7 @@ struct StrategyEntry {
   std::string_view summary;  ///< one line
   std::string_view citation;
   bool needs_sketch = false;
+  bool knows_general_scenes = false;  ///< it is asked about scenes with more than points, lines and distances
   bool keeps_journal = false;  ///< a solve with the journal of an interrupted one goes on where that stopped
   std::vector<OptionSpec> options;
   /// Beside the defaults: settings that trade accuracy or certainty for time, rough ones first. They are

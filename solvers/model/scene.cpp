@@ -26,6 +26,19 @@ double fixed_extent(const ProblemStatement& problem) {
   return extent;
 }
 
+/// The largest length of a relation or coordinate of a body.
+double general_extent(const ProblemStatement& problem) {
+  double extent = 0;
+  for (const Relation& relation : problem.relations) {
+    if (relation.form == Relation::Form::length) extent = std::max(extent, std::abs(relation.given.value));
+    if (relation.form == Relation::Form::squared) extent = std::max(extent, std::sqrt(relation.given.value));
+  }
+  for (const RigidBody& body : problem.bodies)
+    for (const BodyElement& element : body.elements)
+      for (const Decimal& number : element.numbers) extent = std::max(extent, std::abs(number.value));
+  return extent;
+}
+
 int exponent_of(double length) {
   int exponent = 0;
   std::frexp(length, &exponent);
@@ -62,7 +75,7 @@ Reference point_reference(const ProblemStatement& problem) {
 }
 
 Reference default_reference(const ProblemStatement& problem) {
-  return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
+  return problem.lines.empty() || problem.is_general() ? point_reference(problem) : line_reference(problem);
 }
 
 void require_sound_bends(const ProblemStatement& problem) {
@@ -132,6 +145,10 @@ Figure moved(const RigidMotion& motion, const Figure& figure) {
     line.point = motion.axes * (line.point - motion.origin);
     line.direction = motion.axes * line.direction;
   }
+  for (PlanePosition& plane : result.planes) {
+    plane.offset -= plane.normal.dot(motion.origin);
+    plane.normal = motion.axes * plane.normal;
+  }
   return result;
 }
 
@@ -169,6 +186,32 @@ LinePosition normalised(const LinePosition& line) {
   return result;
 }
 
+/// Changes the sign of coordinate `axis` of everything.
+void mirror(Figure& figure, int axis) {
+  figure.points.row(axis) *= -1;
+  if (figure.imaginary.cols() > 0) figure.imaginary.row(axis) *= -1;
+  for (auto* lines : {&figure.lines, &figure.imaginary_lines})
+    for (LinePosition& line : *lines) {
+      line.point[axis] *= -1;
+      line.direction[axis] *= -1;
+    }
+  for (auto* planes : {&figure.planes, &figure.imaginary_planes})
+    for (PlanePosition& plane : *planes) plane.normal[axis] *= -1;
+}
+
+/// Of general scenes a solver leaves the frame up to half-turns about its axes.
+Figure half_turned(Figure figure, const Reference& reference, int dimension) {
+  if (reference.axis >= 0 && figure.points(0, reference.axis) < 0) {
+    mirror(figure, 0);
+    mirror(figure, 1);
+  }
+  if (dimension == 3 && reference.plane >= 0 && figure.points(1, reference.plane) < 0) {
+    mirror(figure, 1);
+    mirror(figure, 2);
+  }
+  return figure;
+}
+
 /// Mirrors the figure along `axis` unless the first point that is off the mirror has a positive coordinate.
 /// Of a complex coordinate the real part decides, or the imaginary part where that vanishes.
 void make_first_positive(Figure& figure, int axis, double threshold) {
@@ -176,13 +219,7 @@ void make_first_positive(Figure& figure, int axis, double threshold) {
     double deciding = figure.points(axis, i);
     if (!figure.is_real() && std::abs(deciding) <= threshold) deciding = figure.imaginary(axis, i);
     if (std::abs(deciding) <= threshold) continue;
-    if (deciding > 0) return;
-    figure.points.row(axis) *= -1;
-    if (!figure.is_real()) figure.imaginary.row(axis) *= -1;
-    for (LinePosition& line : figure.lines) {
-      line.point[axis] *= -1;
-      line.direction[axis] *= -1;
-    }
+    if (deciding < 0) mirror(figure, axis);
     return;
   }
 }
@@ -210,7 +247,7 @@ Scene::Scene(ProblemStatement problem, Unchecked)
     : problem_(std::move(problem)), anchored_(problem_.is_anchored()) {
   double longest = 0;
   for (const DistanceConstraint& c : problem_.constraints) longest = std::max(longest, c.length());
-  if (longest == 0) longest = fixed_extent(problem_);
+  if (longest == 0) longest = std::max(fixed_extent(problem_), general_extent(problem_));
   if (longest > 0) unit_exponent_ = exponent_of(longest);
 
   for (const DistanceConstraint& c : problem_.constraints) {
@@ -218,7 +255,7 @@ Scene::Scene(ProblemStatement problem, Unchecked)
     const double given = std::ldexp(c.given.value, exponent);
     target_lengths_.push_back(c.is_squared ? std::sqrt(given) : given);
   }
-  size_ = std::ldexp(std::max(longest, fixed_extent(problem_)), -unit_exponent_);
+  size_ = std::ldexp(std::max({longest, fixed_extent(problem_), general_extent(problem_)}), -unit_exponent_);
   reference_ = problem_.reference.value_or(default_reference(problem_));
 
   if (!problem_.sketch) return;
@@ -253,7 +290,8 @@ std::optional<Eigen::Vector3d> Scene::fixed_point(int point) const {
 }
 
 Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
-  if (anchored_) return figure;
+  if (anchored_ || problem_.reference_body >= 0) return figure;
+  if (!figure.is_real() && problem_.is_general()) return half_turned(figure, reference, dimension());
   if (!figure.is_real())
     return reference.line >= 0
                ? complex_in_line_frame(figure, reference)
@@ -268,7 +306,7 @@ Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
 Figure Scene::representative(const Figure& figure) const {
   Figure result = in_frame(figure);
   const double threshold = 1e-9 * size_;
-  if (!anchored_) {
+  if (!anchored_ && convention_of(problem_) == Convention::up_to_reflection) {
     if (reference_.line >= 0) make_first_positive(result, 0, threshold);
     make_first_positive(result, reference_.line >= 0 || dimension() == 2 ? 1 : 2, threshold);
   }

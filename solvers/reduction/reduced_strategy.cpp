@@ -157,9 +157,9 @@ int solved_parts(const std::vector<Part>& parts) {
 /// A start system is that of one part, and what names it does not say of which.
 class NoStartSystems final : public StartStore {
  public:
-  StartSystem read(const std::string& name, const HomotopyFamily&) const override { refuse(name); }
+  StartSystem read(const std::string& name, const LengthFamily&) const override { refuse(name); }
   void reserve(const std::string& name) override { refuse(name); }
-  void write(const std::string& name, const HomotopyFamily&, const StartSystem&) override { refuse(name); }
+  void write(const std::string& name, const LengthFamily&, const StartSystem&) override { refuse(name); }
 
  private:
   [[noreturn]] static void refuse(const std::string& name) {
@@ -173,12 +173,15 @@ class ReducedStrategy final : public Strategy {
  public:
   ReducedStrategy(const StrategyEntry& inner, const OptionMap& options)
       : split_(inner.needs_sketch ? Split::hung_points : Split::all),
+        knows_general_scenes_(inner.knows_general_scenes),
         make_([make = inner.make, options] { return make(options); }) {
     read_option(options, reduce_option, OnOff{}, reduces_);
     strategies_.push_back(make_());
   }
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    if (request.scene.problem().is_general() && !knows_general_scenes_)
+      return "it knows points, lines in space and distances between them alone";
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategies_.front()->why_unsupported(request);
     for (const Part& part : parts) {
@@ -287,6 +290,7 @@ class ReducedStrategy final : public Strategy {
   }
 
   Split split_;  ///< what follows S from the sketch leaves rigid parts together
+  bool knows_general_scenes_;
   bool reduces_ = false;
   std::function<std::unique_ptr<Strategy>()> make_;
   NoStartSystems no_starts_;

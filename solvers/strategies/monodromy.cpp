@@ -22,6 +22,7 @@
 #include <stdexcept>
 
 #include "solvers/homotopies/complex_strategy.hpp"
+#include "solvers/homotopies/general_trace.hpp"
 #include "solvers/homotopies/mirror_images.hpp"
 #include "solvers/homotopies/start_store.hpp"
 #include "solvers/running/run_on_threads.hpp"
@@ -64,6 +65,7 @@ class Found final : public GenericStart {
   const ComplexVectorX& squares() const override { return generic.squares; }
   const std::vector<ComplexVectorX>& solutions() const override { return generic.solutions; }
   HomotopyFamily family() const { return all_lengths(system, axes); }
+  LengthFamily lengths() const { return {system, axes}; }
   bool is_stopped() const override { return generic.end == SearchEnd::stopped; }
   std::string missing() const override {
     return why_not_all(generic, trace, is_stored ? "the stored start has" : "found");
@@ -117,8 +119,41 @@ class MonodromyStrategy final : public ComplexStrategy {
     found->limit = limit();
     search(request, *found);
     if (save_start_ && !request.stop.stop_requested())
-      request.starts->write(*save_start_, found->family(), {found->generic, found->trace});
+      request.starts->write(*save_start_, found->lengths(), {found->generic, found->trace});
     return found;
+  }
+
+  std::optional<std::string> why_no_general_scenes() const override {
+    if (start_ || save_start_)
+      return "start systems of general scenes are not kept yet: leave out start and save_start";
+    return std::nullopt;
+  }
+
+  void solve_random_member(const SolveRequest& request, GeneralStart& start) const override {
+    const auto stopped = [&] { return request.stop.stop_requested(); };
+    GenericSolutions generic = search_by_monodromy(
+        start.family, start.tracking, {}, search_, start.random, stopped,
+        [&](int) { report_progress(request, "solutions at random values", -1); }, start.work);
+    std::optional<TraceTest> trace;
+    start.missing = why_not_all(generic, trace, "found");
+    for (int i = 0; with_trace_ && i < most_trace_tests && !start.missing.empty() && !stopped(); ++i) {
+      MonodromyOptions options;
+      options.bend = trace_bend;
+      options.arcs = 2 * search_.arcs;
+      trace = test_trace(
+          start.equations, setup_for(request), options, start.random, stopped,
+          [&](int) { report_progress(request, "points for the trace test", -1); }, start.work);
+      start.missing = why_not_all(generic, trace, "found");
+    }
+    start.is_stopped = generic.end == SearchEnd::stopped || stopped();
+    start.particulars = {
+        {"loop_paths", generic.legs}, {"lost_loop_paths", generic.lost_legs}, {"arcs", generic.arcs_used}};
+    if (trace) {
+      start.particulars.push_back({"trace_points", trace->points});
+      start.particulars.push_back({"trace_solutions", trace->solutions});
+    }
+    start.parameters = std::move(generic.squares);
+    start.solutions = std::move(generic.solutions);
   }
 
   void read(const SolveRequest& request, const ClassLimit& limit, Found& found) const {
@@ -126,7 +161,7 @@ class MonodromyStrategy final : public ComplexStrategy {
     const int threads = std::min(2, request.threads);
     // What may throw comes first: that is the thread of the caller.
     run_on_threads(threads, [&](int part) {
-      if (part == 0) start = request.starts->read(*start_, found.family());
+      if (part == 0) start = request.starts->read(*start_, found.lengths());
       if (part == threads - 1) found.limit = limit();
     });
     start.generic.end = end_of_stored(start.generic, found.limit);
@@ -186,6 +221,7 @@ StrategyEntry monodromy_entry() {
   entry.citation = "Duff, Hill, Jensen, Lee, Leykin, Sommars 2019";
   entry.accuracy_settings = tracking_accuracy_settings();
   entry.keeps_journal = true;
+  entry.knows_general_scenes = true;
   return entry;
 }
 

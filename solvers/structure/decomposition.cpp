@@ -183,7 +183,7 @@ Part whole(const ProblemStatement& problem) {
 }  // namespace
 
 std::vector<Part> decompose(const ProblemStatement& problem, Split split) {
-  if (problem.is_anchored()) return {whole(problem)};
+  if (problem.is_anchored() || problem.is_general()) return {whole(problem)};
   const CoreReduction reduction = reduce_to_core(problem, {}, HangsOn::points);
   const DistanceGraph graph(problem);
   auto hung = reduction.placed.begin();

@@ -1,0 +1,121 @@
+#include "solvers/figures/general_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solvers/elements/scene_system.hpp"
+#include "solvers/numeric/svd.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Term {
+  std::complex<double> left, right;
+};
+
+std::vector<Term> terms_of(const QuadraticEquation& equation, const ComplexValues& x) {
+  std::vector<Term> terms;
+  for (const FormProduct& product : equation.products)
+    terms.push_back({value_at(product.left, x), value_at(product.right, x)});
+  return terms;
+}
+
+double residual(const QuadraticEquation& equation, const ComplexValues& x) {
+  std::complex<double> value = -rounded_to_double(equation.given);
+  double size = std::abs(value);
+  for (const auto& [left, right] : terms_of(equation, x)) {
+    value += left * right;
+    size += std::abs(left * right);
+  }
+  return size > 0 ? std::abs(value) / size : 0;
+}
+
+Eigen::MatrixXcd jacobian(const QuadraticSystem& system, const ComplexValues& x) {
+  Eigen::MatrixXcd result =
+      Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(system.equations.size()), system.unknowns);
+  const auto add = [&](Eigen::Index row, const LinearForm& form, std::complex<double> factor) {
+    for (const ScaledUnknown& term : form.terms)
+      result(row, term.unknown) += rounded_to_double(term.coefficient) * factor;
+  };
+  for (std::size_t e = 0; e < system.equations.size(); ++e)
+    for (const FormProduct& product : system.equations[e].products) {
+      add(static_cast<Eigen::Index>(e), product.left, value_at(product.right, x));
+      add(static_cast<Eigen::Index>(e), product.right, value_at(product.left, x));
+    }
+  result.rowwise().normalize();
+  return result;
+}
+
+double size_of(const ComplexValues& x) {
+  double size = 1;
+  for (const std::complex<double>& value : x) size = std::max(size, std::abs(value));
+  return size;
+}
+
+}  // namespace
+
+double general_residual(const Scene& scene, const Figure& figure) {
+  if (why_no_system(scene)) return infinity;
+  const SceneSystem system(scene);
+  const ComplexValues x = system.coordinates(figure);
+  double worst = 0;
+  for (const QuadraticEquation& equation : system.equations().equations) {
+    const double error = residual(equation, x);
+    if (!std::isfinite(error)) return infinity;
+    worst = std::max(worst, error);
+  }
+  return worst;
+}
+
+double general_condition(const Scene& scene, const Figure& figure) {
+  if (why_no_system(scene)) return infinity;
+  const SceneSystem system(scene);
+  const Eigen::MatrixXcd matrix = jacobian(system.equations(), system.coordinates(figure));
+  if (!matrix.allFinite()) return infinity;
+  const Eigen::VectorXd singular = Eigen::BDCSVD<Eigen::MatrixXcd>(matrix).singularValues();
+  const double smallest = singular.minCoeff();
+  return smallest > 0 ? singular.maxCoeff() / smallest : infinity;
+}
+
+ReflectionClasses general_classes(const Scene& scene, std::span<const Figure> figures,
+                                  std::span<const double> tolerances) {
+  ReflectionClasses classes;
+  const bool has_system = !why_no_system(scene);
+  std::vector<ComplexValues> known;  // of the first of each class
+  const auto equal = [&](const SignMasks& signs, const ComplexValues& x, const ComplexValues& y,
+                         double tolerance) {
+    const double reach = tolerance * std::max(size_of(x), size_of(y));
+    return some_signs_fit(signs,
+                          [&](std::size_t i, double sign) { return std::abs(x[i] - sign * y[i]) <= reach; });
+  };
+  if (!has_system) {
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      classes.class_of.push_back(static_cast<int>(i));
+      classes.first.push_back(static_cast<int>(i));
+    }
+    return classes;
+  }
+  const SceneSystem system(scene);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const ComplexValues x = system.coordinates(figures[i]);
+    int number = 0;
+    for (; number < classes.count(); ++number) {
+      const auto first = static_cast<std::size_t>(classes.first[static_cast<std::size_t>(number)]);
+      if (figures[first].is_real() == figures[i].is_real() &&
+          equal(system.equations().mirror, x, known[static_cast<std::size_t>(number)],
+                std::max(tolerances[first], tolerances[i])))
+        break;
+    }
+    if (number == classes.count()) {
+      classes.first.push_back(static_cast<int>(i));
+      known.push_back(x);
+    }
+    classes.class_of.push_back(number);
+  }
+  return classes;
+}
+
+}  // namespace gcs

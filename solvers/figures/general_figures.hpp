@@ -1,0 +1,26 @@
+#pragma once
+/// How good a figure is as a solution of a general scene, and which are the same.
+
+#include <span>
+#include <vector>
+
+#include "solvers/figures/reflection_classes.hpp"
+#include "solvers/model/scene.hpp"
+
+namespace gcs {
+
+/// The largest |left − right| of an equation of the scene, relative to the sizes of its terms together, and infinite
+/// where there are no equations. Dimensionless.
+double general_residual(const Scene& scene, const Figure& figure);
+
+/// 2-norm condition number of the Jacobian of the scene's equations at the figure, its rows normalised. Infinite at a
+/// singular figure, and where there are no equations.
+double general_condition(const Scene& scene, const Figure& figure);
+
+/// Two figures are the same class when no unknown of the scene's equations differs by more than the tolerance, relative
+/// to 1 + the largest, after some change of signs. Of two tolerances, one for each figure, the larger counts. No complex
+/// figure equals a real one. n² for n figures, with early exits.
+ReflectionClasses general_classes(const Scene& scene, std::span<const Figure> figures,
+                                  std::span<const double> tolerances);
+
+}  // namespace gcs

@@ -1,0 +1,164 @@
+#include "solvers/homotopies/general_family.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace gcs {
+namespace {
+
+using Complex = std::complex<double>;
+using Expansion = std::map<std::pair<int, int>, Complex>;  // {−1, −1}: the constant
+
+void add_term(Expansion& expansion, int u, int v, Complex coefficient) {
+  if (u < v) std::swap(u, v);
+  expansion[{u, v}] += coefficient;
+}
+
+void add_product(Expansion& expansion, const LinearForm& left, const LinearForm& right) {
+  const auto terms = [](const LinearForm& form) {
+    std::vector<std::pair<int, Complex>> result;
+    for (const ScaledUnknown& term : form.terms)
+      result.emplace_back(term.unknown, rounded_to_double(term.coefficient));
+    if (!form.constant.is_zero()) result.emplace_back(-1, rounded_to_double(form.constant));
+    return result;
+  };
+  for (const auto& [u, a] : terms(left))
+    for (const auto& [v, b] : terms(right)) add_term(expansion, u, v, a * b);
+}
+
+Expansion expanded(const QuadraticEquation& equation) {
+  Expansion expansion;
+  for (const FormProduct& product : equation.products) add_product(expansion, product.left, product.right);
+  add_term(expansion, -1, -1, -rounded_to_double(equation.given));
+  return expansion;
+}
+
+Complex monomial_at(const Monomial& monomial, const ComplexVectorX& x) {
+  return (monomial.u < 0 ? 1.0 : x[monomial.u]) * (monomial.v < 0 ? 1.0 : x[monomial.v]);
+}
+
+/// The equations that have no value.
+std::vector<int> without_value(const GeneralEquations& equations) {
+  std::vector<int> result;
+  for (int e = 0; e < equations.system.equations(); ++e)
+    if (equations.value_monomial[e] < 0) result.push_back(e);
+  return result;
+}
+
+Eigen::MatrixXcd dense_jacobian(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                                const ComplexVectorX& x) {
+  Eigen::MatrixXcd jacobian = Eigen::MatrixXcd::Zero(system.equations(), system.unknowns);
+  for (int e = 0; e < system.equations(); ++e)
+    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
+      const auto [u, v] = system.monomials[j];
+      if (u >= 0) jacobian(e, u) += coefficients[j] * (v < 0 ? 1.0 : x[v]);
+      if (v >= 0) jacobian(e, v) += coefficients[j] * x[u];
+    }
+  return jacobian;
+}
+
+}  // namespace
+
+GeneralEquations general_equations(const SceneSystem& scene) {
+  GeneralEquations result;
+  result.system.unknowns = scene.equations().unknowns;
+  result.signs = scene.equations().mirror;
+  for (std::size_t e = 0; e < scene.equations().equations.size(); ++e) {
+    const bool has_value = scene.value_of()[e] != no_value;
+    result.value_monomial.push_back(-1);
+    for (const auto& [monomial, coefficient] : expanded(scene.equations().equations[e])) {
+      const bool is_constant = monomial.first < 0;
+      if (coefficient == 0.0 && !(is_constant && has_value)) continue;
+      if (is_constant && has_value)
+        result.value_monomial.back() = static_cast<int>(result.coefficients.size());
+      result.system.monomials.push_back({monomial.first, monomial.second});
+      result.coefficients.push_back(coefficient);
+    }
+    result.system.first.push_back(static_cast<int>(result.coefficients.size()));
+  }
+  return result;
+}
+
+EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                         const ComplexVectorX& x) {
+  EquationValues result{Eigen::VectorXcd::Zero(system.equations()),
+                        Eigen::VectorXd::Zero(system.equations())};
+  for (int e = 0; e < system.equations(); ++e)
+    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
+      const Complex term = coefficients[j] * monomial_at(system.monomials[j], x);
+      result.value[e] += term;
+      result.size[e] += std::abs(term);
+    }
+  return result;
+}
+
+Eigen::MatrixXcd general_jacobian(const GeneralEquations& equations, const ComplexVectorX& x) {
+  return dense_jacobian(equations.system, equations.coefficients, x);
+}
+
+FamilyMember random_member(const GeneralEquations& equations, std::mt19937_64& random) {
+  constexpr int most_starts = 20, most_iterations = 60;
+  constexpr double settled = 1e-14;
+  const std::vector<int> fixed = without_value(equations);
+  const MonomialSystem& system = equations.system;
+  for (int start = 0; start < most_starts; ++start) {
+    FamilyMember member{random_complex_vector(system.unknowns, random), equations.coefficients};
+    Eigen::Map<Eigen::VectorXcd> x(member.x.data(), system.unknowns);
+    bool is_met = fixed.empty();
+    for (int i = 0; i < most_iterations && !is_met; ++i) {
+      const EquationValues here = values_at(system, equations.coefficients, member.x);
+      is_met = (here.value(fixed).cwiseAbs().array() <= settled * (1 + here.size(fixed).array())).all();
+      if (is_met) break;
+      const Eigen::MatrixXcd jacobian =
+          dense_jacobian(system, equations.coefficients, member.x)(fixed, Eigen::all);
+      x -= jacobian.completeOrthogonalDecomposition().solve(Eigen::VectorXcd(here.value(fixed)));
+    }
+    if (!is_met || !x.allFinite() || largest(member.x) > 1e3) continue;
+    const Eigen::VectorXcd value = values_at(system, equations.coefficients, member.x).value;
+    for (int e = 0; e < system.equations(); ++e)
+      if (const int j = equations.value_monomial[e]; j >= 0) member.parameters[j] -= value[e];
+    return member;
+  }
+  throw std::runtime_error("no figure at random meets the constraints without a value");
+}
+
+HomotopyFamily family_of(const GeneralEquations& equations) {
+  std::vector<bool> is_free(equations.coefficients.size(), false);
+  for (const int j : equations.value_monomial)
+    if (j >= 0) is_free[j] = true;
+  return {equations.signs, std::move(is_free), false,
+          [&equations](std::mt19937_64& random) { return random_member(equations, random); }};
+}
+
+Elimination order_elimination(const MonomialSystem& system, const HomotopyFamily& family,
+                              std::mt19937_64& random) {
+  constexpr int samples = 3;
+  std::vector<ComplexVectorX> jacobians;
+  for (int i = 0; i < samples; ++i) {
+    const FamilyMember member = family.random_member(random);
+    jacobians.push_back(jacobian_at(system, member.parameters, member.x));
+  }
+  return order_elimination(system.unknowns, jacobians);
+}
+
+bool newton(const MonomialSystem& system, const ComplexVectorX& coefficients, ComplexVectorX& x) {
+  constexpr int most_iterations = 8;
+  constexpr double settled = 1e-13, settled_at_all = 1e-6;
+  double last = 1;
+  for (int i = 0; i < most_iterations; ++i) {
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> factors(dense_jacobian(system, coefficients, x));
+    const Eigen::VectorXcd change = factors.solve(values_at(system, coefficients, x).value);
+    if (!change.allFinite()) return false;
+    Eigen::Map<Eigen::VectorXcd>(x.data(), change.size()) -= change;
+    const double correction = change.cwiseAbs().maxCoeff() / (1 + largest(x));
+    if (correction <= settled) return true;
+    if (i > 2 && correction > last / 2) return correction <= settled_at_all;
+    last = correction;
+  }
+  return last <= settled_at_all;
+}
+
+}  // namespace gcs

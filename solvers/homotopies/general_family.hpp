@@ -1,0 +1,55 @@
+#pragma once
+/// The equations of a general scene as trackers take them. Parameters are all coefficients; those that may change are the
+/// values that the file gives to constraints, each alone on the right-hand side of an equation.
+///
+/// All figures that meet what has no value, with the values that they give, are the graph of a polynomial map; monodromy
+/// over the values reaches all solutions of a random member that are on one component of it with the first.
+
+#include <Eigen/Core>
+#include <random>
+#include <vector>
+
+#include "solvers/elements/scene_system.hpp"
+#include "solvers/homotopies/monodromy_search.hpp"
+#include "solvers/lanes/elimination.hpp"
+#include "solvers/lanes/monomial_system.hpp"
+
+namespace gcs {
+
+/// Sparse equations with coefficients.
+struct GeneralEquations {
+  MonomialSystem system;
+  ComplexVectorX coefficients;  ///< one per monomial
+  /// Of each equation the monomial whose coefficient is minus its value; −1: it has none.
+  std::vector<int> value_monomial;
+  SignMasks signs;
+};
+
+GeneralEquations general_equations(const SceneSystem& scene);
+
+/// f_e(x) for these coefficients, one per equation, and the sizes of its terms together.
+struct EquationValues {
+  Eigen::VectorXcd value;
+  Eigen::VectorXd size;
+};
+EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                         const ComplexVectorX& x);
+
+/// The rows of the equations without a value, then those of the others at x. Equations × unknowns.
+Eigen::MatrixXcd general_jacobian(const GeneralEquations& equations, const ComplexVectorX& x);
+
+/// A figure at random that meets the equations without a value, to rounding, with the coefficients that make it a zero of
+/// all. Throws std::runtime_error where none is found. Time: some singular value decompositions.
+FamilyMember random_member(const GeneralEquations& equations, std::mt19937_64& random);
+
+HomotopyFamily family_of(const GeneralEquations& equations);
+
+/// The samples are Jacobians at random members.
+Elimination order_elimination(const MonomialSystem& system, const HomotopyFamily& family,
+                              std::mt19937_64& random);
+
+/// Newton's method from x for these coefficients: whether it settles, at a point that replaces x. Where x is real it
+/// stays so if the coefficients are.
+bool newton(const MonomialSystem& system, const ComplexVectorX& coefficients, ComplexVectorX& x);
+
+}  // namespace gcs

@@ -1,0 +1,105 @@
+#include "solvers/homotopies/general_start.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+
+#include "solvers/homotopies/general_report.hpp"
+
+namespace gcs {
+namespace {
+
+/// Of the pivots of a Jacobian at a random figure, relative to the largest: rounding leaves 1e-13 of a zero.
+constexpr double rank_tolerance = 1e-9;
+
+Eigen::Index generic_rank(const GeneralEquations& equations) {
+  std::mt19937_64 random(1);
+  const FamilyMember member = random_member(equations, random);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(general_jacobian(equations, member.x));
+  factors.setThreshold(rank_tolerance);
+  return factors.rank();
+}
+
+/// Whether the difference of both is in values alone.
+bool are_of_one_family(const GeneralEquations& a, const GeneralEquations& b) {
+  if (a.system.first != b.system.first || a.value_monomial != b.value_monomial) return false;
+  for (std::size_t j = 0; j < a.coefficients.size(); ++j) {
+    const Monomial &m = a.system.monomials[j], &n = b.system.monomials[j];
+    if (m.u != n.u || m.v != n.v) return false;
+  }
+  ComplexVectorX known = a.coefficients, other = b.coefficients;
+  for (const int j : a.value_monomial)
+    if (j >= 0) known[j] = other[j] = 0;
+  return known == other;
+}
+
+/// The values on the right-hand sides of the equations that have one, in the order of the equations.
+std::vector<std::complex<double>> values_of(const GeneralEquations& equations,
+                                            const ComplexVectorX& parameters) {
+  std::vector<std::complex<double>> values;
+  for (const int j : equations.value_monomial)
+    if (j >= 0) values.push_back(-parameters[j]);
+  return values;
+}
+
+}  // namespace
+
+std::optional<std::string> why_not_general(const Scene& scene) {
+  if (auto reason = why_no_system(scene)) return reason;
+  const GeneralEquations equations = general_equations(SceneSystem(scene));
+  const int unknowns = equations.system.unknowns, count = equations.system.equations();
+  if (count != unknowns)
+    return fmt::format("the scene is {}: {} equations for {} unknowns",
+                       count < unknowns ? "loose" : "overconstrained", count, unknowns);
+  try {
+    if (const Eigen::Index rank = generic_rank(equations); rank < unknowns)
+      return fmt::format(
+          "the scene moves at a random figure that meets the constraints without a value: of {} "
+          "equations {} are independent there",
+          unknowns, rank);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+GeneralStart::GeneralStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup)
+    : random(seed),
+      equations(general_equations(SceneSystem(scene))),
+      family(family_of(equations)),
+      elimination(order_elimination(equations.system, family, random)),
+      tracking(equations.system, elimination, setup) {}
+
+bool GeneralStart::serves(const Scene& scene) const {
+  return !why_no_system(scene) && are_of_one_family(equations, general_equations(SceneSystem(scene)));
+}
+
+SolveReport GeneralStart::carried_to(const Scene& scene, const SolveRequest& request,
+                                     const std::function<void(double)>& progress) {
+  const SceneSystem system(scene);
+  const GeneralEquations given = general_equations(system);
+  const auto stopped = [&] { return request.stop.stop_requested(); };
+  const auto is_zero = [&](const ComplexVectorX& x) {
+    constexpr double tolerance =
+        1e-9;  // of the terms' sizes: the error of a singular end is a root of rounding
+    const EquationValues here = values_at(given.system, given.coefficients, x);
+    return (here.value.cwiseAbs().array() <= tolerance * here.size.array()).all();
+  };
+  WorkCounters all_work = work;
+  const std::vector<PathEnd> ends = follow_to_end(tracking, solutions, parameters, given.coefficients,
+                                                  is_zero, stopped, progress, all_work);
+  std::mt19937_64 keys(request.seed);
+  SolveReport report = general_report(system, given, ends, all_work, keys);
+  report.particulars = particulars;
+  if (missing.empty()) {
+    report.generic = solutions.size();
+    report.generic_member = GenericMember{values_of(equations, parameters), solutions};
+    return report;
+  }
+  report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
+  if (report.status != SolveStatus::stopped)
+    report.status = is_stopped ? SolveStatus::stopped : SolveStatus::partial;
+  return report;
+}
+
+}  // namespace gcs

@@ -1,0 +1,45 @@
+#pragma once
+/// The equations of a general scene with a tracker for them, a member at random and its solutions, and the way from these
+/// to the values that the file gives.
+
+#include <string>
+#include <vector>
+
+#include "solvers/homotopies/general_family.hpp"
+#include "solvers/homotopies/leg_tracking.hpp"
+#include "solvers/interface/strategy_interface.hpp"
+
+namespace gcs {
+
+/// Why a general scene is out of reach of homotopies: it has no system, or one that is not square and regular at a
+/// random figure. A sentence; nothing where it is not.
+std::optional<std::string> why_not_general(const Scene& scene);
+
+/// Not to be moved: trackers refer to the system.
+class GeneralStart {
+ public:
+  /// Precondition: !why_not_general(scene). The scene outlives this.
+  GeneralStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup);
+  GeneralStart(const GeneralStart&) = delete;
+  GeneralStart& operator=(const GeneralStart&) = delete;
+
+  /// Whether another scene has the same equations but for its values.
+  bool serves(const Scene& scene) const;
+  /// Every solution followed to the values of the scene.
+  SolveReport carried_to(const Scene& scene, const SolveRequest& request,
+                         const std::function<void(double)>& progress);
+
+  std::mt19937_64 random;
+  GeneralEquations equations;
+  HomotopyFamily family;
+  Elimination elimination;
+  LegTracking tracking;
+  WorkCounters work;
+  ComplexVectorX parameters;              ///< of the member at random
+  std::vector<ComplexVectorX> solutions;  ///< its regular ones, distinct up to signs
+  std::string missing;      ///< what may keep them from being all, in words; empty when nothing does
+  bool is_stopped = false;  ///< whether that is a stop on request
+  std::vector<Particular> particulars;  ///< how they were found
+};
+
+}  // namespace gcs

@@ -29,7 +29,7 @@ JsonValue fixed_value(const ProblemStatement& problem) {
     if (problem.fixed_points[i]) members.emplace_back(problem.points[i], fixed_point_value(problem, i));
   for (std::size_t i = 0; i < problem.fixed_lines.size(); ++i)
     if (const auto& line = problem.fixed_lines[i])
-      members.emplace_back(problem.lines[i], json_line_position(*line));
+      members.emplace_back(problem.lines[i], json_line_position(*line, problem.dimension));
   return json_object(std::move(members));
 }
 

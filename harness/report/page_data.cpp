@@ -14,6 +14,10 @@ JsonValue points_value(const Figure& figure) {
                        [](const Eigen::Vector3d& point) { return json_coordinates(point, 3); });
 }
 
+JsonValue lines_value(const Figure& figure) {
+  return json_array_of(figure.lines, [](const LinePosition& line) { return json_line_position(line, 3); });
+}
+
 JsonValue edge_value(const DistanceConstraint& c) {
   const auto [a, b] = std::minmax(c.between[0], c.between[1]);
   return json_object({{"a", json_number(a)},
@@ -25,7 +29,7 @@ JsonValue edge_value(const DistanceConstraint& c) {
 JsonValue solution_value(const ShownSolution& solution) {
   return json_object({{"multiplicity", json_number(solution.multiplicity)},
                       {"points", points_value(solution.figure)},
-                      {"lines", json_array_of(solution.figure.lines, json_line_position)}});
+                      {"lines", lines_value(solution.figure)}});
 }
 
 JsonValue place_value(const PlanPlace& place) {

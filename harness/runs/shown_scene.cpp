@@ -62,7 +62,7 @@ ShownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& pr
   const JsonCursor points = cursor.required("points"), lines = cursor.required("lines");
   solution.figure.points = read_points(points, problem, true).real();
   for (const std::string& name : problem.lines)
-    solution.figure.lines.push_back(lines.required(name).line_position());
+    solution.figure.lines.push_back(lines.required(name).line_position(problem.dimension));
   return solution;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Positions in files: a point as [x, y, z], in the plane [x, y]; a line as {"point": …, "direction": …}; the
-/// points and lines of a figure as objects by their names. A coordinate is a number or, where a figure is
-/// complex, [re, im].
+/// Positions in files: a point as [x, y, z], in the plane [x, y]; a line as {"point": …, "direction": …}; a plane as
+/// {"normal": …, "offset": …}; the points, lines and planes of a figure as objects by their names. A coordinate is a
+/// number or, where a figure is complex, [re, im].
 
 #include <Eigen/Core>
 #include <array>
@@ -15,11 +15,14 @@ namespace gcs {
 /// The first `dimension` coordinates.
 JsonValue json_coordinates(const Eigen::Vector3d& vector, int dimension);
 JsonValue json_line(JsonValue point, JsonValue direction);
-JsonValue json_line_position(const LinePosition& line);
+JsonValue json_line_position(const LinePosition& line, int dimension);
+JsonValue json_plane(JsonValue normal, JsonValue offset);
+JsonValue json_plane_position(const PlanePosition& plane);
 
-/// The points or lines of a figure, real or not, by name. Precondition: the figure is one of `names`.
+/// The points, lines or planes of a figure, real or not, by name. Precondition: the figure is one of `names`.
 JsonValue json_points(const ProblemStatement& names, const Figure& figure);
 JsonValue json_lines(const ProblemStatement& names, const Figure& figure);
+JsonValue json_planes(const ProblemStatement& names, const Figure& figure);
 
 /// A complex number of two numbers. Throws InputError where it is none.
 std::complex<double> read_complex(const JsonCursor& cursor);
@@ -28,8 +31,8 @@ std::complex<double> read_complex(const JsonCursor& cursor);
 /// no vector of numbers, of pairs [re, im] unless `is_real`.
 ComplexPoints read_points(const JsonCursor& points, const ProblemStatement& names, bool is_real);
 
-/// The members "points" and "lines", which may be missing where there are no lines; a direction may have any
-/// length. Throws InputError as read_points does.
+/// The members "points", "lines" and "planes"; the last two may be missing where there are none. A direction may have
+/// any length, and a normal is taken as it is. Throws InputError as read_points does.
 Figure read_figure(const JsonCursor& figure, const ProblemStatement& names, bool is_real);
 
 /// [re, im], each part by `read_part(cursor)`. Throws InputError where there are not two, or as that does.

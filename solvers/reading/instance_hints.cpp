@@ -200,7 +200,12 @@ std::vector<BentLength> read_bends(const JsonCursor& bends, const ProblemStateme
 
 }  // namespace
 
-Reference read_reference(const JsonCursor& reference, const ProblemStatement& problem) {
+void read_reference(const JsonCursor& reference, ProblemStatement& problem) {
+  if (!problem.bodies.empty() && reference.is_object() && reference.has("body")) {
+    reference.allow_members({"body"});
+    problem.reference_body = body_number(problem, reference.required("body"));
+    return;
+  }
   const bool with_line = reference.is_object() && (reference.has("line") || reference.has("height"));
   const bool with_points =
       reference.is_object() && (reference.has("origin") || reference.has("axis") || reference.has("plane"));
@@ -211,7 +216,8 @@ Reference read_reference(const JsonCursor& reference, const ProblemStatement& pr
   if (with_line && problem.dimension == 2) {
     reference.fail("a reference in the plane has no line", "give origin and axis");
   }
-  return with_line ? read_line_reference(reference, problem) : read_point_reference(reference, problem);
+  problem.reference =
+      with_line ? read_line_reference(reference, problem) : read_point_reference(reference, problem);
 }
 
 InterpolationChoice read_interpolation(const JsonCursor& interpolation, const ProblemStatement& problem) {
@@ -239,6 +245,9 @@ InterpolationChoice read_interpolation(const JsonCursor& interpolation, const Pr
 std::vector<PlanStep> read_construction(const JsonCursor& construction, const ProblemStatement& problem) {
   if (!construction.elements().empty() && !problem.lines.empty()) {
     construction.fail("a construction plan cannot place lines", "leave the plan out");
+  }
+  if (!construction.elements().empty() && problem.is_general()) {
+    construction.fail("a construction plan uses distances between points alone", "leave the plan out");
   }
   return PlanReader(problem).read(construction);
 }

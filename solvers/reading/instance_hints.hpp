@@ -7,9 +7,9 @@
 
 namespace gcs {
 
-/// Reads `reference`: origin, axis and in space plane, or a line and a height.
+/// Reads `reference` into the problem: origin, axis and in space plane, or a line and a height, or a body.
 /// Precondition: entities are read.
-Reference read_reference(const JsonCursor& reference, const ProblemStatement& problem);
+void read_reference(const JsonCursor& reference, ProblemStatement& problem);
 
 /// Reads `interpolation`. Precondition: constraints and the sketch are read.
 InterpolationChoice read_interpolation(const JsonCursor& interpolation, const ProblemStatement& problem);

@@ -1,11 +1,11 @@
 #include "solvers/reading/instance_parser.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <limits>
-#include <map>
 #include <set>
 
+#include "solvers/reading/instance_bodies.hpp"
+#include "solvers/reading/instance_constraints.hpp"
+#include "solvers/reading/instance_format.hpp"
 #include "solvers/reading/instance_hints.hpp"
 #include "solvers/reading/instance_names.hpp"
 #include "solvers/reading/instance_positions.hpp"
@@ -16,28 +16,8 @@
 namespace gcs {
 namespace {
 
-constexpr const char* format_name = "gcsbench-instance/1";
-
 /// The rigidity analysis takes time cubic and memory quadratic in the number of entities.
 constexpr std::size_t entity_limit = 2000;
-
-void check_format(const JsonCursor& root) {
-  const JsonCursor format = root.required("format");
-  const std::string name = format.text();
-  if (name != format_name) {
-    format.fail("the format is '" + name + "'", std::string("this program reads '") + format_name + "'");
-  }
-}
-
-void check_fields(const JsonCursor& root) {
-  for (const std::string_view kind : {"planes", "angles", "incidences", "circles"}) {
-    if (const auto found = root.optional(kind)) {
-      found->fail(std::string(kind) + " are not supported", "give points, lines, and distances between them");
-    }
-  }
-  root.allow_members({"format", "id", "title", "dimension", "points", "lines", "fixed", "constraints",
-                      "reference", "sketch", "interpolation", "construction", "published", "notes"});
-}
 
 std::string read_id(const JsonCursor& root, const std::string& expected) {
   const JsonCursor cursor = root.required("id");
@@ -60,131 +40,95 @@ int read_dimension(const JsonCursor& root) {
   return static_cast<int>(dimension.value);
 }
 
-std::vector<std::string> read_names(const JsonCursor& list, std::set<std::string>& taken) {
+std::vector<std::string> read_names(const JsonCursor& list, InstanceFormat format,
+                                    std::set<std::string>& taken) {
   std::vector<std::string> names;
   for (const JsonCursor& element : list.elements()) {
     names.push_back(element.name());
     if (!taken.insert(names.back()).second) {
-      element.fail("the name '" + names.back() + "' is given twice", "points and lines need different names");
+      element.fail(
+          "the name '" + names.back() + "' is given twice",
+          format == InstanceFormat::distances ? "points and lines need different names" : distinct_names);
     }
   }
   return names;
 }
 
-void read_entities(const JsonCursor& root, ProblemStatement& problem) {
+void read_lines(const JsonCursor& lines, InstanceFormat format, std::set<std::string>& taken,
+                ProblemStatement& problem) {
+  problem.lines = read_names(lines, format, taken);
+  if (format == InstanceFormat::general || problem.dimension == 3 || problem.lines.empty()) return;
+  lines.fail("lines are for space only", general_format_remedy("leave them out or give \"dimension\": 3"));
+}
+
+void read_planes(const JsonCursor& planes, std::set<std::string>& taken, ProblemStatement& problem) {
+  problem.planes = read_names(planes, InstanceFormat::general, taken);
+  if (problem.dimension == 2 && !problem.planes.empty()) refuse_planes_in_the_plane(planes);
+}
+
+/// Of gcsbench-instance/1: "points and lines".
+void refuse_crowd(const JsonCursor& points, InstanceFormat format, std::size_t count) {
+  if (count <= entity_limit) return;
+  points.fail("there are " + std::to_string(count) +
+                  (format == InstanceFormat::distances ? " points and lines" : " elements"),
+              "this program takes up to " + std::to_string(entity_limit));
+}
+
+void read_entities(const JsonCursor& root, InstanceFormat format, ProblemStatement& problem) {
   std::set<std::string> taken;
   const JsonCursor points = root.required("points");
-  problem.points = read_names(points, taken);
-  if (problem.points.empty()) points.fail("there is no point", "name the points");
-  if (const auto lines = root.optional("lines")) {
-    problem.lines = read_names(*lines, taken);
-    if (problem.dimension == 2 && !problem.lines.empty()) {
-      lines->fail("lines are for space only", "leave them out or give \"dimension\": 3");
-    }
-  }
-  if (taken.size() > entity_limit) {
-    points.fail("there are " + std::to_string(taken.size()) + " points and lines",
-                "this program takes up to " + std::to_string(entity_limit));
-  }
-}
-
-void check_type(const JsonCursor& constraint) {
-  const JsonCursor cursor = constraint.required("type");
-  const std::string type = cursor.text();
-  if (type == "distance") return;
-  const bool incidence = type == "incidence" || type == "coincidence" || type == "on";
-  cursor.fail("constraints of type '" + type + "' are not supported",
-              std::string("the only known type is 'distance'") +
-                  (incidence ? "; a point on a line is a distance of length 0" : ""));
-}
-
-std::array<int, 2> read_between(const JsonCursor& constraint, const ProblemStatement& problem) {
-  const JsonCursor between = constraint.required("between");
-  const auto ends = between.elements(2, "names of points or lines");
-  const std::array<int, 2> result{entity_number(problem, ends[0].name(), ends[0]),
-                                  entity_number(problem, ends[1].name(), ends[1])};
-  if (result[0] == result[1]) {
-    between.fail("'" + problem.name(result[0]) + "' has no distance to itself",
-                 "name two different entities");
-  }
-  if (!problem.is_point(result[0]) && !problem.is_point(result[1])) {
-    between.fail("distances between two lines are not supported", "name a point and a line, or two points");
-  }
-  if (problem.is_fixed(result[0]) && problem.is_fixed(result[1])) {
-    between.fail("'" + problem.name(result[0]) + "' and '" + problem.name(result[1]) + "' are both fixed",
-                 "leave this constraint out, the positions give the distance");
-  }
-  return result;
-}
-
-Decimal read_given(const JsonCursor& constraint, bool is_squared, bool with_line) {
-  const JsonCursor cursor = constraint.required(is_squared ? "squared" : "length");
-  const Decimal given = cursor.number();
-  constexpr double least = std::numeric_limits<double>::min();
-  if (given.value > 0 && given.value < least)
-    cursor.fail(given.text + " is too small for a double's full precision",
-                "give lengths in a smaller unit, as numbers above 1e-300");
-  if (given.value > 0 || (with_line && given.value == 0)) return given;
-  cursor.fail("the length is " + given.text,
-              with_line ? "a distance to a line is ≥ 0" : "a distance between two points is > 0");
-}
-
-DistanceConstraint read_constraint(const JsonCursor& cursor, const ProblemStatement& problem) {
-  check_type(cursor);
-  cursor.allow_members({"id", "type", "between", "length", "squared"});
-  DistanceConstraint constraint;
-  const auto id = cursor.optional("id");
-  constraint.id = id ? id->name() : "a" + std::to_string(problem.constraints.size() + 1);
-  constraint.between = read_between(cursor, problem);
-  if (cursor.has("length") == cursor.has("squared")) {
-    cursor.fail(cursor.has("length") ? "both 'length' and 'squared' are given" : "the length is missing",
-                "give either 'length' or 'squared'");
-  }
-  constraint.is_squared = cursor.has("squared");
-  const bool with_line = !problem.is_point(constraint.between[0]) || !problem.is_point(constraint.between[1]);
-  constraint.given = read_given(cursor, constraint.is_squared, with_line);
-  return constraint;
-}
-
-void read_constraints(const JsonCursor& list, ProblemStatement& problem) {
-  std::set<std::string> ids;
-  std::map<std::pair<int, int>, std::string> by_pair;
-  for (const JsonCursor& element : list.elements()) {
-    DistanceConstraint constraint = read_constraint(element, problem);
-    if (!ids.insert(constraint.id).second) {
-      element.fail("the constraint id '" + constraint.id + "' is taken", "give every constraint its own id");
-    }
-    const auto [pair, is_new] =
-        by_pair.emplace(std::minmax(constraint.between[0], constraint.between[1]), constraint.id);
-    if (!is_new) {
-      element.fail("over-constrained: '" + pair->second + "' and '" + constraint.id +
-                       "' both give the distance of " +
-                       entity_names(problem, {constraint.between[0], constraint.between[1]}),
-                   "keep one of them");
-    }
-    problem.constraints.push_back(std::move(constraint));
-  }
-  if (problem.constraints.empty()) list.fail("there is no constraint", "give the distances that are to hold");
-}
-
-void read_reference_unless_fixed(const JsonCursor& cursor, ProblemStatement& problem) {
-  if (problem.is_anchored())
-    cursor.fail("fixed positions and a reference exclude each other", "give one of the two");
-  problem.reference = read_reference(cursor, problem);
-}
-
-ProblemStatement read_problem(const JsonCursor& root, const std::string& file) {
-  ProblemStatement problem;
-  problem.dimension = read_dimension(root);
-  read_entities(root, problem);
+  problem.points = read_names(points, format, taken);
+  if (format == InstanceFormat::distances && problem.points.empty())
+    points.fail("there is no point", "name the points");
+  if (const auto lines = root.optional("lines")) read_lines(*lines, format, taken, problem);
+  if (const auto planes = root.optional("planes")) read_planes(*planes, taken, problem);
+  const auto bodies = root.optional("bodies");
+  if (bodies) append_body_elements(*bodies, taken, problem);
+  if (problem.entity_count() == 0) points.fail("there is no element", "name points, lines, planes or bodies");
+  refuse_crowd(points, format, taken.size());
+  if (bodies) read_bodies(*bodies, problem);
   problem.fixed_points.resize(problem.points.size());
   problem.fixed_lines.resize(problem.lines.size());
-  if (const auto fixed = root.optional("fixed")) read_fixed(*fixed, problem);
-  read_constraints(root.required("constraints"), problem);
-  if (const auto fixed = root.optional("fixed")) check_fixed(*fixed, problem);
+  problem.fixed_planes.resize(problem.planes.size());
+}
+
+void read_frame(const JsonCursor& root, ProblemStatement& problem) {
+  const auto reference = root.optional("reference");
+  if (reference && problem.is_anchored())
+    reference->fail("fixed positions and a reference exclude each other", "give one of the two");
+  if (reference) {
+    read_reference(*reference, problem);
+  } else if (!problem.bodies.empty() && !problem.is_anchored()) {
+    problem.reference_body = 0;
+  }
+}
+
+/// Whether as many conditions as freedoms are in the right places.
+void check_structure(const JsonCursor& root, InstanceFormat format, const ProblemStatement& problem,
+                     const std::string& file) {
+  if (problem.is_general()) return;
+  if (problem.constraints.empty())
+    root.required("constraints").fail("there is no constraint", "give the distances that are to hold");
+  if (const auto fixed = root.optional("fixed")) {
+    if (format == InstanceFormat::general) require_still(*fixed, problem);
+    check_fixed(*fixed, problem);
+  }
   require_well_posed(problem, file);
-  if (const auto reference = root.optional("reference")) read_reference_unless_fixed(*reference, problem);
-  if (const auto sketch = root.optional("sketch")) read_sketch(*sketch, problem);
+}
+
+ProblemStatement read_problem(const JsonCursor& root, InstanceFormat format, const std::string& file) {
+  ProblemStatement problem;
+  problem.dimension = read_dimension(root);
+  read_entities(root, format, problem);
+  if (const auto fixed = root.optional("fixed")) {
+    read_fixed(*fixed, problem);
+    if (format == InstanceFormat::distances) require_still(*fixed, problem);
+    check_fixed_bodies(*fixed, problem);
+  }
+  read_constraints(root.required("constraints"), format, problem);
+  check_structure(root, format, problem, file);
+  read_frame(root, problem);
+  if (const auto sketch = root.optional("sketch")) read_sketch(*sketch, format, problem);
   if (const auto choice = root.optional("interpolation")) {
     problem.interpolation = read_interpolation(*choice, problem);
   }
@@ -211,18 +155,19 @@ Instance parse_instance(std::string_view text, const std::string& file, const st
   Instance instance;
   instance.document = parse_json(text, file);
   const JsonCursor root(instance.document, file);
-  check_format(root);
-  check_fields(root);
+  const InstanceFormat format = read_format(root);
+  check_fields(root, format);
   instance.id = read_id(root, expected_id);
   instance.title = optional_text(root, "title");
   instance.notes = optional_text(root, "notes");
   instance.origin = file;
-  instance.problem = read_problem(root, file);
+  instance.problem = read_problem(root, format, file);
   if (const auto published = root.optional("published")) {
     for (const JsonCursor& element : published->elements())
       instance.published.push_back(read_published(element));
   }
-  if (const auto sketch = root.optional("sketch")) check_sketch_frame(*sketch, instance);
+  const auto sketch = root.optional("sketch");
+  if (sketch && !instance.problem.is_general()) check_sketch_frame(*sketch, instance);
   return instance;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Reads gcsbench-instance/1.
+/// Reads gcsbench-instance/1 and gcsbench-instance/2.
 
 #include <string>
 #include <string_view>
@@ -33,8 +33,8 @@ struct Instance {
   operator Scene() const { return Scene::unchecked(problem); }
 };
 
-/// Reads and checks an instance: the format and then the structure (degrees of freedom, rigidity,
-/// unsatisfiable inequalities). `file` is for messages; the id is compared with `expected_id` unless empty.
+/// Reads and checks an instance: the format and then, where there are only distances, the structure (degrees of freedom,
+/// rigidity, unsatisfiable inequalities). `file` is for messages; the id is compared with `expected_id` unless empty.
 /// Throws InputError.
 Instance parse_instance(std::string_view text, const std::string& file = "instance",
                         const std::string& expected_id = {});

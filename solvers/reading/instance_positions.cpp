@@ -1,11 +1,12 @@
 #include "solvers/reading/instance_positions.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "solvers/numeric/svd.hpp"
+#include "solvers/reading/element_position.hpp"
 #include "solvers/reading/instance_names.hpp"
+#include "solvers/reading/sketch_pose.hpp"
 
 namespace gcs {
 namespace {
@@ -17,23 +18,22 @@ constexpr double rounding = 1e-14;
 struct Positions {
   std::vector<std::optional<Eigen::Vector3d>> points;
   std::vector<std::optional<LinePosition>> lines;
-
-  bool has(int entity) const {
-    const auto points_count = static_cast<int>(points.size());
-    return entity < points_count ? points[entity].has_value() : lines[entity - points_count].has_value();
-  }
+  std::vector<std::optional<PlanePosition>> planes;
 };
 
 Positions read_positions(const JsonCursor& cursor, const ProblemStatement& problem) {
   Positions positions;
   positions.points.resize(problem.points.size());
   positions.lines.resize(problem.lines.size());
+  positions.planes.resize(problem.planes.size());
   for (const auto& [name, position] : cursor.members()) {
     const int entity = entity_number(problem, name, position);
     if (problem.is_point(entity)) {
       positions.points[entity] = position.coordinates(problem.dimension);
+    } else if (problem.is_line(entity)) {
+      positions.lines[problem.line_of(entity)] = position.line_position(problem.dimension);
     } else {
-      positions.lines[entity - problem.points.size()] = position.line_position();
+      positions.planes[problem.plane_of(entity)] = position.plane_position();
     }
   }
   return positions;
@@ -49,10 +49,6 @@ std::vector<std::array<std::string, 3>> point_texts(const JsonCursor& cursor,
   return texts;
 }
 
-int entity_count(const ProblemStatement& problem) {
-  return static_cast<int>(problem.points.size() + problem.lines.size());
-}
-
 /// True when a and b are parallel or one of them is zero.
 bool parallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a.stableNormalized().cross(b.stableNormalized()).norm() <= rounding;
@@ -60,77 +56,6 @@ bool parallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 bool coincide(const Eigen::Vector3d& point, const LinePosition& line) {
   return parallel(point - line.point, line.direction);
-}
-
-/// Coordinates relative to the first position and divided by the largest, so that no product overflows.
-class Normalisation {
- public:
-  explicit Normalisation(const std::vector<Eigen::Vector3d>& positions)
-      : half_origin_(positions.front() / 2) {
-    double extent = 0;
-    for (const Eigen::Vector3d& position : positions)
-      extent = std::max(extent, (position / 2 - half_origin_).cwiseAbs().maxCoeff());
-    if (extent > 0) half_scale_ = extent;
-  }
-
-  Eigen::Vector3d operator()(const Eigen::Vector3d& position) const {
-    return (position / 2 - half_origin_) / half_scale_;
-  }
-
- private:
-  Eigen::Vector3d half_origin_;
-  double half_scale_ = 1;
-};
-
-std::vector<Eigen::Vector3d> all_positions(const Positions& fixed) {
-  std::vector<Eigen::Vector3d> positions;
-  for (const auto& point : fixed.points)
-    if (point) positions.push_back(*point);
-  for (const auto& line : fixed.lines)
-    if (line) positions.push_back(line->point);
-  return positions;
-}
-
-/// Linear conditions on a rigid motion (translation, rotation): it leaves the entity where it is. The plane's
-/// three motions are the translations along x and y and the rotation about z.
-Eigen::Matrix<double, Eigen::Dynamic, 6> stillness_conditions(const Eigen::Vector3d& point) {
-  Eigen::Matrix<double, 3, 6> conditions;
-  conditions << Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero();
-  for (int axis = 0; axis < 3; ++axis) conditions.col(3 + axis) = Eigen::Vector3d::Unit(axis).cross(point);
-  return conditions;
-}
-
-Eigen::Matrix<double, Eigen::Dynamic, 6> stillness_conditions(const LinePosition& line) {
-  const Eigen::Vector3d across = line.direction.unitOrthogonal();
-  Eigen::Matrix<double, 2, 3> normals;
-  normals << across.transpose(), line.direction.cross(across).transpose();
-  Eigen::Matrix<double, 4, 6> conditions = Eigen::Matrix<double, 4, 6>::Zero();
-  conditions.topRows<2>() = normals * stillness_conditions(line.point);
-  for (int axis = 0; axis < 3; ++axis) {
-    conditions.block<2, 1>(2, 3 + axis) = normals * Eigen::Vector3d::Unit(axis).cross(line.direction);
-  }
-  return conditions;
-}
-
-/// True when no rigid motion of the plane or of space keeps all fixed entities where they are.
-bool hold_still(const Positions& fixed, int dimension) {
-  const Normalisation normalise(all_positions(fixed));
-  Eigen::Matrix<double, Eigen::Dynamic, 6> conditions(0, 6);
-  const auto append = [&](const Eigen::Matrix<double, Eigen::Dynamic, 6>& more) {
-    conditions.conservativeResize(conditions.rows() + more.rows(), 6);
-    conditions.bottomRows(more.rows()) = more;
-  };
-  for (const auto& point : fixed.points) {
-    if (point) append(stillness_conditions(normalise(*point)));
-  }
-  for (const auto& line : fixed.lines) {
-    if (line) append(stillness_conditions(LinePosition{normalise(line->point), line->direction}));
-  }
-  Eigen::MatrixXd wanted = conditions;
-  if (dimension == 2) wanted = conditions(Eigen::all, std::vector<int>{0, 1, 5}).eval();
-  Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(wanted);
-  decomposition.setThreshold(rounding);
-  return decomposition.rank() == wanted.cols();
 }
 
 /// Of a line: it is placed against fixed points or against free ones.
@@ -170,6 +95,15 @@ void refuse_far_origin(const JsonCursor& fixed, const ProblemStatement& problem)
       "put the origin near them: there doubles hold the distances");
 }
 
+std::vector<ElementPosition> fixed_elements(const ProblemStatement& problem) {
+  std::vector<ElementPosition> elements;
+  for (const auto& point : problem.fixed_points)
+    if (point) elements.emplace_back(*point);
+  for (const auto& line : problem.fixed_lines)
+    if (line) elements.emplace_back(*line);
+  return elements;
+}
+
 void refuse_coincident_fixed_points(const JsonCursor& fixed, const ProblemStatement& problem) {
   for (std::size_t a = 0; a < problem.points.size(); ++a) {
     for (std::size_t b = a + 1; b < problem.points.size(); ++b) {
@@ -182,34 +116,80 @@ void refuse_coincident_fixed_points(const JsonCursor& fixed, const ProblemStatem
 
 /// A line that is sought by its distances from given points (4p1L). Wherever these are they make a question,
 /// to which infinitely many lines or none may be the answer.
-bool seeks_line_from_given_points(const Positions& fixed) {
+bool seeks_line_from_given_points(const ProblemStatement& problem) {
   const auto is_given = [](const auto& position) { return position.has_value(); };
-  return fixed.lines.size() == 1 && !fixed.lines[0] && fixed.points.size() == 4 &&
-         std::all_of(fixed.points.begin(), fixed.points.end(), is_given);
+  return problem.lines.size() == 1 && !problem.fixed_lines[0] && problem.points.size() == 4 &&
+         std::all_of(problem.fixed_points.begin(), problem.fixed_points.end(), is_given);
+}
+
+bool has_position(const Positions& positions, const ProblemStatement& problem, int entity) {
+  if (problem.is_point(entity)) return positions.points[entity].has_value();
+  return problem.is_line(entity) ? positions.lines[problem.line_of(entity)].has_value()
+                                 : positions.planes[problem.plane_of(entity)].has_value();
+}
+
+template <typename Position>
+void fill(std::optional<Position>& position, const std::optional<Position>& given) {
+  if (!position) position = given;
+}
+
+void add_fixed(const ProblemStatement& problem, Positions& positions) {
+  for (std::size_t i = 0; i < positions.points.size(); ++i)
+    fill(positions.points[i], problem.fixed_points[i]);
+  for (std::size_t i = 0; i < positions.lines.size(); ++i) fill(positions.lines[i], problem.fixed_lines[i]);
+  for (std::size_t i = 0; i < positions.planes.size(); ++i)
+    fill(positions.planes[i], problem.fixed_planes[i]);
+}
+
+void add(const ProblemStatement& problem, int entity, const ElementPosition& position, Positions& positions) {
+  if (problem.is_point(entity)) {
+    fill(positions.points[entity], std::optional(std::get<Eigen::Vector3d>(position)));
+  } else if (problem.is_line(entity)) {
+    fill(positions.lines[problem.line_of(entity)], std::optional(std::get<LinePosition>(position)));
+  } else {
+    fill(positions.planes[problem.plane_of(entity)], std::optional(std::get<PlanePosition>(position)));
+  }
+}
+
+/// What a body has that is not there already.
+void add_bodies(const ProblemStatement& problem, Positions& positions) {
+  for (const RigidBody& body : problem.bodies) {
+    const auto pose = sketched_pose(problem, body, positions.points);
+    if (!pose) continue;
+    for (std::size_t i = 0; i < body.elements.size(); ++i)
+      add(problem, body.elements[i].entity, (*pose)[i], positions);
+  }
 }
 
 void refuse_missing(const JsonCursor& sketch, const ProblemStatement& problem, const Positions& positions) {
   std::vector<int> missing;
-  for (int entity = 0; entity < entity_count(problem); ++entity) {
-    if (!positions.has(entity)) missing.push_back(entity);
+  for (int entity = 0; entity < problem.entity_count(); ++entity) {
+    if (!has_position(positions, problem, entity)) missing.push_back(entity);
   }
   if (missing.empty()) return;
   sketch.fail("the sketch has no position for " + entity_names(problem, missing),
-              "give a position for every point and line, or leave the sketch out");
+              std::string("give a position for every point") +
+                  (problem.planes.empty() ? " and line" : ", line and plane") + ", or leave the sketch out");
 }
 
 bool same_position(const LinePosition& a, const LinePosition& b) {
   return a.point == b.point && a.direction == b.direction;
 }
 
+bool same_position(const PlanePosition& a, const PlanePosition& b) {
+  return a.normal == b.normal && a.offset == b.offset;
+}
+
+bool is_where_fixed(const ProblemStatement& problem, const Figure& figure, int entity) {
+  if (problem.is_point(entity)) return figure.points.col(entity) == *problem.fixed_points[entity];
+  const int line = problem.line_of(entity), plane = problem.plane_of(entity);
+  return problem.is_line(entity) ? same_position(figure.lines[line], *problem.fixed_lines[line])
+                                 : same_position(figure.planes[plane], *problem.fixed_planes[plane]);
+}
+
 void refuse_moved_fixed(const JsonCursor& sketch, const ProblemStatement& problem, const Figure& figure) {
-  for (int entity = 0; entity < entity_count(problem); ++entity) {
-    if (!problem.is_fixed(entity)) continue;
-    const auto line = entity - static_cast<int>(problem.points.size());
-    const bool same = problem.is_point(entity)
-                          ? figure.points.col(entity) == *problem.fixed_points[entity]
-                          : same_position(figure.lines[line], *problem.fixed_lines[line]);
-    if (same) continue;
+  for (int entity = 0; entity < problem.entity_count(); ++entity) {
+    if (!problem.is_fixed(entity) || is_where_fixed(problem, figure, entity)) continue;
     sketch.required(problem.name(entity))
         .fail("'" + problem.name(entity) + "' is fixed somewhere else", "repeat the fixed position");
   }
@@ -247,13 +227,17 @@ bool is_flat(const ProblemStatement& problem, const Figure& figure) {
 }  // namespace
 
 void read_fixed(const JsonCursor& fixed, ProblemStatement& problem) {
-  const Positions positions = read_positions(fixed, problem);
-  problem.fixed_points = positions.points;
-  problem.fixed_lines = positions.lines;
+  Positions positions = read_positions(fixed, problem);
+  problem.fixed_points = std::move(positions.points);
+  problem.fixed_lines = std::move(positions.lines);
+  problem.fixed_planes = std::move(positions.planes);
   problem.fixed_point_texts = point_texts(fixed, problem);
-  if (fixed.members().empty() || seeks_line_from_given_points(positions)) return;
+}
+
+void require_still(const JsonCursor& fixed, const ProblemStatement& problem) {
+  if (fixed.members().empty() || seeks_line_from_given_points(problem)) return;
   refuse_coincident_fixed_points(fixed, problem);
-  if (!hold_still(positions, problem.dimension)) {
+  if (motions_left(fixed_elements(problem), problem.dimension) > 0) {
     fixed.fail("the fixed positions leave the figure movable as a whole",
                problem.dimension == 2 ? "fix two or more points, or none"
                                       : "fix three or more points that are not all on one line, or none");
@@ -265,16 +249,21 @@ void check_fixed(const JsonCursor& fixed, const ProblemStatement& problem) {
   refuse_far_origin(fixed, problem);
 }
 
-void read_sketch(const JsonCursor& sketch, ProblemStatement& problem) {
-  const Positions positions = read_positions(sketch, problem);
+void read_sketch(const JsonCursor& sketch, InstanceFormat format, ProblemStatement& problem) {
+  Positions positions = read_positions(sketch, problem);
+  if (format == InstanceFormat::general) {
+    add_fixed(problem, positions);
+    add_bodies(problem, positions);
+  }
   refuse_missing(sketch, problem, positions);
   Figure figure;
   figure.points.resize(3, static_cast<Eigen::Index>(problem.points.size()));
   for (std::size_t i = 0; i < problem.points.size(); ++i) figure.points.col(i) = *positions.points[i];
   for (const auto& line : positions.lines) figure.lines.push_back(*line);
+  for (const auto& plane : positions.planes) figure.planes.push_back(*plane);
   refuse_moved_fixed(sketch, problem, figure);
   refuse_coincident_ends(sketch, problem, figure);
-  if (is_flat(problem, figure)) {
+  if (!problem.is_general() && is_flat(problem, figure)) {
     sketch.fail(problem.dimension == 2 ? "all points of the sketch are on one line"
                                        : "all points of the sketch are in one plane",
                 "move a point out of it, or leave the sketch out");

@@ -1,6 +1,7 @@
 #include "solvers/reading/json_cursor.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solvers/reading/nearest_name.hpp"
 
@@ -102,11 +103,15 @@ std::string JsonCursor::text() const {
 
 std::string JsonCursor::name() const {
   const std::string result = text();
-  if (result.empty()) fail("the name is empty", "give at least one character");
-  const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
-  if (std::any_of(result.begin(), result.end(), is_control))
-    fail("the name has a control character", "leave it out: names are shown as they are");
+  require_name(result);
   return result;
+}
+
+void JsonCursor::require_name(const std::string& key) const {
+  if (key.empty()) fail("the name is empty", "give at least one character");
+  const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+  if (std::any_of(key.begin(), key.end(), is_control))
+    fail("the name has a control character", "leave it out: names are shown as they are");
 }
 
 Decimal JsonCursor::number() const {
@@ -114,25 +119,45 @@ Decimal JsonCursor::number() const {
   return {value_->number, value_->text};
 }
 
+std::vector<Decimal> JsonCursor::decimals(int dimension) const {
+  std::vector<Decimal> result;
+  for (const JsonCursor& component : elements(static_cast<std::size_t>(dimension), "coordinates"))
+    result.push_back(component.number());
+  return result;
+}
+
 Eigen::Vector3d JsonCursor::coordinates(int dimension) const {
-  const auto components = elements(static_cast<std::size_t>(dimension), "coordinates");
   Eigen::Vector3d result = Eigen::Vector3d::Zero();
-  for (int i = 0; i < dimension; ++i) result[i] = components[static_cast<std::size_t>(i)].number().value;
+  int axis = 0;
+  for (const Decimal& component : decimals(dimension)) result[axis++] = component.value;
   return result;
 }
 
 std::array<std::string, 3> JsonCursor::coordinate_texts(int dimension) const {
-  const auto components = elements(static_cast<std::size_t>(dimension), "coordinates");
   std::array<std::string, 3> texts;
-  for (std::size_t i = 0; i < components.size(); ++i) texts[i] = components[i].number().text;
+  std::size_t axis = 0;
+  for (const Decimal& component : decimals(dimension)) texts[axis++] = component.text;
   return texts;
 }
 
-LinePosition JsonCursor::line_position() const {
+LinePosition JsonCursor::line_position(int dimension) const {
   allow_members({"point", "direction"});
   const JsonCursor direction = required("direction");
-  const LinePosition result{required("point").coordinates(3), direction.coordinates(3).stableNormalized()};
+  const LinePosition result{required("point").coordinates(dimension),
+                            direction.coordinates(dimension).stableNormalized()};
   if (result.direction.isZero(0)) direction.fail("the direction is zero", "give a vector along the line");
+  return result;
+}
+
+PlanePosition JsonCursor::plane_position() const {
+  allow_members({"normal", "offset"});
+  const JsonCursor normal = required("normal");
+  const Eigen::Vector3d given = normal.coordinates(3);
+  const double length = given.stableNorm();
+  const PlanePosition result{given.stableNormalized(), required("offset").number().value / length};
+  if (result.normal.isZero(0)) normal.fail("the normal is zero", "give a vector across the plane");
+  if (!std::isfinite(result.offset))
+    fail("the plane is too far away for a double", "give a longer normal or a smaller offset");
   return result;
 }
 

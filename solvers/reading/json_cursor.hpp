@@ -32,6 +32,7 @@ class JsonCursor {
 
   bool is_null() const { return value_->kind == JsonValue::Kind::null; }
   bool is_object() const { return value_->kind == JsonValue::Kind::object; }
+  bool is_array() const { return value_->kind == JsonValue::Kind::array; }
   /// The value is an object without any other members than these.
   void allow_members(std::initializer_list<std::string_view> names) const;
   bool has(std::string_view name) const { return value_->find(name) != nullptr; }
@@ -48,13 +49,19 @@ class JsonCursor {
   std::string text() const;
   /// A text with at least one character and no control character.
   std::string name() const;
+  /// The key of this value is such a text, too.
+  void require_name(const std::string& key) const;
   Decimal number() const;
   /// `dimension` coordinates; in the plane z = 0.
   Eigen::Vector3d coordinates(int dimension) const;
+  /// The numbers themselves.
+  std::vector<Decimal> decimals(int dimension) const;
   /// Their decimal texts; the third is empty in the plane.
   std::array<std::string, 3> coordinate_texts(int dimension) const;
-  /// {"point": […], "direction": […]} in space, the direction brought to length 1.
-  LinePosition line_position() const;
+  /// {"point": […], "direction": […]}, the direction brought to length 1.
+  LinePosition line_position(int dimension) const;
+  /// {"normal": […], "offset": h} in space, the normal brought to length 1 and the offset divided likewise.
+  PlanePosition plane_position() const;
 
  private:
   void expect(JsonValue::Kind kind) const;

@@ -52,7 +52,7 @@ std::vector<Certificate> certificates(const Certifier& certifier, const std::vec
 
 /// A pair by the places that its solutions have among all certificates.
 std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certificates,
-                                         const std::vector<int>& mirror) {
+                                         const SignMasks& mirror) {
   std::vector<Enclosure> enclosures;
   std::vector<int> place;
   for (std::size_t i = 0; i < certificates.size(); ++i) {

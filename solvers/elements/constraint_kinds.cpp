@@ -12,20 +12,21 @@ std::string between(const ProblemStatement& problem, const Relation& relation) {
     return "points";
   std::string kinds;
   for (const Operand& operand : relation.of)
-    kinds += (kinds.empty() ? "" : " ") + std::string(kind_of(problem, operand));
+    kinds += (kinds.empty() ? "" : " ") + std::string(operand_kind(problem, operand));
   return kinds;
 }
 
 }  // namespace
 
-std::string_view kind_of(const ProblemStatement& problem, const Operand& operand) {
+std::string_view operand_kind(const ProblemStatement& problem, const Operand& operand) {
   if (operand.is_segment()) return "segment";
   if (problem.is_point(operand.entity)) return "point";
   return problem.is_line(operand.entity) ? "line" : "plane";
 }
 
-const ConstraintKind* kind_of(const ProblemStatement& problem, Relation& relation) {
-  if (relation.of.size() == 2 && kind_of(problem, relation.of[0]) > kind_of(problem, relation.of[1]))
+const ConstraintKind* find_kind(const ProblemStatement& problem, Relation& relation) {
+  if (relation.of.size() == 2 &&
+      operand_kind(problem, relation.of[0]) > operand_kind(problem, relation.of[1]))
     std::swap(relation.of[0], relation.of[1]);
   // A distance of planes is seen from the first, which therefore stays the first.
   const std::string kinds = between(problem, relation);

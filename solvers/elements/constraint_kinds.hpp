@@ -33,10 +33,10 @@ std::span<const ConstraintKind> incidence_kinds();
 std::span<const ConstraintKind> direction_kinds();
 
 /// "point", "line", "plane" or "segment".
-std::string_view kind_of(const ProblemStatement& problem, const Operand& operand);
+std::string_view operand_kind(const ProblemStatement& problem, const Operand& operand);
 
 /// The row of a relation, or null. Turns its operands into the row's order.
-const ConstraintKind* kind_of(const ProblemStatement& problem, Relation& relation);
+const ConstraintKind* find_kind(const ProblemStatement& problem, Relation& relation);
 
 /// |p − q|² = a² of a distance constraint of two points, or of a point and a line.
 void state_distance(SystemBuilder& builder, int constraint);

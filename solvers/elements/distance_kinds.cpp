@@ -45,6 +45,22 @@ void distance_point_line(SystemBuilder& builder, const StatedRelation& stated) {
                          stated.value);
 }
 
+/// |p − q|² where p = t + r with |r| given: t·t + |r|² + 2 t·r − 2 q·t − 2 q·r + q·q, without the squares of r's
+/// unknowns.
+Equation squared_distance(const BodyPoint& p, const VectorForm& q) {
+  const VectorForm twice_q = scaled(q, 1);
+  Equation equation;
+  equation.plus(p.origin, p.origin).plus(scaled(p.origin, 1), p.arm);
+  for (const ExactNumber& number : p.numbers) equation.plus(constant_form(number), constant_form(number));
+  return equation.minus(twice_q, p.origin).minus(twice_q, p.arm).plus(q, q);
+}
+
+Equation point_distance(const SystemBuilder& builder, int a, int b) {
+  if (builder.arm(a) == nullptr) std::swap(a, b);
+  if (const BodyPoint* moved = builder.arm(a)) return squared_distance(*moved, builder.point(b));
+  return Equation().plus_square_of_difference(builder.point(a), builder.point(b));
+}
+
 bool are_parallel(const ProblemStatement& problem, int a, int b) {
   for (const Relation& relation : problem.relations)
     if (relation.type == RelationType::parallel && relation.of.size() == 2 &&
@@ -132,8 +148,7 @@ void state_distance(SystemBuilder& builder, int constraint) {
   if (problem.is_line(b))
     state_distance_to_line(builder, a, b, square, constraint);
   else if (!builder.is_stated_by_segment(constraint))
-    builder.add(Equation().plus_square_of_difference(builder.point(a), builder.point(b)).equals(square),
-                constraint);
+    builder.add(point_distance(builder, a, b).equals(square), constraint);
 }
 
 }  // namespace gcs

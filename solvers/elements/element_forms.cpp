@@ -3,6 +3,15 @@
 #include <utility>
 
 namespace gcs {
+namespace {
+
+/// Precondition: the number is not squared.
+ExactNumber times_power_of_two(ExactNumber number, int exponent) {
+  number.exponent += exponent;
+  return number;
+}
+
+}  // namespace
 
 LinearForm constant_form(const ExactNumber& number) { return {{}, number}; }
 
@@ -14,6 +23,14 @@ LinearForm negated(LinearForm form) {
 
 VectorForm negated(VectorForm forms) {
   for (LinearForm& form : forms) form = negated(std::move(form));
+  return forms;
+}
+
+VectorForm scaled(VectorForm forms, int exponent) {
+  for (LinearForm& form : forms) {
+    for (ScaledUnknown& term : form.terms) term.coefficient = times_power_of_two(term.coefficient, exponent);
+    form.constant = times_power_of_two(form.constant, exponent);
+  }
   return forms;
 }
 

@@ -18,6 +18,9 @@ LinearForm constant_form(const ExactNumber& number);
 LinearForm negated(LinearForm form);
 VectorForm negated(VectorForm forms);
 
+/// Times 2^exponent.
+VectorForm scaled(VectorForm forms, int exponent);
+
 /// Σ products − given of an equation that is being written: nothing is added where a factor is 0.
 class Equation {
  public:

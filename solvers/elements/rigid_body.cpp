@@ -81,10 +81,15 @@ std::vector<BodyPoint> placed(const SystemBuilder& builder, const RigidBody& bod
                               const std::array<VectorForm, 3>& axes) {
   std::vector<BodyPoint> points;
   for (const BodyElement& element : body.elements) {
-    VectorForm at = origin;
-    for (std::size_t k = 0; k < element.numbers.size(); ++k)
-      for (std::size_t i = 0; i < 3; ++i) at[i] = combined(at[i], builder, element.numbers[k], axes[k][i]);
-    points.push_back({element.entity, at});
+    BodyPoint point{element.entity, origin, origin};
+    for (std::size_t k = 0; k < element.numbers.size(); ++k) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        point.at[i] = combined(point.at[i], builder, element.numbers[k], axes[k][i]);
+        point.arm[i] = combined(point.arm[i], builder, element.numbers[k], axes[k][i]);
+      }
+      point.numbers.push_back(builder.length(element.numbers[k]));
+    }
+    points.push_back(point);
   }
   return points;
 }

@@ -57,7 +57,7 @@ std::optional<std::string> why_no_positions(const ProblemStatement& problem) {
 
 std::optional<std::string> why_no_relation(const ProblemStatement& problem) {
   for (Relation relation : problem.relations)
-    if (kind_of(problem, relation) == nullptr)
+    if (find_kind(problem, relation) == nullptr)
       return fmt::format("there are no equations yet for constraint '{}'", relation.id);
   return std::nullopt;
 }
@@ -74,7 +74,7 @@ void state_all(SystemBuilder& builder) {
   const ProblemStatement& problem = builder.problem();
   int value = builder.scene().constraint_count();
   for (Relation relation : problem.relations) {
-    const ConstraintKind* kind = kind_of(problem, relation);
+    const ConstraintKind* kind = find_kind(problem, relation);
     kind->state(builder, {relation, value++});
   }
   for (int i = 0; i < builder.scene().constraint_count(); ++i) state_distance(builder, i);

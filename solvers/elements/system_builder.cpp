@@ -68,8 +68,10 @@ ExactNumber SystemBuilder::square(const Decimal& given, bool is_squared) const {
 
 /// Points of a body stand where its pose puts them; one that was in a body before is joined by equations.
 void SystemBuilder::place(const std::vector<BodyPoint>& points) {
-  for (const auto& [point, form] : points) {
-    const auto p = static_cast<std::size_t>(point);
+  for (const BodyPoint& placed : points) {
+    const auto p = static_cast<std::size_t>(placed.point);
+    const VectorForm& form = placed.at;
+    if (!has_place_[p] && !placed.numbers.empty()) arms_.emplace(placed.point, placed);
     for (std::size_t axis = 0; has_place_[p] && axis < static_cast<std::size_t>(dimension()); ++axis)
       add(Equation().plus(form[axis]).minus(points_[p][axis]).equals());
     if (!has_place_[p]) points_[p] = form;

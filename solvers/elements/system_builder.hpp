@@ -24,6 +24,10 @@ struct LineForms {
 struct BodyPoint {
   int point = -1;
   VectorForm at;
+  VectorForm
+      origin{};  ///< of a body that moves: `at` is origin + arm, and the arm is as long as the file says
+  VectorForm arm{};
+  std::vector<ExactNumber> numbers{};  ///< the file's coordinates; empty: the body does not move
 };
 
 /// normal·x = offset, normal·normal = 1.
@@ -71,6 +75,11 @@ class SystemBuilder {
 
   // Elements.
   const VectorForm& point(int entity) const { return points_[static_cast<std::size_t>(entity)]; }
+  /// The same with the body that moves it; null where none does.
+  const BodyPoint* arm(int entity) const {
+    const auto found = arms_.find(entity);
+    return found == arms_.end() ? nullptr : &found->second;
+  }
   const LineForms& line(int entity) const {
     return lines_[static_cast<std::size_t>(problem().line_of(entity))];
   }
@@ -115,6 +124,7 @@ class SystemBuilder {
   std::vector<std::function<ComplexValues(const Placement&, const ComplexValues&)>> definitions_;
   std::vector<VectorForm> points_;
   std::vector<bool> has_place_;  // one per point
+  std::map<int, BodyPoint> arms_;
   std::vector<LineForms> lines_;
   std::vector<PlaneForms> planes_;
   std::map<std::pair<int, int>, SegmentForms> segments_;

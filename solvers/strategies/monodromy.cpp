@@ -131,19 +131,24 @@ class MonodromyStrategy final : public ComplexStrategy {
 
   void solve_random_member(const SolveRequest& request, GeneralStart& start) const override {
     const auto stopped = [&] { return request.stop.stop_requested(); };
-    GenericSolutions generic = search_by_monodromy(
-        start.family, start.tracking, {}, search_, start.random, stopped,
-        [&](int) { report_progress(request, "solutions at random values", -1); }, start.work);
+    const auto progress = [&](const char* stage) {
+      return [&request, stage](int) { report_progress(request, stage, -1); };
+    };
+    // Values have no common factor to turn by, which leaves the mixing to the arcs' bends and number.
+    MonodromyOptions search = search_;
+    search.bend = trace_bend;
+    GenericSolutions generic;
     std::optional<TraceTest> trace;
-    start.missing = why_not_all(generic, trace, "found");
-    for (int i = 0; with_trace_ && i < most_trace_tests && !start.missing.empty() && !stopped(); ++i) {
-      MonodromyOptions options;
-      options.bend = trace_bend;
-      options.arcs = 2 * search_.arcs;
-      trace = test_trace(
-          start.equations, setup_for(request), options, start.random, stopped,
-          [&](int) { report_progress(request, "points for the trace test", -1); }, start.work);
+    for (int i = 0; i < most_trace_tests && (i == 0 || !start.missing.empty()) && !stopped(); ++i) {
+      search.arcs *= 2;
+      if (!trace || trace->solutions != std::ssize(generic.solutions))
+        generic = search_by_monodromy(start.family, start.tracking, {}, search, start.random, stopped,
+                                      progress("solutions at random values"), start.work);
+      if (with_trace_)
+        trace = test_trace(start.equations, setup_for(request), search, start.random, stopped,
+                           progress("points for the trace test"), start.work);
       start.missing = why_not_all(generic, trace, "found");
+      if (!with_trace_) break;
     }
     start.is_stopped = generic.end == SearchEnd::stopped || stopped();
     start.particulars = {

@@ -16,14 +16,18 @@ ProblemStatement two_points_and_a_line(int dimension) {
   return problem;
 }
 
-/// Reads the figure and writes it again.
-std::string copy(const std::string& text, int dimension, bool is_real) {
+/// Reads the figure and writes it again, its planes where it has some.
+std::string copy(const std::string& text, const ProblemStatement& problem, bool is_real) {
   const JsonValue document = parse_json(text, file);
-  const ProblemStatement problem = two_points_and_a_line(dimension);
   const Figure figure = read_figure(JsonCursor(document, file), problem, is_real);
   CHECK(figure.is_real() == is_real);
-  return to_text(
-      json_object({{"points", json_points(problem, figure)}, {"lines", json_lines(problem, figure)}}), -1);
+  JsonMembers members{{"points", json_points(problem, figure)}, {"lines", json_lines(problem, figure)}};
+  if (!problem.planes.empty()) members.emplace_back("planes", json_planes(problem, figure));
+  return to_text(json_object(std::move(members)), -1);
+}
+
+std::string copy(const std::string& text, int dimension, bool is_real) {
+  return copy(text, two_points_and_a_line(dimension), is_real);
 }
 
 }  // namespace
@@ -36,6 +40,29 @@ TEST_CASE("a figure that is read and written stays the same") {
       R"("lines": {"L": {"point": [[0, 1], [0, 0], [5, 0]], "direction": [[0, 1], [3, 0], [4, 0.5]]}}})";
   CHECK(copy(real, 3, true) == real);
   CHECK(copy(complex, 3, false) == complex);
+}
+
+TEST_CASE("planes of a figure that is read and written stay the same") {
+  ProblemStatement problem;
+  problem.planes = {"E", "F"};
+  const std::string real =
+      R"({"points": {}, "lines": {}, "planes": {"E": {"normal": [0, 0.6, 0.8], "offset": -2}, )"
+      R"("F": {"normal": [1, 0, 0], "offset": 0}}})";
+  const std::string complex =
+      R"({"points": {}, "lines": {}, "planes": {"E": {"normal": [[0, 1], [0.5, 0], [-1, 2]], "offset": [1, -3]}, )"
+      R"("F": {"normal": [[1, 0], [0, 0], [0, 0]], "offset": [0, 0.5]}}})";
+  CHECK(copy(real, problem, true) == real);
+  CHECK(copy(complex, problem, false) == complex);
+  CHECK_THROWS_WITH(copy(R"({"points": {}, "planes": {"E": {"normal": [1, 0, 0]}}})", problem, true),
+                    "file.json: /planes/E: the field 'offset' is missing; add it");
+}
+
+TEST_CASE("lines of the plane have two coordinates") {
+  ProblemStatement problem = two_points_and_a_line(2);
+  problem.lines = {"L"};
+  const std::string text =
+      R"({"points": {"a": [1, 2], "b": [3, 4]}, "lines": {"L": {"point": [0, 5], "direction": [0.6, 0.8]}}})";
+  CHECK(copy(text, problem, true) == text);
 }
 
 TEST_CASE("a figure of the plane has two coordinates and needs no lines") {

@@ -1,0 +1,637 @@
+/// gcsbench-instance/2: planes, bodies and constraints of all types. Expected values are those of the files and of
+/// elementary geometry.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+
+#include "harness/tests/instances/instance_samples.hpp"
+
+namespace {
+
+using namespace gcs::samples;
+using gcs::Operand;
+using gcs::ProblemStatement;
+using gcs::Relation;
+using gcs::RelationType;
+using nlohmann::json;
+
+/// Points p1 to p4, lines L and M and planes E and F in space, without any constraint.
+json scene() {
+  return json::parse(R"({
+    "format": "gcsbench-instance/2", "id": "small", "dimension": 3,
+    "points": ["p1", "p2", "p3", "p4"], "lines": ["L", "M"], "planes": ["E", "F"],
+    "constraints": []})");
+}
+
+/// Points p1 to p4 and lines L and M in the plane.
+json plane_scene() { return with(with(scene(), "/planes", nullptr), "/dimension", 2); }
+
+/// Two triangles, a1 to a3 and b1 to b3, in space.
+json bodies() {
+  return json::parse(R"({
+    "format": "gcsbench-instance/2", "id": "small", "dimension": 3, "points": ["q"],
+    "bodies": {"base": {"a1": [0, 0, 0], "a2": [3, 0, 0], "a3": [0, 4, 0]},
+               "top": {"b1": [1, 0, 0], "b2": [2, 0, 0], "b3": [1, 1.5, 0]}},
+    "constraints": [{"type": "distance", "between": ["a1", "b1"], "length": 2}]})");
+}
+
+/// The document with one constraint more.
+json and_also(json document, const std::string& constraint) {
+  document["constraints"].push_back(json::parse(constraint));
+  return document;
+}
+
+Relation relation_of(const json& document, const std::string& constraint) {
+  return parsed(and_also(document, constraint)).problem.relations.back();
+}
+
+/// The constraint, alone, is refused at that place in it.
+void check_constraint_refused(const json& document, const std::string& constraint, const std::string& pointer,
+                              const std::string& word) {
+  const std::string place = "/constraints/" + std::to_string(document["constraints"].size());
+  check_refused(and_also(document, constraint), place + pointer, word);
+}
+
+/// A constraint between two operands, with the text of further members.
+std::string between(const std::string& type, const std::string& a, const std::string& b,
+                    const std::string& value = "") {
+  return R"({"type": ")" + type + R"(", "between": [)" + a + ", " + b + "]" + value + "}";
+}
+
+const std::map<std::string, std::string> operand_samples{
+    {"point", R"("p1")"}, {"line", R"("L")"}, {"plane", R"("E")"}, {"segment", R"(["p2", "p3"])"}};
+const std::map<std::string, std::string> other_samples{
+    {"point", R"("p4")"}, {"line", R"("M")"}, {"plane", R"("F")"}, {"segment", R"(["p3", "p4"])"}};
+
+}  // namespace
+
+TEST_CASE("planes are read with their positions") {
+  json document = with(scene(), "/fixed", {{"E", {{"normal", {0, 0, 2}}, {"offset", 3}}}, {"p1", {0, 0, 1}}});
+  const ProblemStatement problem = parsed(document).problem;
+  CHECK(problem.is_general());
+  CHECK(problem.planes == std::vector<std::string>{"E", "F"});
+  CHECK(problem.entity_count() == 8);
+  CHECK(problem.name(7) == "F");
+  CHECK(problem.fixed_planes.at(0)->normal == Eigen::Vector3d(0, 0, 1));
+  CHECK(problem.fixed_planes.at(0)->offset == 1.5);
+  CHECK_FALSE(problem.fixed_planes.at(1).has_value());
+  CHECK(problem.is_fixed(6));
+  CHECK_FALSE(problem.is_fixed(7));
+  CHECK(problem.is_anchored());
+  document["fixed"]["E"]["normal"] = {0, 0, 0};
+  check_refused(document, "/fixed/E/normal", "the normal is zero");
+  check_refused(with(document, "/fixed/E", {0, 0, 1}), "/fixed/E", "an object is needed");
+  check_refused(with(document, "/fixed/E", {{"normal", {0, 0, 1}}}), "/fixed/E", "'offset' is missing");
+}
+
+TEST_CASE("a sketch places planes, and may leave out what is fixed") {
+  json document = with(scene(), "/fixed", {{"p1", {0, 0, 1}}});
+  document["sketch"] = json::parse(R"({
+    "p2": [1, 0, 0], "p3": [0, 1, 0], "p4": [0, 0, 5],
+    "L": {"point": [0, 0, 0], "direction": [0, 5, 0]}, "M": {"point": [0, 0, 1], "direction": [1, 0, 0]},
+    "E": {"normal": [0, 3, 4], "offset": 10}, "F": {"normal": [1, 0, 0], "offset": -1}})");
+  const gcs::Figure sketch = *parsed(document).problem.sketch;
+  CHECK(sketch.points.col(0) == Eigen::Vector3d(0, 0, 1));
+  CHECK(sketch.lines[0].direction == Eigen::Vector3d(0, 1, 0));
+  REQUIRE(sketch.planes.size() == 2);
+  CHECK((sketch.planes[0].normal - Eigen::Vector3d(0, 0.6, 0.8)).norm() < 1e-15);
+  CHECK(sketch.planes[0].offset == Approx(2));
+  CHECK(sketch.planes[1].offset == -1);
+  check_refused(with(document, "/sketch/F", nullptr), "/sketch", "no position for 'F'");
+  document["fixed"]["F"] = {{"normal", {1, 0, 0}}, {"offset", -2}};
+  check_refused(document, "/sketch/F", "'F' is fixed somewhere else");
+}
+
+TEST_CASE("what space alone has is refused in the plane") {
+  const auto in_the_plane = [](const json& document) { return with(document, "/dimension", 2); };
+  check_refused(in_the_plane(scene()), "/planes", "planes are for space only");
+  json body = with(bodies(), "/bodies/base", {{"E", {{"normal", {1, 0}}, {"offset", 1}}}});
+  check_refused(in_the_plane(body), "/bodies/base/E", "planes are for space only");
+  check_constraint_refused(plane_scene(), between("meet", R"("L")", R"("M")"), "/type",
+                           "'meet' is for space only");
+  check_constraint_refused(plane_scene(), R"({"type": "coplanar", "between": ["p1", "p2", "p3", "p4"]})",
+                           "/type", "'coplanar' is for space only");
+}
+
+TEST_CASE("lines in the plane have two coordinates, and distances from them are relations") {
+  json document = with(plane_scene(), "/fixed", {{"L", {{"point", {1, 0}}, {"direction", {0, 3}}}}});
+  document = and_also(document, between("distance", R"("L")", R"("p1")", R"(, "squared": 2.5)"));
+  const ProblemStatement problem = parsed(document).problem;
+  CHECK(problem.fixed_lines[0]->point == Eigen::Vector3d(1, 0, 0));
+  CHECK(problem.fixed_lines[0]->direction == Eigen::Vector3d(0, 1, 0));
+  CHECK(problem.constraints.empty());
+  REQUIRE(problem.relations.size() == 1);
+  CHECK(problem.relations[0].type == RelationType::distance);
+  CHECK(problem.relations[0].of == std::vector<Operand>{{4, -1}, {0, -1}});
+  CHECK(problem.relations[0].form == Relation::Form::squared);
+  CHECK(problem.relations[0].given.text == "2.5");
+  check_refused(with(document, "/fixed/L/point", {1, 0, 0}), "/fixed/L/point", "exactly 2");
+}
+
+TEST_CASE("constraints are told apart, in the order of the file, and have ids by their place in it") {
+  const ProblemStatement problem = parsed(json::parse(R"({
+    "format": "gcsbench-instance/2", "id": "small", "dimension": 3,
+    "points": ["p1", "p2", "p3", "p4"], "lines": ["L"], "planes": ["E"],
+    "constraints": [
+      {"type": "on", "between": ["p1", "E"]},
+      {"type": "distance", "between": ["L", "p2"], "length": 1.5},
+      {"type": "angle", "between": [["p1", "p2"], "E"], "degrees": 30},
+      {"type": "distance", "between": ["p2", "p1"], "squared": 2},
+      {"id": "side", "type": "orientation", "of": ["p4", "p3", "p2", "p1"], "sign": -1},
+      {"type": "collinear", "between": ["p3", "p1", "p2"]},
+      {"type": "distance", "between": ["p3", "E"], "length": -2.5}]})"))
+                                       .problem;
+  REQUIRE(problem.constraints.size() == 2);
+  CHECK(problem.constraints[0].id == "a2");
+  CHECK(problem.constraints[0].between == std::array{4, 1});
+  CHECK(problem.constraints[0].given.text == "1.5");
+  CHECK(problem.constraints[1].id == "a4");
+  CHECK(problem.constraints[1].is_squared);
+  REQUIRE(problem.relations.size() == 5);
+  CHECK(problem.relations[0].id == "a1");
+  CHECK(problem.relations[0].type == RelationType::on);
+  CHECK(problem.relations[0].of == std::vector<Operand>{{0, -1}, {5, -1}});
+  CHECK(problem.relations[0].form == Relation::Form::none);
+  CHECK(problem.relations[1].id == "a3");
+  CHECK(problem.relations[1].of == std::vector<Operand>{{0, 1}, {5, -1}});
+  CHECK(problem.relations[1].form == Relation::Form::degrees);
+  CHECK(problem.relations[1].given.text == "30");
+  CHECK(problem.relations[2].id == "side");
+  CHECK(problem.relations[2].of == std::vector<Operand>{{3, -1}, {2, -1}, {1, -1}, {0, -1}});
+  CHECK(problem.relations[2].sign == -1);
+  CHECK(problem.relations[3].type == RelationType::collinear);
+  CHECK(problem.relations[3].of == std::vector<Operand>{{2, -1}, {0, -1}, {1, -1}});
+  CHECK(problem.relations[4].form == Relation::Form::length);
+  CHECK(problem.relations[4].given.value == -2.5);
+}
+
+TEST_CASE("each type takes the pairs of its table and refuses all others by name") {
+  using Pairs = std::set<std::set<std::string>>;
+  const Pairs directions{{"line"},          {"segment", "line"},  {"segment"},
+                         {"line", "plane"}, {"segment", "plane"}, {"plane"}};
+  const std::map<std::string, std::pair<Pairs, std::string>> table{
+      {"distance",
+       {{{"point"}, {"point", "line"}, {"point", "plane"}, {"line"}, {"line", "plane"}, {"plane"}},
+        R"(, "length": 1)"}},
+      {"angle", {directions, R"(, "degrees": 10)"}},
+      {"on", {{{"point", "line"}, {"point", "plane"}, {"line", "plane"}}, ""}},
+      {"meet", {{{"line"}}, ""}},
+      {"parallel", {directions, ""}},
+      {"perpendicular", {directions, ""}}};
+  for (const auto& [type, entry] : table) {
+    const auto& [pairs, value] = entry;
+    for (const auto& [a, first] : operand_samples) {
+      for (const auto& [b, second] : other_samples) {
+        const std::string constraint = between(type, first, second, value);
+        INFO(constraint);
+        // Where only parallel elements have a distance they are made so.
+        const bool as_parallels = type == "distance" && a != "point" && b != "point";
+        const json document = as_parallels ? and_also(scene(), between("parallel", first, second)) : scene();
+        if (pairs.contains({a, b})) {
+          const ProblemStatement problem = parsed(and_also(document, constraint)).problem;
+          CHECK(problem.constraints.size() + problem.relations.size() == (as_parallels ? 2 : 1));
+        } else if (!as_parallels || (a != "segment" && b != "segment")) {
+          check_constraint_refused(
+              document, constraint, "/between",
+              "'" + type + "' is not between " + a + "–" + b + "; '" + type + "' is between ");
+        }
+      }
+    }
+  }
+  check_constraint_refused(scene(), between("on", R"("L")", R"("M")"), "/between",
+                           "'on' is between point–line, point–plane and line–plane");
+  check_constraint_refused(plane_scene(), between("on", R"("L")", R"("M")"), "/between",
+                           "'on' is between point–line");
+  check_constraint_refused(scene(), between("distance", R"(["p1", "p2"])", R"("M")", R"(, "length": 1)"),
+                           "/between", "'distance' is not between segment–line");
+}
+
+TEST_CASE("names in constraints are known, and different") {
+  check_constraint_refused(scene(), between("on", R"("p1")", R"("G")"), "/between/1",
+                           "no point, line or plane 'G'");
+  check_constraint_refused(scene(), between("parallel", R"(["p1", "L"])", R"("M")"), "/between/0/1",
+                           "'L' is a line; name a point");
+  check_constraint_refused(scene(), between("parallel", R"(["p1", "p1"])", R"("M")"), "/between/0",
+                           "'p1' for both ends");
+  check_constraint_refused(scene(), between("parallel", R"(["p1", "p2", "p3"])", R"("M")"), "/between/0",
+                           "exactly 2");
+  check_constraint_refused(scene(), between("parallel", R"(["p1", "p2"])", R"(["p2", "p1"])"), "/between",
+                           "'p1–p2' is on both sides of 'parallel'");
+  check_constraint_refused(scene(), between("distance", R"("E")", R"("E")", R"(, "length": 1)"), "/between",
+                           "'E' has no distance to itself");
+  check_constraint_refused(scene(), R"({"type": "meet", "between": ["L"]})", "/between", "exactly 2");
+  check_constraint_refused(bodies(), between("on", R"("q")", R"("base")"), "/between/1",
+                           "'base' is a body; name one of its elements");
+  check_constraint_refused(scene(), R"({"type": "collinear", "between": ["p1", "p2"]})", "/between",
+                           "three points or more");
+  check_constraint_refused(scene(), R"({"type": "coplanar", "between": ["p1", "p2", "p3"]})", "/between",
+                           "four points or more");
+  check_constraint_refused(scene(), R"({"type": "collinear", "between": ["p1", "p2", "E"]})", "/between/2",
+                           "'E' is a plane; name a point");
+  check_constraint_refused(scene(), R"({"type": "collinear", "between": ["p1", "p2", "p1"]})", "/between/2",
+                           "'p1' is named twice");
+  check_constraint_refused(scene(), R"({"type": "angel", "between": ["L", "M"]})", "/type",
+                           "did you mean 'angle'? The types are 'distance', 'angle', 'on'");
+  check_constraint_refused(scene(), between("on", R"("p1")", R"("L")", R"(, "length": 0)"), "/length",
+                           "unknown field 'length'");
+}
+
+TEST_CASE("distances have the values that make them distances") {
+  const auto refused = [](const json& document, const std::string& a, const std::string& b,
+                          const std::string& value, const std::string& member, const std::string& word) {
+    check_constraint_refused(document, between("distance", a, b, value), member, word);
+  };
+  const std::string zero = R"(, "length": 0)", minus = R"(, "length": -1)", square = R"(, "squared": 4)";
+  refused(scene(), R"("p1")", R"("p2")", zero, "/length", "> 0");
+  refused(scene(), R"("p1")", R"("L")", zero, "/length", "'on'");
+  refused(scene(), R"("E")", R"("p1")", zero, "/length", "'on'");
+  refused(scene(), R"("L")", R"("M")", zero, "/length", "'meet'");
+  const json with_parallel = and_also(scene(), between("parallel", R"("L")", R"("E")"));
+  refused(with_parallel, R"("E")", R"("L")", zero, "/length", "'on'");
+  refused(with_parallel, R"("E")", R"("L")", minus, "/length", "no sign");
+  refused(scene(), R"("E")", R"("F")", zero, "/length", "name it once");
+  refused(plane_scene(), R"("M")", R"("L")", zero, "/length", "name it once");
+  refused(scene(), R"("p1")", R"("p2")", minus, "/length", "> 0");
+  refused(scene(), R"("p1")", R"("L")", minus, "/length", "> 0");
+  refused(scene(), R"("M")", R"("L")", minus, "/length", "> 0");
+  refused(scene(), R"("p1")", R"("E")", square, "/squared", "give 'length'");
+  refused(scene(), R"("F")", R"("E")", square, "/squared", "give 'length'");
+  refused(scene(), R"("p1")", R"("E")", R"(, "length": -1e-310)", "/length", "full precision");
+  refused(scene(), R"("p1")", R"("E")", zero + square, "", "both 'length' and 'squared'");
+  refused(scene(), R"("p1")", R"("E")", "", "", "the length is missing");
+}
+
+TEST_CASE("only parallels give lines of the plane, a plane and a line, and planes a distance") {
+  const std::string length = R"(, "length": 2)";
+  const std::string needed = "no 'parallel' joins";
+  check_constraint_refused(scene(), between("distance", R"("E")", R"("F")", length), "/between", needed);
+  check_constraint_refused(scene(), between("distance", R"("L")", R"("F")", length), "/between", needed);
+  check_constraint_refused(plane_scene(), between("distance", R"("L")", R"("M")", length), "/between",
+                           needed);
+  CHECK(relation_of(scene(), between("distance", R"("L")", R"("M")", length)).given.value == 2);
+  SECTION("by way of others, and in any order of the file") {
+    json document = and_also(scene(), between("distance", R"("M")", R"("F")", R"(, "squared": 2)"));
+    document = and_also(document, between("parallel", R"("L")", R"(["p2", "p1"])"));
+    document = and_also(document, between("parallel", R"(["p1", "p2"])", R"("M")"));
+    check_refused(document, "/constraints/0/between", needed);
+    document = and_also(document, between("parallel", R"("L")", R"("E")"));
+    check_refused(document, "/constraints/0/between", needed);
+    document = and_also(document, between("parallel", R"("E")", R"("F")"));
+    CHECK(parsed(document).problem.relations.size() == 5);
+    // Two lines that are parallel to one plane may cross.
+    const json crossing = json::parse(R"({
+      "format": "gcsbench-instance/2", "id": "small", "dimension": 3, "points": [], "planes": ["E", "F", "G"],
+      "lines": ["L"], "constraints": [
+        {"type": "parallel", "between": ["E", "L"]}, {"type": "parallel", "between": ["L", "F"]},
+        {"type": "distance", "between": ["E", "F"], "length": -1}]})");
+    check_refused(crossing, "/constraints/2/between", needed);
+  }
+  SECTION("of planes it has a sign") {
+    const json document = and_also(scene(), between("parallel", R"("F")", R"("E")"));
+    const Relation relation =
+        relation_of(document, between("distance", R"("E")", R"("F")", R"(, "length": -2)"));
+    CHECK(relation.given.value == -2);
+    CHECK(relation.of == std::vector<Operand>{{6, -1}, {7, -1}});
+  }
+}
+
+TEST_CASE("angles have the values that make them angles") {
+  const auto value = [](const std::string& form, const std::string& number) {
+    return ", \"" + form + "\": " + number;
+  };
+  const auto refused = [&](const std::string& a, const std::string& b, const std::string& form,
+                           const std::string& number, const std::string& word) {
+    check_constraint_refused(scene(), between("angle", a, b, value(form, number)), "/" + form, word);
+  };
+  // Directions without a sense.
+  for (const auto& [a, b] :
+       {std::pair{R"("L")", R"("M")"}, std::pair{R"("L")", R"("E")"}, std::pair{R"("E")", R"(["p1", "p2"])"},
+        std::pair{R"(["p1", "p2"])", R"("M")"}}) {
+    CHECK(relation_of(scene(), between("angle", a, b, value("degrees", "89.25"))).given.text == "89.25");
+    CHECK(relation_of(scene(), between("angle", a, b, value("cosine", "0.25"))).form ==
+          Relation::Form::cosine);
+    refused(a, b, "degrees", "0", "'parallel'");
+    refused(a, b, "degrees", "90", "'perpendicular'");
+    refused(a, b, "degrees", "120", "above 0 and below 90 degrees");
+    refused(a, b, "degrees", "-1", "above 0 and below 90 degrees");
+    refused(a, b, "cosine", "0", "'perpendicular'");
+    refused(a, b, "cosine", "1.0", "'parallel'");
+    refused(a, b, "cosine", "-0.5", "above 0 and below 1");
+    refused(a, b, "cosine", "1.5", "above 0 and below 1");
+  }
+  // Directions with a sense.
+  for (const auto& [a, b] :
+       {std::pair{R"("E")", R"("F")"}, std::pair{R"(["p1", "p2"])", R"(["p2", "p3"])"}}) {
+    CHECK(relation_of(scene(), between("angle", a, b, value("degrees", "179"))).given.value == 179);
+    CHECK(relation_of(scene(), between("angle", a, b, value("cosine", "-0.5"))).given.value == -0.5);
+    refused(a, b, "degrees", "0", "'parallel'");
+    refused(a, b, "degrees", "90", "'perpendicular'");
+    refused(a, b, "degrees", "180", "'parallel'");
+    refused(a, b, "degrees", "200", "above 0 and below 180 degrees");
+    refused(a, b, "cosine", "-1", "'parallel'");
+    refused(a, b, "cosine", "0", "'perpendicular'");
+    refused(a, b, "cosine", "-1.1", "above -1 and below 1");
+  }
+  check_constraint_refused(scene(), between("angle", R"("L")", R"("M")"), "", "the angle is missing");
+  check_constraint_refused(scene(), between("angle", R"("L")", R"("M")", R"(, "degrees": 60, "cosine": 0.5)"),
+                           "", "both 'degrees' and 'cosine'");
+  check_constraint_refused(scene(), between("angle", R"("L")", R"("M")", R"(, "length": 60)"), "/length",
+                           "unknown field");
+}
+
+TEST_CASE("an orientation is of three points in the plane and four in space") {
+  CHECK(relation_of(plane_scene(), R"({"type": "orientation", "of": ["p1", "p2", "p3"], "sign": 1})").sign ==
+        1);
+  check_constraint_refused(scene(), R"({"type": "orientation", "of": ["p1", "p2", "p3"], "sign": 1})", "/of",
+                           "exactly 4 points");
+  check_constraint_refused(plane_scene(),
+                           R"({"type": "orientation", "of": ["p1", "p2", "p3", "p4"], "sign": 1})", "/of",
+                           "exactly 3 points");
+  check_constraint_refused(plane_scene(), R"({"type": "orientation", "of": ["p1", "p2", "p1"], "sign": 1})",
+                           "/of/2", "named twice");
+  check_constraint_refused(plane_scene(), R"({"type": "orientation", "of": ["p1", "p2", "p3"], "sign": 2})",
+                           "/sign", "give 1 or -1");
+  check_constraint_refused(plane_scene(), R"({"type": "orientation", "of": ["p1", "p2", "p3"]})", "",
+                           "'sign' is missing");
+  check_constraint_refused(plane_scene(),
+                           R"({"type": "orientation", "between": ["p1", "p2", "p3"], "sign": 1})", "/between",
+                           "did you mean");
+}
+
+TEST_CASE("no two constraints say the same") {
+  const auto refused_twice = [](const json& document, const std::string& constraint, const std::string& again,
+                                const std::string& word) {
+    check_constraint_refused(and_also(document, constraint), again, "", word);
+  };
+  const std::string angle = R"(, "degrees": 10)";
+  refused_twice(scene(), between("angle", R"("L")", R"("M")", angle),
+                between("angle", R"("M")", R"("L")", angle),
+                "'a1' and 'a2' both give the angle of 'M' and 'L'");
+  refused_twice(scene(), between("parallel", R"(["p1", "p2"])", R"("E")"),
+                between("parallel", R"("E")", R"(["p2", "p1"])"), "both say 'parallel' of 'E' and 'p2–p1'");
+  refused_twice(scene(), R"({"type": "collinear", "between": ["p1", "p2", "p3"]})",
+                R"({"type": "collinear", "between": ["p3", "p2", "p1"]})", "both say 'collinear'");
+  refused_twice(scene(), R"({"id": "a2", "type": "on", "between": ["p1", "L"]})",
+                between("distance", R"("p1")", R"("p2")", R"(, "length": 1)"), "'a2' is taken");
+  // Of another type they say something else.
+  CHECK(parsed(and_also(and_also(scene(), between("perpendicular", R"("L")", R"("M")")),
+                        between("meet", R"("M")", R"("L")")))
+            .problem.relations.size() == 2);
+}
+
+TEST_CASE("constraints that say nothing of the unknown are refused") {
+  json document = with(scene(), "/fixed", {{"p1", {0, 0, 0}}, {"E", {{"normal", {0, 0, 1}}, {"offset", 1}}}});
+  check_constraint_refused(document, between("on", R"("p1")", R"("E")"), "/between",
+                           "'p1' and 'E' are both fixed; leave this constraint out");
+  document["fixed"]["p2"] = {1, 0, 0};
+  document["fixed"]["p3"] = {2, 0, 0};
+  check_constraint_refused(document, R"({"type": "collinear", "between": ["p1", "p2", "p3"]})", "/between",
+                           "'p1', 'p2' and 'p3' are all fixed");
+  CHECK(parsed(and_also(document, R"({"type": "coplanar", "between": ["p1", "p2", "p3", "p4"]})"))
+            .problem.relations.size() == 1);
+  for (const std::string& constraint :
+       {between("distance", R"("a1")", R"("a2")", R"(, "length": 3)"),
+        between("perpendicular", R"(["a1", "a2"])", R"(["a1", "a3"])"),
+        std::string(R"({"type": "collinear", "between": ["a1", "a2", "a3"]})")})
+    check_constraint_refused(bodies(), constraint, "/between", "are elements of one body, 'base'");
+  CHECK(relation_of(bodies(), R"({"type": "collinear", "between": ["a1", "a2", "q"]})").of.size() == 3);
+}
+
+TEST_CASE("elements of bodies are elements of the scene, behind those that are listed") {
+  json document = bodies();
+  document["bodies"]["top"]["L"] = {{"point", {0, 0, 1}}, {"direction", {0, 2, 0}}};
+  document["bodies"]["top"]["E"] = {{"normal", {0, 0, 2}}, {"offset", 3}};
+  document["lines"] = {"M"};
+  const ProblemStatement problem = parsed(document).problem;
+  CHECK(problem.points == std::vector<std::string>{"q", "a1", "a2", "a3", "b1", "b2", "b3"});
+  CHECK(problem.lines == std::vector<std::string>{"M", "L"});
+  CHECK(problem.planes == std::vector<std::string>{"E"});
+  REQUIRE(problem.bodies.size() == 2);
+  CHECK(problem.bodies[0].name == "base");
+  REQUIRE(problem.bodies[0].elements.size() == 3);
+  CHECK(problem.bodies[0].elements[1].entity == 2);
+  CHECK(problem.bodies[0].elements[1].numbers[0].text == "3");
+  REQUIRE(problem.bodies[1].elements.size() == 5);
+  std::map<int, std::vector<double>> numbers;
+  for (const gcs::BodyElement& element : problem.bodies[1].elements)
+    for (const gcs::Decimal& number : element.numbers) numbers[element.entity].push_back(number.value);
+  CHECK(numbers[6] == std::vector<double>{1, 1.5, 0});
+  CHECK(numbers[8] == std::vector<double>{0, 0, 1, 0, 2, 0});
+  CHECK(numbers[9] == std::vector<double>{0, 0, 2, 3});
+  CHECK(problem.constraints.at(0).between == std::array{1, 4});
+  CHECK(problem.reference_body == 0);
+  CHECK_FALSE(problem.reference.has_value());
+}
+
+TEST_CASE("a joint is one element of two bodies") {
+  json document = with(bodies(), "/constraints", json::array());
+  document["bodies"]["top"]["a1"] = {5, 5, 5};
+  const ProblemStatement problem = parsed(document).problem;
+  CHECK(problem.points == std::vector<std::string>{"q", "a1", "a2", "a3", "b1", "b2", "b3"});
+  const std::vector<gcs::BodyElement>& top = problem.bodies[1].elements;
+  CHECK(std::count_if(top.begin(), top.end(),
+                      [](const gcs::BodyElement& element) { return element.entity == 1; }) == 1);
+  SECTION("which two points make a hinge, at the same distance but for rounding") {
+    document["bodies"]["top"]["a2"] = {5, 5, 8.000000001};
+    CHECK(parsed(document).problem.bodies[1].elements.size() == 5);
+    document["bodies"]["top"]["a2"] = {5, 5, 8.5};
+    check_refused(document, "/bodies/top", "the distance of 'a1' and 'a2' is 3 in the body 'base' and 3.5");
+  }
+  SECTION("which three points do not make") {
+    document["bodies"]["top"]["a2"] = {5, 5, 8};
+    document["bodies"]["top"]["a3"] = {5, 9, 5};
+    check_refused(document, "/bodies/top", "they are one body");
+  }
+  SECTION("which is of one kind") {
+    document["bodies"]["top"]["a1"] = {{"point", {0, 0, 0}}, {"direction", {1, 0, 0}}};
+    check_refused(document, "/bodies/top/a1", "'a1' is a line here and a point in another body");
+  }
+  SECTION("which a line makes, with a point of it") {
+    for (const char* body : {"base", "top"})
+      document["bodies"][body]["axis"] = {{"point", {5, 5, 5}}, {"direction", {1, 1, 1}}};
+    document["bodies"]["base"]["axis"]["point"] = {-1, -1, -1};
+    CHECK(parsed(document).problem.lines == std::vector<std::string>{"axis"});
+    document["bodies"]["base"]["axis"]["point"] = {-1, -1, 2};
+    check_refused(document, "/bodies/top", "they are one body");
+    document["bodies"]["base"]["axis"]["point"] = {-1, -1, -1};
+    document["bodies"]["top"]["axis"]["point"] = {5, 5, 8};  // √6 from the point
+    check_refused(document, "/bodies/top",
+                  "the distance of 'a1' and 'axis' is 0 in the body 'base' and 2.4494897");
+  }
+  SECTION("which planes make, parallel and as far apart") {
+    document["bodies"]["top"].erase("a1");
+    for (const char* body : {"base", "top"}) {
+      document["bodies"][body]["E"] = {{"normal", {0, 0, 1}}, {"offset", 1}};
+      document["bodies"][body]["F"] = {{"normal", {0, 0, 1}}, {"offset", 3}};
+    }
+    CHECK(parsed(document).problem.planes.size() == 2);
+    document["bodies"]["top"]["F"]["normal"] = {0, 0, -2};
+    check_refused(document, "/bodies/top",
+                  "the cosine of the angle of 'E' and 'F' is 1 in the body 'base' and -1");
+    document["bodies"]["top"]["F"] = {{"normal", {0, 0, 2}}, {"offset", 7}};
+    check_refused(document, "/bodies/top", "the distance of 'E' and 'F' is 2 in the body 'base' and 2.5");
+  }
+}
+
+TEST_CASE("bodies of the plane that share two points are one") {
+  json document = json::parse(R"({
+    "format": "gcsbench-instance/2", "id": "small", "dimension": 2, "points": [],
+    "bodies": {"one": {"p": [0, 0], "q": [1, 0]}, "two": {"p": [0, 0], "r": [0, 1]}},
+    "constraints": []})");
+  CHECK(parsed(document).problem.bodies.size() == 2);
+  document["bodies"]["two"]["q"] = {1, 0};
+  check_refused(document, "/bodies/two", "one body");
+}
+
+TEST_CASE("a body has elements enough that its pose is determined") {
+  const auto base = [](const json& elements) { return with(bodies(), "/bodies/base", elements); };
+  const json line = {{"point", {0, 0, 0}}, {"direction", {1, 1, 0}}};
+  const json plane = {{"normal", {1, 1, 0}}, {"offset", 2}};
+  const json loose[] = {json::object(),
+                        {{"a1", {0, 0, 0}}},
+                        {{"a1", line}},
+                        {{"a1", plane}},
+                        {{"a1", {0, 0, 0}}, {"a2", {1, 1, 0}}},
+                        {{"a1", {0, 0, 0}}, {"a2", {0.1, 0.2, 0.3}}, {"a3", {0.2, 0.4, 0.6}}},
+                        {{"a1", {2, 2, 0}}, {"a2", line}},
+                        {{"a1", {2, 0, 5}}, {"a2", plane}},
+                        {{"a1", line}, {"a2", plane}},
+                        {{"a1", plane}, {"a2", {{"normal", {1, 0, 0}}, {"offset", 2}}}}};
+  const int motions[] = {6, 3, 2, 3, 1, 1, 1, 1, 1, 1};
+  for (std::size_t i = 0; i < std::size(loose); ++i)
+    check_refused(base(loose[i]), "/bodies/base",
+                  "'base' do not determine its pose: they leave it " + std::to_string(motions[i]) +
+                      " of 6 motions; give it");
+  // The constraint of the sample names a1.
+  const json enough[] = {{{"a1", {0, 0, 0}}, {"a2", {1, 0, 0}}, {"a3", {1, 1e-3, 0}}},
+                         {{"a1", {1, 0, 0}}, {"a2", line}},
+                         {{"a1", {1, 0, 0}}, {"a2", {1, 0, 1}}, {"a3", plane}}};
+  for (const json& elements : enough) CHECK(parsed(base(elements)).problem.bodies.size() == 2);
+  json flat = json::parse(R"({"format": "gcsbench-instance/2", "id": "small", "dimension": 2, "points": [],
+    "bodies": {"one": {"p": [0, 0]}}, "constraints": []})");
+  check_refused(flat, "/bodies/one", "1 of 3 motions; give it one more point");
+  flat["bodies"]["one"]["L"] = {{"point", {5, 5}}, {"direction", {1, 0}}};
+  CHECK(parsed(flat).problem.bodies.size() == 1);
+}
+
+TEST_CASE("names are unique over all kinds of elements") {
+  check_refused(with(scene(), "/planes/1", "p1"), "/planes/1", "'p1' is given twice");
+  check_refused(with(bodies(), "/points/0", "a1"), "/bodies/base/a1", "both free and in a body");
+  check_refused(with(bodies(), "/points/0", "top"), "/bodies/top", "'top' is given twice");
+  check_refused(with(bodies(), "/bodies/top/base", {0, 0, 0}), "/bodies/top/base", "'base' is given twice");
+  check_refused(with(bodies(), "/bodies/top/", {0, 0, 0}), "/bodies/top/", "the name is empty");
+  check_refused(with(bodies(), "/bodies/top/b1", {0, 0}), "/bodies/top/b1", "exactly 3");
+  check_refused(with(bodies(), "/bodies/top/b1", {{"normal", {0, 0, 0}}, {"offset", 1}}),
+                "/bodies/top/b1/normal", "zero");
+  json crowd = bodies();
+  for (int i = 0; i < 2000; ++i) crowd["bodies"]["top"]["c" + std::to_string(i)] = {i, 0, 0};
+  check_refused(crowd, "/points", "up to 2000");
+}
+
+TEST_CASE("a scene has an element") {
+  CHECK(parsed(with(scene(), "/points", json::array())).problem.points.empty());
+  const json empty =
+      with(with(with(scene(), "/points", json::array()), "/lines", nullptr), "/planes", nullptr);
+  check_refused(empty, "/points", "name points, lines, planes or bodies");
+}
+
+TEST_CASE("the frame is that of a body, of the reference or of what is fixed") {
+  const json by_body = with(bodies(), "/reference", {{"body", "top"}});
+  CHECK(parsed(by_body).problem.reference_body == 1);
+  check_refused(with(by_body, "/reference/body", "a1"), "/reference/body", "'a1' is a point; name a body");
+  check_refused(with(by_body, "/reference/body", "topp"), "/reference/body", "did you mean 'top'?");
+  check_refused(with(by_body, "/reference/origin", "a1"), "/reference/origin", "unknown field");
+  const ProblemStatement by_points =
+      parsed(with(bodies(), "/reference", {{"origin", "q"}, {"axis", "b1"}, {"plane", "a1"}})).problem;
+  CHECK(by_points.reference_body == -1);
+  CHECK(by_points.reference->axis == 4);
+  const json anchored = with(bodies(), "/fixed", {{"q", {0, 0, 0}}});
+  CHECK(parsed(anchored).problem.reference_body == -1);
+  check_refused(with(anchored, "/reference", {{"body", "top"}}), "/reference", "exclude each other");
+}
+
+TEST_CASE("fixed elements of a body are as it has them") {
+  const json fixed = with(bodies(), "/fixed", {{"a1", {1, 1, 1}}, {"a2", {1, 1, 4}}});
+  CHECK(parsed(fixed).problem.is_fixed(1));
+  check_refused(with(fixed, "/fixed/a2", {1, 1, 5}), "/fixed",
+                "the distance of 'a1' and 'a2' is 3 in the body 'base' and 4 in 'fixed'");
+}
+
+TEST_CASE("a sketch may leave out elements of a body whose pose it tells") {
+  json document = bodies();
+  // The first body turned by 90 degrees about the z-axis and moved by (1, 0, 0), with something for every body to bear.
+  document["bodies"]["base"]["a4"] = {1, 2, 3};
+  document["bodies"]["base"]["L"] = {{"point", {1, 2, 3}}, {"direction", {1, 0, 0}}};
+  document["bodies"]["base"]["E"] = {{"normal", {1, 0, 0}}, {"offset", 7}};
+  document["sketch"] = {{"q", {9, 9, 9}},  {"a1", {1, 0, 0}}, {"a2", {1, 3, 0}},  {"a3", {-3, 0, 0}},
+                        {"b1", {0, 0, 5}}, {"b2", {1, 0, 5}}, {"b3", {0, 1.5, 5}}};
+  const ProblemStatement problem = parsed(document).problem;
+  const gcs::Figure& sketch = *problem.sketch;
+  const auto a4 = std::find(problem.points.begin(), problem.points.end(), "a4") - problem.points.begin();
+  CHECK((sketch.points.col(a4) - Eigen::Vector3d(-1, 1, 3)).norm() < 1e-14);
+  CHECK((sketch.lines[0].point - Eigen::Vector3d(-1, 1, 3)).norm() < 1e-14);
+  CHECK((sketch.lines[0].direction - Eigen::Vector3d(0, 1, 0)).norm() < 1e-14);
+  CHECK((sketch.planes[0].normal - Eigen::Vector3d(0, 1, 0)).norm() < 1e-14);
+  CHECK(sketch.planes[0].offset == Approx(7));
+  check_refused(with(document, "/sketch/a3", nullptr), "/sketch", "no position for 'a3'");
+  // Given positions stay as they are, whether or not the body can have them.
+  document["sketch"]["a3"] = {-3.5, 0, 0};
+  CHECK(parsed(document).problem.sketch->points.col(3) == Eigen::Vector3d(-3.5, 0, 0));
+}
+
+TEST_CASE("hints for distances do not fit other scenes") {
+  check_refused(with(bodies(), "/construction", {{{"place", "q"}, {"from", json::array()}}}), "/construction",
+                "distances between points alone");
+}
+
+TEST_CASE("a file of distances is the same problem in both formats") {
+  for (const json& document : {plane(), space(), bipyramid(), tangents()}) {
+    const ProblemStatement first = parsed(document).problem;
+    const ProblemStatement second = parsed(with(document, "/format", "gcsbench-instance/2")).problem;
+    CHECK_FALSE(second.is_general());
+    CHECK(first.dimension == second.dimension);
+    CHECK(first.points == second.points);
+    CHECK(first.lines == second.lines);
+    REQUIRE(first.constraints.size() == second.constraints.size());
+    for (std::size_t i = 0; i < first.constraints.size(); ++i) {
+      CHECK(first.constraints[i].id == second.constraints[i].id);
+      CHECK(first.constraints[i].between == second.constraints[i].between);
+      CHECK(first.constraints[i].given.text == second.constraints[i].given.text);
+      CHECK(first.constraints[i].is_squared == second.constraints[i].is_squared);
+    }
+    CHECK(first.fixed_points == second.fixed_points);
+    CHECK(first.fixed_point_texts == second.fixed_point_texts);
+    CHECK(first.reference.has_value() == second.reference.has_value());
+    REQUIRE(first.sketch.has_value() == second.sketch.has_value());
+    if (first.sketch) CHECK(first.sketch->points == second.sketch->points);
+    CHECK(first.interpolation.bent == second.interpolation.bent);
+    CHECK(first.construction.size() == second.construction.size());
+    CHECK(second.reference_body == -1);
+  }
+}
+
+TEST_CASE("in both formats distances are checked in the same way") {
+  const auto general = [](const json& document) { return with(document, "/format", "gcsbench-instance/2"); };
+  check_refused(general(with(plane(), "/constraints/2", nullptr)), "/constraints", "under-constrained");
+  check_refused(general(with(plane(), "/constraints", json::array())), "/constraints", "no constraint");
+  check_refused(general(with(plane(), "/constraints/2/length", 8)), "/constraints/2", "a3 (p2–p3) is 8");
+  check_refused(general(with(plane(), "/fixed", {{"p1", {0, 0}}})), "/fixed", "movable as a whole");
+  check_refused(general(with(plane(), "/sketch/p3", {5, 0})), "/sketch", "on one line");
+  check_refused(general(with(plane(), "/sketh", 1)), "/sketh", "did you mean 'sketch'?");
+  check_refused(general(with(space(), "/constraints/6/length", 0)), "/constraints/6/length", "'on'");
+}
+
+TEST_CASE("what only the second format has is refused in the first with that remedy") {
+  const std::string remedy = R"(give "format": "gcsbench-instance/2")";
+  check_refused(with(space(), "/planes", {"E"}), "/planes", remedy);
+  check_refused(with(space(), "/bodies", json::object()), "/bodies", remedy);
+  check_refused(with(plane(), "/lines", {"L"}), "/lines", remedy);
+  for (const std::string type :
+       {"angle", "on", "meet", "parallel", "perpendicular", "collinear", "coplanar", "orientation"})
+    check_refused(with(plane(), "/constraints/0/type", type), "/constraints/0/type", remedy);
+  json two_lines = with(space(), "/lines", {"L", "M"});
+  two_lines["constraints"][0]["between"] = {"L", "M"};
+  check_refused(two_lines, "/constraints/0/between", remedy);
+}

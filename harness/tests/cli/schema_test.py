@@ -44,11 +44,47 @@ SPACE = {
 
 BENT = {**PLANE, "id": "bent", "interpolation": {"bends": {"a1": [2, -0.5], "a3": []}}}
 
+GENERAL = {
+    "format": "gcsbench-instance/2",
+    "id": "general",
+    "dimension": 3,
+    "points": [],
+    "lines": ["L"],
+    "planes": ["E"],
+    "bodies": {
+        "base": {"p1": [0, 0, 0], "p2": [1, 0, 0], "M": {"point": [0, 0, 1], "direction": [0, 1, 0]}},
+        "top": {"p1": [0, 0, 0], "p3": [1, 0, 0], "p4": [0, 1, 0], "F": {"normal": [0, 0, 2], "offset": -1}},
+    },
+    "constraints": [
+        {"type": "distance", "between": ["p2", "E"], "length": -2.5},
+        {"id": "turn", "type": "angle", "between": [["p2", "p3"], "L"], "degrees": 30},
+        {"type": "angle", "between": ["E", "F"], "cosine": -0.5},
+        {"type": "meet", "between": ["L", "M"]},
+        {"type": "parallel", "between": [["p1", "p2"], ["p3", "p4"]]},
+        {"type": "collinear", "between": ["p2", "p3", "p4"]},
+        {"type": "coplanar", "between": ["p1", "p2", "p3", "p4"]},
+        {"type": "orientation", "of": ["p1", "p2", "p3", "p4"], "sign": -1},
+    ],
+    "reference": {"body": "top"},
+    "sketch": {"E": {"normal": [0, 1, 0], "offset": 2}},
+}
+
+FLAT = {
+    "format": "gcsbench-instance/2",
+    "id": "flat",
+    "dimension": 2,
+    "points": ["p1"],
+    "lines": ["L"],
+    "bodies": {"base": {"p2": [0, 0], "M": {"point": [0, 1], "direction": [0, 1]}}},
+    "fixed": {"L": {"point": [0, 0], "direction": [1, 0]}},
+    "constraints": [],
+}
+
 REMOVED = object()
 
 BROKEN = [
     (PLANE, ["sketh"], {}),
-    (PLANE, ["format"], "gcsbench-instance/2"),
+    (PLANE, ["format"], "gcsbench-instance/3"),
     (PLANE, ["format"], REMOVED),
     (PLANE, ["id"], "a/b"),
     (PLANE, ["dimension"], 4),
@@ -87,6 +123,44 @@ BROKEN = [
     (SPACE, ["sketch", "L", "direction"], [0, 0, 0]),
     (SPACE, ["sketch", "L", "directon"], [0, 0, 1]),
     (SPACE, ["planes"], ["E"]),
+    (SPACE, ["bodies"], {}),
+    (SPACE, ["reference"], {"body": "b"}),
+    (SPACE, ["constraints", 0], {"type": "on", "between": ["L", "p1"]}),
+    (GENERAL, ["format"], "gcsbench-instance/1"),
+    (GENERAL, ["dimension"], 2),
+    (GENERAL, ["points"], REMOVED),
+    (GENERAL, ["planes"], ["E", "E"]),
+    (GENERAL, ["bodies", "base"], [0, 0, 0]),
+    (GENERAL, ["bodies", "base", "p1"], [0, 0]),
+    (GENERAL, ["bodies", "top", "F", "normal"], [0, 0, 0]),
+    (GENERAL, ["bodies", "top", "F", "offset"], REMOVED),
+    (GENERAL, ["bodies", "top", "F", "offset"], [1]),
+    (GENERAL, ["constraints", 0, "length"], 0),
+    (GENERAL, ["constraints", 0, "squared"], 4),
+    (GENERAL, ["constraints", 0, "degrees"], 4),
+    (GENERAL, ["constraints", 0, "between", 0], ["p1", "p2"]),
+    (GENERAL, ["constraints", 1, "degrees"], 90),
+    (GENERAL, ["constraints", 1, "degrees"], 180),
+    (GENERAL, ["constraints", 1, "cosine"], 0.5),
+    (GENERAL, ["constraints", 1, "between", 0], ["p1", "p2", "p3"]),
+    (GENERAL, ["constraints", 2, "cosine"], 1),
+    (GENERAL, ["constraints", 2, "cosine"], REMOVED),
+    (GENERAL, ["constraints", 3, "type"], "meets"),
+    (GENERAL, ["constraints", 3, "between"], ["L"]),
+    (GENERAL, ["constraints", 3, "length"], 1),
+    (GENERAL, ["constraints", 5, "between"], ["p2", "p3"]),
+    (GENERAL, ["constraints", 6, "between"], ["p1", "p2", "p3"]),
+    (GENERAL, ["constraints", 7, "of"], ["p1", "p2", "p3"]),
+    (GENERAL, ["constraints", 7, "sign"], 0),
+    (GENERAL, ["reference", "origin"], "p1"),
+    (GENERAL, ["sketch", "E", "normal"], [0, 1]),
+    (FLAT, ["planes"], ["E"]),
+    (FLAT, ["bodies", "base", "p2"], [0, 0, 0]),
+    (FLAT, ["bodies", "base", "E"], {"normal": [0, 0, 1], "offset": 1}),
+    (FLAT, ["fixed", "L", "direction"], [1, 0, 0]),
+    (FLAT, ["fixed", "L", "direction"], [0, 0]),
+    (FLAT, ["constraints"], [{"type": "meet", "between": ["L", "M"]}]),
+    (FLAT, ["constraints"], [{"type": "orientation", "of": ["p1", "p2", "p3", "p4"], "sign": 1}]),
 ]
 
 
@@ -110,7 +184,7 @@ def complaints(validator, folder):
             continue
         for error in validator.iter_errors(json.loads(file.read_text(encoding="utf-8"))):
             yield f"{file.name}: {error.json_path}: {error.message}"
-    for document in (PLANE, SPACE, BENT):
+    for document in (PLANE, SPACE, BENT, GENERAL, FLAT):
         for error in validator.iter_errors(document):
             yield f"the sound '{document['id']}' is refused: {error.json_path}: {error.message}"
     for document, path, value in BROKEN:

@@ -32,7 +32,8 @@ std::string headline(const Instance& instance, const SolveRun& run) {
 
 /// The convention of a count of classes. Where positions are fixed there is no reflection to divide out.
 std::string_view convention(const ProblemStatement& problem) {
-  return problem.is_anchored() ? "positions are fixed, no reflection is divided out" : "up to reflection";
+  return problem.is_anchored() ? "positions are fixed, no reflection is divided out"
+                               : word(convention_of(problem));
 }
 
 std::string solution_counts(const ProblemStatement& problem, const Counts& counts,

@@ -104,6 +104,7 @@ void visit_fields(RecordOf<RecordedLimit> auto& limit, const auto& visit) {
   visit("reference", limit.bound.reference);
   visit("parts", limit.bound.parts);
   visit.later("ring", limit.bound.ring);
+  visit.later("theorem", limit.bound.theorem);
 }
 
 void visit_fields(RecordOf<InstanceSummary> auto& instance, const auto& visit) {

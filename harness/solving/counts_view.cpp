@@ -39,6 +39,7 @@ JsonValue bound_value(const ProblemStatement& problem, const CountBound& bound) 
   for (const std::vector<std::string>& body : names.ring) bodies.push_back(json_texts(body));
   members.emplace_back("ring", json_array(std::move(bodies)));
   members.emplace_back("parts", json_number(bound.parts));
+  if (!bound.theorem.empty()) members.emplace_back("theorem", json_text(bound.theorem));
   return json_object(std::move(members));
 }
 
@@ -68,13 +69,14 @@ BoundNames names_of(const ProblemStatement& problem, const CountBound& bound) {
     for (const int entity : entities) result.push_back(problem.name(entity));
     return result;
   };
-  BoundNames all{names(bound.reference), {}, bound.parts};
+  BoundNames all{names(bound.reference), {}, bound.parts, bound.theorem};
   for (const std::vector<int>& body : bound.ring) all.ring.push_back(names(body));
   return all;
 }
 
 std::string bound_origin(const BoundNames& names) {
   if (names.parts > 1) return fmt::format("product of the bounds of {} parts", names.parts);
+  if (!names.theorem.empty()) return names.theorem;
   if (names.ring.empty() && names.reference.empty())
     return "Bézout bound of a cubic and a quartic in the line's direction";
   if (names.ring.empty())

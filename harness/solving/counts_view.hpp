@@ -26,6 +26,7 @@ struct BoundNames {
   std::vector<std::string> reference;
   std::vector<std::vector<std::string>> ring;
   int parts = 1;
+  std::string theorem{};  ///< that gives the bound; empty: none
 };
 
 BoundNames names_of(const ProblemStatement& problem, const CountBound& bound);

@@ -144,11 +144,11 @@ class Builder {
 
   static std::string origin(const RecordedLimit& limit) {
     if (limit.is_exact) return "Exact at generic lengths: recursion over bigraphs, Capco et al. 2018.";
-    const auto& [reference, ring, parts] = limit.bound;
-    const std::string_view source = parts > 1            ? "."
-                                    : !ring.empty()      ? "; given shapes close in at most 16 ways."
-                                    : !reference.empty() ? ", Bartzos, Emiris, Schicho 2020."
-                                                         : ", Macdonald, Pach, Theobald 2001.";
+    const auto& [reference, ring, parts, theorem] = limit.bound;
+    const std::string_view source = parts > 1 || !theorem.empty() ? "."
+                                    : !ring.empty()               ? "; given shapes close in at most 16 ways."
+                                    : !reference.empty()          ? ", Bartzos, Emiris, Schicho 2020."
+                                                                  : ", Macdonald, Pach, Theobald 2001.";
     return bound_origin(limit.bound) + std::string(source);
   }
 

@@ -233,6 +233,41 @@ bool seeks_common_tangents(const ProblemStatement& problem) {
 /// radii are moved, so no four centres have more.
 void bound_tangents(TheoreticalCounts& counts) { counts.bound = CountBound{{Natural(12), {}}, {}, {}}; }
 
+/// The body that a point is in; −1: none, or several.
+int only_body_of(const ProblemStatement& problem, int point) {
+  int found = -1;
+  for (int body = 0; body < static_cast<int>(problem.bodies.size()); ++body)
+    for (const BodyElement& element : problem.bodies[static_cast<std::size_t>(body)].elements) {
+      if (element.entity != point) continue;
+      if (found >= 0) return -1;
+      found = body;
+    }
+  return found;
+}
+
+/// Nothing but two bodies and as many distances between points of both as they have freedoms against each other.
+bool is_platform(const ProblemStatement& problem) {
+  const std::size_t freedoms = problem.dimension == 3 ? 6 : 3;
+  if (problem.bodies.size() != 2 || !problem.lines.empty() || !problem.planes.empty() ||
+      !problem.relations.empty() || problem.constraints.size() != freedoms || problem.is_anchored())
+    return false;
+  for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
+    if (only_body_of(problem, point) < 0) return false;
+  return std::all_of(problem.constraints.begin(), problem.constraints.end(),
+                     [&](const DistanceConstraint& c) {
+                       return only_body_of(problem, c.between[0]) != only_body_of(problem, c.between[1]);
+                     });
+}
+
+/// Isolated postures persist when bodies and lengths are moved, so that no platform has more than a general one.
+void bound_platform(const ProblemStatement& problem, TheoreticalCounts& counts) {
+  const bool is_spatial = problem.dimension == 3;
+  counts.bound = CountBound{{Natural(is_spatial ? 40 : 6), frame_images(problem)}, {}, {}};
+  counts.bound->theorem =
+      is_spatial ? "two bodies and six distances: 40 postures, Ronga and Vust 1992, Mourrain 1993"
+                 : "two bodies and three distances in the plane: 6 postures, Hunt 1983";
+}
+
 }  // namespace
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
@@ -243,7 +278,11 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std:
   TheoreticalCounts counts;
   if (problem.is_general()) {
     counts.why_no_exact = "The exact number is known only for points with distances between them.";
-    counts.why_no_bound = "The bound is known for distances of points, and of one line, alone.";
+    if (is_platform(problem))
+      bound_platform(problem, counts);
+    else
+      counts.why_no_bound =
+          "The bound is known for distances of points, of one line, and of two bodies alone.";
   } else if (seeks_common_tangents(problem)) {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";
     bound_tangents(counts);

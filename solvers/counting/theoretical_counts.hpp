@@ -29,6 +29,8 @@ struct CountBound {
   std::vector<int> reference;          ///< entities that make the frame: d points, or a line and a point
   std::vector<std::vector<int>> ring;  ///< the points of the ring's bodies; empty for the m-Bézout bound
   int parts = 1;  ///< of so many parts the bounds are multiplied; the reference is that of the first, no ring
+  std::string
+      theorem{};  ///< in words with its source, for the bound of a theorem: then there is no reference
 };
 
 struct TheoreticalCounts {

@@ -115,7 +115,7 @@ void ComplexStrategy::prepare(const SolveRequest& request) {
 
 std::unique_ptr<GeneralStart> ComplexStrategy::general_start(const SolveRequest& request) const {
   auto start = std::make_unique<GeneralStart>(request.scene, request.seed, setup_for(request));
-  solve_random_member(request, *start);
+  solve_random_member(request, limit_of(request), *start);
   return start;
 }
 

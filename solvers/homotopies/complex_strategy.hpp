@@ -79,7 +79,7 @@ class ComplexStrategy : public Strategy {
     return "it knows points, one line and distances between them alone";
   }
   /// Finds a member of the scene's family with its solutions. Precondition: !why_no_general_scenes().
-  virtual void solve_random_member(const SolveRequest&, GeneralStart&) const {}
+  virtual void solve_random_member(const SolveRequest&, const ClassLimit&, GeneralStart&) const {}
   std::unique_ptr<GeneralStart> general_start(const SolveRequest& request) const;
   SolveReport solve_general(const SolveRequest& request) const;
   SolveReport solve_free(const SolveRequest& request, const ClassLimit& limit) const;

@@ -60,6 +60,7 @@ Convention convention_of(const ProblemStatement& problem) {
 FrameImages frame_images(const ProblemStatement& problem) {
   const int points = static_cast<int>(problem.points.size());
   if (problem.is_anchored()) return {1, 1};
+  if (problem.is_general()) return {convention_of(problem) == Convention::up_to_reflection ? 2 : 1, 1};
   if (!problem.lines.empty()) return {points == 1 ? 1 : 4, 2};
   return {points <= problem.dimension ? 1 : 2, 1 << (std::min(points, problem.dimension) - 1)};
 }

@@ -14,4 +14,9 @@ std::string_view word(Claim claim) {
   return words[static_cast<std::size_t>(claim)];
 }
 
+std::string_view word(Convention convention) {
+  constexpr std::array<std::string_view, 3> words{"in the given frame", "up to motion", "up to reflection"};
+  return words[static_cast<std::size_t>(convention)];
+}
+
 }  // namespace gcs

@@ -24,6 +24,9 @@ std::string_view word(RunStatus status);
 /// The word of gcsbench-result/1: "some real", "on path", …
 std::string_view word(Claim claim);
 
+/// The word of gcsbench-result/1: "in the given frame", "up to motion", "up to reflection".
+std::string_view word(Convention convention);
+
 inline constexpr std::array all_statuses{RunStatus::complete,    RunStatus::partial,  RunStatus::infinite,
                                          RunStatus::unsupported, RunStatus::gave_up,  RunStatus::stopped,
                                          RunStatus::interrupted, RunStatus::timed_out};

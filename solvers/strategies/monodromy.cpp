@@ -129,7 +129,8 @@ class MonodromyStrategy final : public ComplexStrategy {
     return std::nullopt;
   }
 
-  void solve_random_member(const SolveRequest& request, GeneralStart& start) const override {
+  void solve_random_member(const SolveRequest& request, const ClassLimit& limit,
+                           GeneralStart& start) const override {
     const auto stopped = [&] { return request.stop.stop_requested(); };
     const auto progress = [&](const char* stage) {
       return [&request, stage](int) { report_progress(request, stage, -1); };
@@ -138,13 +139,14 @@ class MonodromyStrategy final : public ComplexStrategy {
     MonodromyOptions search = search_;
     search.bend = trace_bend;
     GenericSolutions generic;
+    const std::optional<std::uint64_t> most = limit();
     std::optional<TraceTest> trace;
     for (int i = 0; i < most_trace_tests && (i == 0 || !start.missing.empty()) && !stopped(); ++i) {
       search.arcs *= 2;
       if (!trace || trace->solutions != std::ssize(generic.solutions))
-        generic = search_by_monodromy(start.family, start.tracking, {}, search, start.random, stopped,
-                                      progress("solutions at random values"), start.work);
-      if (with_trace_)
+        generic = search_by_monodromy(start.family, start.tracking, {most, nullptr}, search, start.random,
+                                      stopped, progress("solutions at random values"), start.work);
+      if (with_trace_ && generic.end != SearchEnd::complete)
         trace = test_trace(start.equations, setup_for(request), search, start.random, stopped,
                            progress("points for the trace test"), start.work);
       start.missing = why_not_all(generic, trace, "found");

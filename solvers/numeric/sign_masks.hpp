@@ -4,6 +4,8 @@
 /// has an odd number of these bits.
 
 #include <cstdint>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace gcs {
@@ -17,6 +19,7 @@ class SignMasks {
   explicit SignMasks(std::vector<SignMask> masks) : masks_(std::move(masks)) {}
   /// Independent generators: unknowns with the same number ≥ 0 change their signs together; −1: never.
   SignMasks(const std::vector<int>& groups);
+  SignMasks(std::initializer_list<int> groups) : SignMasks(std::vector<int>(groups)) {}
 
   std::size_t size() const { return masks_.size(); }
   SignMask operator[](std::size_t unknown) const { return masks_[unknown]; }

@@ -118,7 +118,7 @@ std::vector<int> signed_unknowns(const Scene& scene, const SceneEquations& equat
       chosen.try_emplace(kind, unknown);
   const auto prefer = [&](int point, int axis) {
     const int unknown = point < 0 || scene.is_anchored() ? -1 : equations.point_unknown(point, axis);
-    if (unknown >= 0) chosen[axis] = unknown;
+    if (unknown >= 0) chosen[mirror[static_cast<std::size_t>(unknown)]] = unknown;
   };
   prefer(frame.axis, 0);
   prefer(frame.plane, 1);

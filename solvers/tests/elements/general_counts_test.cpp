@@ -1,0 +1,143 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "solvers/solving/solve.hpp"
+#include "solvers/strategies/monodromy.hpp"
+#include "solvers/tests/random_numbers.hpp"
+
+using namespace gcs;
+using samples::RandomNumbers;
+
+namespace {
+
+Answer proven(const ProblemStatement& problem, std::uint64_t seed = 1) {
+  return solve(Scene::unchecked(problem), "monodromy", {}, {.seed = seed, .certify = true});
+}
+
+RigidBody random_body(const std::string& name, int first_point, int count, int dimension,
+                      RandomNumbers& random) {
+  RigidBody body{name, {}};
+  for (int i = 0; i < count; ++i) {
+    BodyElement element{first_point + i, {}};
+    for (int axis = 0; axis < dimension; ++axis) element.numbers.push_back({random.uniform(-1, 1), ""});
+    body.elements.push_back(element);
+  }
+  return body;
+}
+
+/// Two random bodies, leg i between point i of each, as long as it is where the second body stands.
+ProblemStatement random_platform(int dimension, RandomNumbers& random) {
+  const int legs = dimension == 3 ? 6 : 3;
+  ProblemStatement problem;
+  problem.dimension = dimension;
+  for (int i = 0; i < 2 * legs; ++i) problem.points.push_back("p" + std::to_string(i));
+  for (const int body : {0, 1})
+    problem.bodies.push_back(random_body("b" + std::to_string(body), body * legs, legs, dimension, random));
+  problem.reference_body = 0;
+  const Eigen::Quaterniond turn =
+      dimension == 3 ? Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
+                                          random.uniform(-1, 1))
+                           .normalized()
+                     : Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-3, 3), Eigen::Vector3d::UnitZ()));
+  const Eigen::Vector3d shift = random.point(dimension, 2);
+  const auto given = [&](int body, int i) {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    const BodyElement& element =
+        problem.bodies[static_cast<std::size_t>(body)].elements[static_cast<std::size_t>(i)];
+    for (int axis = 0; axis < dimension; ++axis)
+      at[axis] = element.numbers[static_cast<std::size_t>(axis)].value;
+    return at;
+  };
+  for (int i = 0; i < legs; ++i)
+    problem.constraints.push_back({"leg" + std::to_string(i),
+                                   {i, legs + i},
+                                   {(turn * given(1, i) + shift - given(0, i)).norm(), ""},
+                                   false});
+  return problem;
+}
+
+/// Six elements, all pairs but 0–3, 1–4, 2–5; the last `planes` of them are planes. Values of a random figure.
+ProblemStatement random_octahedral(int planes, RandomNumbers& random) {
+  const int points = 6 - planes;
+  ProblemStatement problem;
+  const Eigen::Matrix3Xd places = random.points(3, points, 2);
+  std::vector<PlanePosition> sides;
+  for (int i = 0; i < points; ++i) problem.points.push_back("p" + std::to_string(i));
+  for (int i = 0; i < planes; ++i) {
+    problem.planes.push_back("h" + std::to_string(i));
+    sides.push_back({random.point(3, 1).normalized(), random.uniform(-1, 1)});
+  }
+  problem.reference = Reference{0, 1, 2};
+  const auto side = [&](int i) { return sides[static_cast<std::size_t>(i - points)]; };
+  for (int a = 0; a < 6; ++a)
+    for (int b = a + 1; b < 6; ++b) {
+      if (b == a + 3) continue;
+      const std::string id = "c" + std::to_string(6 * a + b);
+      if (b < points)
+        problem.constraints.push_back({id, {a, b}, {(places.col(a) - places.col(b)).norm(), ""}, false});
+      else if (a < points)
+        problem.relations.push_back({id,
+                                     RelationType::distance,
+                                     {{a}, {b}},
+                                     Relation::Form::length,
+                                     {side(b).normal.dot(places.col(a)) - side(b).offset, ""}});
+      else
+        problem.relations.push_back({id,
+                                     RelationType::angle,
+                                     {{a}, {b}},
+                                     Relation::Form::cosine,
+                                     {side(a).normal.dot(side(b).normal), ""}});
+    }
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("a general platform has 40 postures, and one in the plane 6") {
+  RandomNumbers random(11);
+  for (const auto& [dimension, count] : {std::pair(3, 40), std::pair(2, 6)})
+    for (int i = 0; i < 2; ++i) {
+      const Answer answer = proven(random_platform(dimension, random));
+      CHECK(answer.status == RunStatus::complete);
+      CHECK(answer.failed_checks.empty());
+      CHECK(answer.solutions.size() == static_cast<std::size_t>(count));
+      REQUIRE(answer.proofs);
+      CHECK(answer.proofs->are_complete());
+      CHECK(answer.proofs->real >= 1);
+    }
+}
+
+TEST_CASE("octahedral scenes with up to three planes have 8 solutions up to reflection") {
+  RandomNumbers random(12);
+  for (const int planes : {1, 2, 3}) {
+    const Answer answer = proven(random_octahedral(planes, random));
+    INFO(planes << " planes: " << answer.reason);
+    CHECK(answer.status == RunStatus::complete);
+    CHECK(answer.failed_checks.empty());
+    CHECK(answer.solutions.size() == 8);
+    REQUIRE(answer.proofs);
+    CHECK(answer.proofs->classes == 8);
+    CHECK(answer.proofs->real >= 1);
+  }
+}
+
+TEST_CASE("the unit of a general scene changes no bit, however small or large") {
+  RandomNumbers random(13);
+  const ProblemStatement problem = random_octahedral(2, random);
+  const Answer answer = proven(problem);
+  for (const int exponent : {-500, 500}) {
+    ProblemStatement scaled = problem;
+    const auto scale = [&](Decimal& length) { length.value = std::ldexp(length.value, exponent); };
+    for (DistanceConstraint& c : scaled.constraints) scale(c.given);
+    for (Relation& r : scaled.relations)
+      if (r.form == Relation::Form::length) scale(r.given);
+    const Answer other = proven(scaled);
+    REQUIRE(other.solutions.size() == answer.solutions.size());
+    for (std::size_t i = 0; i < answer.solutions.size(); ++i) {
+      CHECK(other.solutions[i].figure.points == answer.solutions[i].figure.points);
+      CHECK(other.solutions[i].error_bound == answer.solutions[i].error_bound);
+    }
+  }
+}

@@ -109,7 +109,7 @@ class StillnessConditions {
 double distance_of_lines(const LinePosition& a, const LinePosition& b) {
   const Eigen::Vector3d normal = a.direction.cross(b.direction);
   const Eigen::Vector3d between = b.point - a.point;
-  return normal.norm() <= parallel_sine ? between.cross(a.direction).norm()
+  return normal.norm() <= parallel_sine ? between.cross(a.direction).stableNorm()
                                         : std::abs(between.dot(normal)) / normal.norm();
 }
 
@@ -123,10 +123,10 @@ class Measuring {
   using Measures = std::vector<Measure>;
 
   Measures operator()(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
-    return {{true, (a - b).norm()}};
+    return {{true, (a - b).stableNorm()}};
   }
   Measures operator()(const Eigen::Vector3d& point, const LinePosition& line) const {
-    return {{true, (point - line.point).cross(line.direction).norm()}};
+    return {{true, (point - line.point).cross(line.direction).stableNorm()}};
   }
   Measures operator()(const Eigen::Vector3d& point, const PlanePosition& plane) const {
     return {{true, height(point, plane)}};

@@ -168,7 +168,7 @@ class Agreement {
     const std::vector<Measure> in_b = measures(b.shape.at(x), b.shape.at(y));
     for (std::size_t i = 0; i < std::min(in_a.size(), in_b.size()); ++i) {
       const double tolerance = most_disagreement * (in_a[i].is_distance ? size_ : 1);
-      if (std::abs(in_a[i].value - in_b[i].value) <= tolerance) continue;
+      if (!(std::abs(in_a[i].value - in_b[i].value) > tolerance)) continue;
       cursor.fail((in_a[i].is_distance ? "the distance of " : "the cosine of the angle of ") +
                       entity_names(problem_, {x, y}) + " is " + json_number(in_a[i].value).text + " " +
                       a.where + " and " + json_number(in_b[i].value).text + " " + b.where,

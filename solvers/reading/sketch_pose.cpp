@@ -1,6 +1,7 @@
 #include "solvers/reading/sketch_pose.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "solvers/reading/instance_bodies.hpp"
 
@@ -24,12 +25,14 @@ struct Motion {
   }
 };
 
+/// In a unit in which no product overflows.
 Motion nearest_motion(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, int dimension) {
-  const Eigen::MatrixXd found =
-      Eigen::umeyama(Eigen::MatrixXd(from.topRows(dimension)), Eigen::MatrixXd(to.topRows(dimension)), false);
+  const double unit = std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
+  const Eigen::MatrixXd found = Eigen::umeyama(Eigen::MatrixXd(from.topRows(dimension) / unit),
+                                               Eigen::MatrixXd(to.topRows(dimension) / unit), false);
   Motion motion;
   motion.turn.topLeftCorner(dimension, dimension) = found.topLeftCorner(dimension, dimension);
-  motion.shift.head(dimension) = found.topRightCorner(dimension, 1);
+  motion.shift.head(dimension) = unit * found.topRightCorner(dimension, 1);
   return motion;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "solvers/reading/figure_json.hpp"
+#include "solvers/reading/instance_bodies.hpp"
+#include "solvers/reading/relation_table.hpp"
 
 namespace gcs {
 namespace {
@@ -30,18 +32,78 @@ JsonValue fixed_value(const ProblemStatement& problem) {
   for (std::size_t i = 0; i < problem.fixed_lines.size(); ++i)
     if (const auto& line = problem.fixed_lines[i])
       members.emplace_back(problem.lines[i], json_line_position(*line, problem.dimension));
+  for (std::size_t i = 0; i < problem.fixed_planes.size(); ++i)
+    if (const auto& plane = problem.fixed_planes[i])
+      members.emplace_back(problem.planes[i], json_plane_position(*plane));
+  return json_object(std::move(members));
+}
+
+JsonValue distance_value(const ProblemStatement& problem, const DistanceConstraint& constraint) {
+  return json_object(
+      {{"id", json_text(constraint.id)},
+       {"type", json_text("distance")},
+       {"between", json_texts({problem.name(constraint.between[0]), problem.name(constraint.between[1])})},
+       {constraint.is_squared ? "squared" : "length",
+        decimal_value(constraint.given.value, constraint.given.text)}});
+}
+
+/// A name, or the two of a segment.
+JsonValue operand_value(const ProblemStatement& problem, const Operand& operand) {
+  const std::string& name = problem.name(operand.entity);
+  return operand.is_segment() ? json_texts({name, problem.name(operand.end)}) : json_text(name);
+}
+
+JsonValue relation_value(const ProblemStatement& problem, const Relation& relation) {
+  const bool is_orientation = relation.type == RelationType::orientation;
+  JsonMembers members{
+      {"id", json_text(relation.id)},
+      {"type", json_text(name_of(relation.type))},
+      {is_orientation ? "of" : "between",
+       json_array_of(relation.of, [&](const Operand& operand) { return operand_value(problem, operand); })}};
+  if (const std::string form = name_of(relation.form); !form.empty())
+    members.emplace_back(form, decimal_value(relation.given.value, relation.given.text));
+  if (is_orientation) members.emplace_back("sign", json_number(relation.sign));
   return json_object(std::move(members));
 }
 
 JsonValue constraints_value(const ProblemStatement& problem) {
-  return json_array_of(problem.constraints, [&](const DistanceConstraint& constraint) {
-    return json_object(
-        {{"id", json_text(constraint.id)},
-         {"type", json_text("distance")},
-         {"between", json_texts({problem.name(constraint.between[0]), problem.name(constraint.between[1])})},
-         {constraint.is_squared ? "squared" : "length",
-          decimal_value(constraint.given.value, constraint.given.text)}});
-  });
+  std::vector<JsonValue> constraints;
+  for (const DistanceConstraint& constraint : problem.constraints)
+    constraints.push_back(distance_value(problem, constraint));
+  for (const Relation& relation : problem.relations) constraints.push_back(relation_value(problem, relation));
+  return json_array(std::move(constraints));
+}
+
+/// Where the body has the element, as the file writes it.
+JsonValue body_element_value(const ProblemStatement& problem, const BodyElement& element) {
+  std::vector<JsonValue> numbers;
+  for (const Decimal& number : element.numbers) numbers.push_back(decimal_value(number.value, number.text));
+  const auto vector = [&](int part) {
+    const auto first = numbers.begin() + part * problem.dimension;
+    return json_array({first, first + problem.dimension});
+  };
+  if (problem.is_point(element.entity)) return vector(0);
+  return problem.is_line(element.entity) ? json_line(vector(0), vector(1))
+                                         : json_plane(vector(0), numbers[3]);
+}
+
+JsonValue bodies_value(const ProblemStatement& problem) {
+  JsonMembers bodies;
+  for (const RigidBody& body : problem.bodies) {
+    JsonMembers members;
+    for (const BodyElement& element : body.elements)
+      members.emplace_back(problem.name(element.entity), body_element_value(problem, element));
+    bodies.emplace_back(body.name, json_object(std::move(members)));
+  }
+  return json_object(std::move(bodies));
+}
+
+/// Of the entities from `first` on those that are in no body.
+JsonValue free_names(const ProblemStatement& problem, const std::vector<std::string>& names, int first) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (common_body(problem, {first + static_cast<int>(i)}) < 0) result.push_back(names[i]);
+  return json_texts(result);
 }
 
 JsonValue reference_value(const ProblemStatement& problem, const Reference& reference) {
@@ -57,9 +119,21 @@ JsonValue reference_value(const ProblemStatement& problem, const Reference& refe
   return json_object(std::move(members));
 }
 
+/// The frame of the scene, if the file can say it.
+std::optional<JsonValue> frame_value(const Scene& scene) {
+  const ProblemStatement& problem = scene.problem();
+  if (scene.is_anchored()) return std::nullopt;
+  if (problem.reference_body >= 0)
+    return json_object(
+        {{"body", json_text(problem.bodies[static_cast<std::size_t>(problem.reference_body)].name)}});
+  if (!problem.is_general()) return reference_value(problem, scene.reference());
+  return problem.reference ? std::optional(reference_value(problem, *problem.reference)) : std::nullopt;
+}
+
 JsonValue sketch_value(const ProblemStatement& problem) {
-  JsonValue positions = json_points(problem, *problem.sketch), lines = json_lines(problem, *problem.sketch);
-  for (auto& line : lines.members) positions.members.push_back(std::move(line));
+  JsonValue positions = json_points(problem, *problem.sketch);
+  for (const auto& more : {json_lines(problem, *problem.sketch), json_planes(problem, *problem.sketch)})
+    positions.members.insert(positions.members.end(), more.members.begin(), more.members.end());
   return positions;
 }
 
@@ -99,11 +173,19 @@ JsonValue construction_value(const ProblemStatement& problem) {
 
 std::string problem_text(const Scene& scene, const std::string& id) {
   const ProblemStatement& problem = scene.problem();
-  JsonMembers members{{"format", json_text("gcsbench-instance/1")},  {"id", json_text(id)},
-                      {"dimension", json_number(problem.dimension)}, {"points", json_texts(problem.points)},
-                      {"lines", json_texts(problem.lines)},          {"fixed", fixed_value(problem)},
-                      {"constraints", constraints_value(problem)}};
-  if (!scene.is_anchored()) members.emplace_back("reference", reference_value(problem, scene.reference()));
+  const int lines = static_cast<int>(problem.points.size()),
+            planes = lines + static_cast<int>(problem.lines.size());
+  JsonMembers members{
+      {"format", json_text(problem.is_general() ? "gcsbench-instance/2" : "gcsbench-instance/1")},
+      {"id", json_text(id)},
+      {"dimension", json_number(problem.dimension)},
+      {"points", free_names(problem, problem.points, 0)},
+      {"lines", free_names(problem, problem.lines, lines)}};
+  if (!problem.planes.empty()) members.emplace_back("planes", free_names(problem, problem.planes, planes));
+  if (!problem.bodies.empty()) members.emplace_back("bodies", bodies_value(problem));
+  members.emplace_back("fixed", fixed_value(problem));
+  members.emplace_back("constraints", constraints_value(problem));
+  if (auto frame = frame_value(scene)) members.emplace_back("reference", std::move(*frame));
   if (problem.sketch) {
     members.emplace_back("sketch", sketch_value(problem));
     members.emplace_back("interpolation", interpolation_value(problem));

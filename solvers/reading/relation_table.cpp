@@ -62,6 +62,11 @@ std::optional<RelationType> relation_type(const std::string& name) {
 
 std::string name_of(RelationType type) { return entry(type).name; }
 
+std::string name_of(Relation::Form form) {
+  static const std::array<const char*, 5> names{"", "length", "squared", "degrees", "cosine"};
+  return names[static_cast<std::size_t>(form)];
+}
+
 std::vector<std::string> relation_type_names() {
   std::vector<std::string> names;
   for (const TypeEntry& entry : table()) names.emplace_back(entry.name);

@@ -17,6 +17,8 @@ OperandKind kind_of(const ProblemStatement& problem, const Operand& operand);
 /// The type of that name in gcsbench-instance/2.
 std::optional<RelationType> relation_type(const std::string& name);
 std::string name_of(RelationType type);
+/// The member that says the value; empty where there is none.
+std::string name_of(Relation::Form form);
 std::vector<std::string> relation_type_names();
 
 /// Whether the type is between two operands; otherwise it is between points, any number of them or, of an orientation,

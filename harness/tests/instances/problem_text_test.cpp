@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "harness/instances/families.hpp"
 #include "harness/instances/instance_lookup.hpp"
@@ -12,11 +13,46 @@ using namespace gcs;
 
 namespace {
 
+bool same(const PlanePosition& a, const PlanePosition& b) {
+  return (a.normal - b.normal).norm() <= 1e-15 && std::abs(a.offset - b.offset) <= 1e-15 * std::abs(a.offset);
+}
+
 bool same(const LinePosition& a, const LinePosition& b) {
   return (a.point - b.point).norm() <= 1e-15 * a.point.norm() && (a.direction - b.direction).norm() <= 1e-15;
 }
 
+void check_same_bodies(const ProblemStatement& a, const ProblemStatement& b) {
+  REQUIRE(a.bodies.size() == b.bodies.size());
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    CHECK(a.bodies[i].name == b.bodies[i].name);
+    REQUIRE(a.bodies[i].elements.size() == b.bodies[i].elements.size());
+    for (std::size_t j = 0; j < a.bodies[i].elements.size(); ++j) {
+      const BodyElement &one = a.bodies[i].elements[j], &other = b.bodies[i].elements[j];
+      CHECK(one.entity == other.entity);
+      REQUIRE(one.numbers.size() == other.numbers.size());
+      for (std::size_t k = 0; k < one.numbers.size(); ++k)
+        CHECK(one.numbers[k].text == other.numbers[k].text);
+    }
+  }
+  CHECK(a.reference_body == b.reference_body);
+}
+
+void check_same_relations(const ProblemStatement& a, const ProblemStatement& b) {
+  REQUIRE(a.relations.size() == b.relations.size());
+  for (std::size_t i = 0; i < a.relations.size(); ++i) {
+    CHECK(a.relations[i].id == b.relations[i].id);
+    CHECK(a.relations[i].type == b.relations[i].type);
+    CHECK(a.relations[i].of == b.relations[i].of);
+    CHECK(a.relations[i].form == b.relations[i].form);
+    CHECK(a.relations[i].given.text == b.relations[i].given.text);
+    CHECK(a.relations[i].sign == b.relations[i].sign);
+  }
+}
+
 void check_same(const ProblemStatement& a, const ProblemStatement& b) {
+  check_same_bodies(a, b);
+  check_same_relations(a, b);
+  CHECK(a.planes == b.planes);
   CHECK(a.dimension == b.dimension);
   CHECK(a.points == b.points);
   CHECK(a.lines == b.lines);
@@ -37,6 +73,9 @@ void check_same(const ProblemStatement& a, const ProblemStatement& b) {
     REQUIRE(a.sketch->lines.size() == b.sketch->lines.size());
     for (std::size_t i = 0; i < a.sketch->lines.size(); ++i)
       CHECK(same(a.sketch->lines[i], b.sketch->lines[i]));
+    REQUIRE(a.sketch->planes.size() == b.sketch->planes.size());
+    for (std::size_t i = 0; i < a.sketch->planes.size(); ++i)
+      CHECK(same(a.sketch->planes[i], b.sketch->planes[i]));
     CHECK(a.interpolation.bent == b.interpolation.bent);
     CHECK(a.interpolation.bend == b.interpolation.bend);
     REQUIRE(a.interpolation.bends.has_value() == b.interpolation.bends.has_value());
@@ -104,6 +143,29 @@ TEST_CASE("a given construction plan is part of a problem's text") {
       "plan", "");
   REQUIRE(with_plan.problem.construction.size() == 4);
   check_read_back(with_plan);
+}
+
+TEST_CASE("planes, bodies and relations are part of a problem's text") {
+  const Instance scene = parse_instance(
+      R"({"format": "gcsbench-instance/2", "id": "all", "dimension": 3, "points": ["p"], "lines": ["L"],
+          "planes": ["E"],
+          "bodies": {"one": {"q": [0, 0, 0.50], "r": [1, 0, 0], "s": [0, 1, 0],
+                             "M": {"point": [1, 2, 3], "direction": [0, 0, 2]}},
+                     "two": {"q": [0, 0, 0], "u": [0, 1, 0], "F": {"normal": [0.1, 0, 0], "offset": -7},
+                             "N": {"point": [0, 1, 1], "direction": [1, 0, 0]}}},
+          "constraints": [{"type": "distance", "between": ["p", "E"], "length": -2.50},
+                          {"type": "distance", "between": ["r", "p"], "squared": 2},
+                          {"type": "distance", "between": ["L", "M"], "squared": 3.0},
+                          {"type": "angle", "between": ["E", "F"], "degrees": 120},
+                          {"type": "angle", "between": [["p", "q"], "L"], "cosine": 0.10},
+                          {"type": "meet", "between": ["L", "N"]},
+                          {"type": "collinear", "between": ["p", "r", "u"]},
+                          {"type": "orientation", "of": ["p", "q", "r", "u"], "sign": -1}],
+          "reference": {"body": "two"}})",
+      "all", "");
+  REQUIRE(scene.problem.relations.size() == 7);
+  const Instance again = parse_instance(problem_text(Scene::unchecked(scene.problem)), "text");
+  check_same(scene.problem, again.problem);
 }
 
 TEST_CASE("bends by polynomials, and that nothing is bent, are part of a problem's text") {

@@ -219,19 +219,25 @@ void bound_points_and_line(const ProblemStatement& problem, TheoreticalCounts& c
   counts.bound = CountBound{count_in_frame(problem, smallest->fixed_frame), {line, point}, {}};
 }
 
-/// All points are given, and nothing but a line is sought by its distances from four of them.
+/// All points are given, and nothing but lines is sought, each by its distances from four of them.
 bool seeks_common_tangents(const ProblemStatement& problem) {
-  const auto points = static_cast<int>(problem.points.size());
-  for (int point = 0; point < points; ++point)
-    if (!problem.is_fixed(point)) return false;
-  return problem.lines.size() == 1 && !problem.is_fixed(points) && problem.constraints.size() == 4;
+  std::vector<int> distances(problem.lines.size());
+  for (int entity = 0; entity < problem.entity_count(); ++entity)
+    if (problem.is_point(entity) != problem.is_fixed(entity)) return false;
+  for (const DistanceConstraint& c : problem.constraints)
+    ++distances[static_cast<std::size_t>(problem.line_of(std::max(c.between[0], c.between[1])))];
+  return !distances.empty() && std::all_of(distances.begin(), distances.end(), [](int n) { return n == 4; });
 }
 
 /// For centres that span space the point of the line is eliminated linearly, and its direction is left to a
 /// cubic and a quartic in the projective plane: 12 lines, by Bézout (Macdonald, Pach, Theobald, Common
 /// tangents to four unit balls in R³, 2001; Hoffmann, Yuan 2000). Isolated lines persist when centres and
 /// radii are moved, so no four centres have more.
-void bound_tangents(TheoreticalCounts& counts) { counts.bound = CountBound{{Natural(12), {}}, {}, {}}; }
+void bound_tangents(const ProblemStatement& problem, TheoreticalCounts& counts) {
+  Natural product(1);
+  for (std::size_t line = 0; line < problem.lines.size(); ++line) product = product * Natural(12);
+  counts.bound = CountBound{{product, {}}, {}, {}, static_cast<int>(problem.lines.size())};
+}
 
 /// The body that a point is in; −1: none, or several.
 int only_body_of(const ProblemStatement& problem, int point) {
@@ -285,7 +291,7 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std:
           "The bound is known for distances of points, of one line, and of two bodies alone.";
   } else if (seeks_common_tangents(problem)) {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";
-    bound_tangents(counts);
+    bound_tangents(problem, counts);
   } else if (problem.is_anchored()) {
     counts.why_no_exact = "Positions are fixed, and the count is known only where nothing is.";
     counts.why_no_bound = "Positions are fixed, and the bound is known only where nothing is.";

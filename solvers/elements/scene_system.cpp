@@ -70,14 +70,26 @@ double shift_of(const LinearForm& form, const std::vector<double>& offsets) {
   return sum * (1 + 16 * std::numeric_limits<double>::epsilon());
 }
 
+bool changes_with(const LinearForm& form, const Eigen::MatrixXcd& changes) {
+  constexpr double tolerance = 1e-7;  // of directions of length 1
+  Eigen::RowVectorXcd sum = Eigen::RowVectorXcd::Zero(changes.cols());
+  for (const ScaledUnknown& term : form.terms)
+    sum += rounded_to_double(term.coefficient) * changes.row(term.unknown);
+  return sum.norm() > tolerance;
+}
+
 void state_all(SystemBuilder& builder) {
   const ProblemStatement& problem = builder.problem();
   int value = builder.scene().constraint_count();
   for (Relation relation : problem.relations) {
     const ConstraintKind* kind = find_kind(problem, relation);
+    builder.begin(value);
     kind->state(builder, {relation, value++});
   }
-  for (int i = 0; i < builder.scene().constraint_count(); ++i) state_distance(builder, i);
+  for (int i = 0; i < builder.scene().constraint_count(); ++i) {
+    builder.begin(i);
+    state_distance(builder, i);
+  }
 }
 
 }  // namespace
@@ -92,6 +104,23 @@ std::optional<std::string> why_no_system(const Scene& scene) {
     return fmt::format("there are more than {} lines, planes and constraints that may be turned over",
                        most_turnings);
   return std::nullopt;
+}
+
+bool SceneSystem::moves(int entity, const Eigen::MatrixXcd& changes) const {
+  const ProblemStatement& problem = builder_.problem();
+  std::vector<VectorForm> forms;
+  if (problem.is_point(entity)) {
+    forms = {builder_.point(entity)};
+  } else if (problem.is_line(entity)) {
+    forms = {builder_.line(entity).foot, builder_.line(entity).direction};
+  } else {
+    const PlaneForms& plane = builder_.plane(entity);
+    forms = {plane.normal, {plane.offset}};
+  }
+  return std::ranges::any_of(forms, [&](const VectorForm& form) {
+    return std::ranges::any_of(form,
+                               [&](const LinearForm& component) { return changes_with(component, changes); });
+  });
 }
 
 SceneSystem::SceneSystem(const Scene& scene) : builder_(scene) { state_all(builder_); }

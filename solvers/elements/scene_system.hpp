@@ -22,6 +22,10 @@ class SceneSystem {
   const QuadraticSystem& equations() const { return builder_.system(); }
   /// Of each equation the value that it gives, or no_value.
   const std::vector<int>& value_of() const { return builder_.value_of(); }
+  /// Of each equation the constraint that it belongs to, numbered as values are, or no_value where it is an element's.
+  const std::vector<int>& owner_of() const { return builder_.owner_of(); }
+  /// Whether the entity's coordinates change with one of these changes of the unknowns, columns of length 1.
+  bool moves(int entity, const Eigen::MatrixXcd& changes) const;
   /// The unknowns at a figure that is in the scene's frame.
   ComplexValues coordinates(const Figure& figure) const;
   /// At most so far are points, and lines and planes as SceneEquations::distance says, from where the unknowns put them

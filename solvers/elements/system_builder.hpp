@@ -69,6 +69,8 @@ class SystemBuilder {
 
   // Equations.
   void add(QuadraticEquation equation, int value = no_value);
+  /// Equations that are added from now on are those of a constraint: numbered as values are.
+  void begin(int owner) { owner_ = owner; }
   /// How the unknowns that were added since the last call follow from a placement and from earlier unknowns: their values,
   /// one each.
   void define(std::function<ComplexValues(const Placement&, const ComplexValues&)> values);
@@ -102,6 +104,7 @@ class SystemBuilder {
   // What was written.
   const QuadraticSystem& system() const { return system_; }
   const std::vector<int>& value_of() const { return value_of_; }
+  const std::vector<int>& owner_of() const { return owner_of_; }
   ComplexValues values(const Placement& placement) const;
   Placement placement(const ComplexValues& x) const;
   std::vector<bool> turned_planes() const;
@@ -121,6 +124,8 @@ class SystemBuilder {
   std::map<int, SignMask> turning_of_segments_;  // of segments
   QuadraticSystem system_;
   std::vector<int> value_of_;
+  std::vector<int> owner_of_;
+  int owner_ = no_value;
   std::vector<std::function<ComplexValues(const Placement&, const ComplexValues&)>> definitions_;
   std::vector<VectorForm> points_;
   std::vector<bool> has_place_;  // one per point

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/elements/dense_equations.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/numeric/svd.hpp"
 
@@ -11,43 +12,6 @@ namespace gcs {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Term {
-  std::complex<double> left, right;
-};
-
-std::vector<Term> terms_of(const QuadraticEquation& equation, const ComplexValues& x) {
-  std::vector<Term> terms;
-  for (const FormProduct& product : equation.products)
-    terms.push_back({value_at(product.left, x), value_at(product.right, x)});
-  return terms;
-}
-
-double residual(const QuadraticEquation& equation, const ComplexValues& x) {
-  std::complex<double> value = -rounded_to_double(equation.given);
-  double size = std::abs(value);
-  for (const auto& [left, right] : terms_of(equation, x)) {
-    value += left * right;
-    size += std::abs(left * right);
-  }
-  return size > 0 ? std::abs(value) / size : 0;
-}
-
-Eigen::MatrixXcd jacobian(const QuadraticSystem& system, const ComplexValues& x) {
-  Eigen::MatrixXcd result =
-      Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(system.equations.size()), system.unknowns);
-  const auto add = [&](Eigen::Index row, const LinearForm& form, std::complex<double> factor) {
-    for (const ScaledUnknown& term : form.terms)
-      result(row, term.unknown) += rounded_to_double(term.coefficient) * factor;
-  };
-  for (std::size_t e = 0; e < system.equations.size(); ++e)
-    for (const FormProduct& product : system.equations[e].products) {
-      add(static_cast<Eigen::Index>(e), product.left, value_at(product.right, x));
-      add(static_cast<Eigen::Index>(e), product.right, value_at(product.left, x));
-    }
-  result.rowwise().normalize();
-  return result;
-}
 
 double size_of(const ComplexValues& x) {
   double size = 1;
@@ -61,9 +25,10 @@ double general_residual(const Scene& scene, const Figure& figure) {
   if (why_no_system(scene)) return infinity;
   const SceneSystem system(scene);
   const ComplexValues x = system.coordinates(figure);
+  const EquationResiduals here = residuals_at(system.equations(), x);
   double worst = 0;
-  for (const QuadraticEquation& equation : system.equations().equations) {
-    const double error = residual(equation, x);
+  for (Eigen::Index e = 0; e < here.value.size(); ++e) {
+    const double error = here.size[e] > 0 ? std::abs(here.value[e]) / here.size[e] : 0;
     if (!std::isfinite(error)) return infinity;
     worst = std::max(worst, error);
   }
@@ -73,7 +38,8 @@ double general_residual(const Scene& scene, const Figure& figure) {
 double general_condition(const Scene& scene, const Figure& figure) {
   if (why_no_system(scene)) return infinity;
   const SceneSystem system(scene);
-  const Eigen::MatrixXcd matrix = jacobian(system.equations(), system.coordinates(figure));
+  Eigen::MatrixXcd matrix = jacobian_at(system.equations(), system.coordinates(figure));
+  matrix.rowwise().normalize();
   if (!matrix.allFinite()) return infinity;
   const Eigen::VectorXd singular = Eigen::BDCSVD<Eigen::MatrixXcd>(matrix).singularValues();
   const double smallest = singular.minCoeff();

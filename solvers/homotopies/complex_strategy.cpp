@@ -66,6 +66,18 @@ ClassLimit limit_of(const SolveRequest& request, int doublings = 0) {
 
 bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
+/// Why the equations of a scene are not those of squared lengths, in a sentence; nothing where they are.
+std::optional<std::string> why_not_by_lengths(const Scene& scene) {
+  if (scene.problem().is_general()) return "it has more than points, lines and distances";
+  if (scene.problem().lines.size() > 1) return "it places one line at most";
+  if (is_released(scene)) return why_not_released(scene);
+  if (scene.has_lines() && scene.reference().line < 0)
+    return "it puts the line on the x-axis, which a reference of points does not allow";
+  return std::nullopt;
+}
+
+bool takes_general_road(const Scene& scene) { return why_not_by_lengths(scene).has_value(); }
+
 }  // namespace
 
 std::vector<OptionMap> tracking_accuracy_settings() {
@@ -89,19 +101,14 @@ ComplexStrategy::ComplexStrategy(const HomotopySettings& settings)
 
 std::optional<std::string> ComplexStrategy::why_unsupported(const SolveRequest& request) const {
   const Scene& scene = request.scene;
-  if (scene.problem().is_general()) {
-    if (auto reason = why_no_general_scenes()) return reason;
-    return why_not_general(scene);
-  }
-  if (scene.problem().lines.size() > 1) return "it places one line at most";
-  if (is_released(scene)) return why_not_released(scene);
-  if (scene.has_lines() && scene.reference().line < 0)
-    return "it puts the line on the x-axis, which a reference of points does not allow";
-  return std::nullopt;
+  if (!takes_general_road(scene)) return std::nullopt;
+  if (auto reason = why_no_general_scenes())
+    return scene.problem().is_general() ? reason : why_not_by_lengths(scene);
+  return why_not_general(scene);
 }
 
 void ComplexStrategy::prepare(const SolveRequest& request) {
-  if (request.scene.problem().is_general()) {
+  if (takes_general_road(request.scene)) {
     prepared_general_ = general_start(request);
     return;
   }
@@ -129,7 +136,7 @@ SolveReport ComplexStrategy::solve_general(const SolveRequest& request) const {
 }
 
 SolveReport ComplexStrategy::solve(const SolveRequest& request) {
-  if (request.scene.problem().is_general()) return solve_general(request);
+  if (takes_general_road(request.scene)) return solve_general(request);
   if (!is_released(request.scene)) return solve_free(request, limit_of(request));
   const ReleasedScene released(request.scene);
   return carried_back(released, request.scene,

@@ -1,10 +1,11 @@
 #include "solvers/homotopies/general_family.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <map>
 #include <stdexcept>
 #include <utility>
+
+#include "solvers/elements/dense_equations.hpp"
 
 namespace gcs {
 namespace {
@@ -66,6 +67,7 @@ GeneralEquations general_equations(const SceneSystem& scene) {
   GeneralEquations result;
   result.system.unknowns = scene.equations().unknowns;
   result.signs = scene.equations().mirror;
+  result.exact = scene.equations();
   for (std::size_t e = 0; e < scene.equations().equations.size(); ++e) {
     const bool has_value = scene.value_of()[e] != no_value;
     result.value_monomial.push_back(-1);
@@ -100,29 +102,13 @@ Eigen::MatrixXcd general_jacobian(const GeneralEquations& equations, const Compl
 }
 
 FamilyMember random_member(const GeneralEquations& equations, std::mt19937_64& random) {
-  constexpr int most_starts = 20, most_iterations = 60;
-  constexpr double settled = 1e-14;
-  const std::vector<int> fixed = without_value(equations);
-  const MonomialSystem& system = equations.system;
-  for (int start = 0; start < most_starts; ++start) {
-    FamilyMember member{random_complex_vector(system.unknowns, random), equations.coefficients};
-    Eigen::Map<Eigen::VectorXcd> x(member.x.data(), system.unknowns);
-    bool is_met = fixed.empty();
-    for (int i = 0; i < most_iterations && !is_met; ++i) {
-      const EquationValues here = values_at(system, equations.coefficients, member.x);
-      is_met = (here.value(fixed).cwiseAbs().array() <= settled * (1 + here.size(fixed).array())).all();
-      if (is_met) break;
-      const Eigen::MatrixXcd jacobian =
-          dense_jacobian(system, equations.coefficients, member.x)(fixed, Eigen::all);
-      x -= jacobian.completeOrthogonalDecomposition().solve(Eigen::VectorXcd(here.value(fixed)));
-    }
-    if (!is_met || !x.allFinite() || largest(member.x) > 1e3) continue;
-    const Eigen::VectorXcd value = values_at(system, equations.coefficients, member.x).value;
-    for (int e = 0; e < system.equations(); ++e)
-      if (const int j = equations.value_monomial[e]; j >= 0) member.parameters[j] -= value[e];
-    return member;
-  }
-  throw std::runtime_error("no figure at random meets the constraints without a value");
+  auto x = random_zero(equations.exact, without_value(equations), random);
+  if (!x) throw std::runtime_error("no figure at random meets the constraints without a value");
+  FamilyMember member{std::move(*x), equations.coefficients};
+  const Eigen::VectorXcd value = values_at(equations.system, equations.coefficients, member.x).value;
+  for (int e = 0; e < equations.system.equations(); ++e)
+    if (const int j = equations.value_monomial[e]; j >= 0) member.parameters[j] -= value[e];
+  return member;
 }
 
 HomotopyFamily family_of(const GeneralEquations& equations) {

@@ -23,6 +23,7 @@ struct GeneralEquations {
   /// Of each equation the monomial whose coefficient is minus its value; −1: it has none.
   std::vector<int> value_monomial;
   SignMasks signs;
+  QuadraticSystem exact;  ///< the same equations
 };
 
 GeneralEquations general_equations(const SceneSystem& scene);

@@ -1,24 +1,10 @@
 #include "solvers/homotopies/general_start.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/QR>
-
+#include "solvers/elements/general_structure.hpp"
 #include "solvers/homotopies/general_report.hpp"
 
 namespace gcs {
 namespace {
-
-/// Of the pivots of a Jacobian at a random figure, relative to the largest: rounding leaves 1e-13 of a zero.
-constexpr double rank_tolerance = 1e-9;
-
-Eigen::Index generic_rank(const GeneralEquations& equations) {
-  std::mt19937_64 random(1);
-  const FamilyMember member = random_member(equations, random);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(general_jacobian(equations, member.x));
-  factors.setThreshold(rank_tolerance);
-  return factors.rank();
-}
 
 /// Whether the difference of both is in values alone.
 bool are_of_one_family(const GeneralEquations& a, const GeneralEquations& b) {
@@ -46,21 +32,10 @@ std::vector<std::complex<double>> values_of(const GeneralEquations& equations,
 
 std::optional<std::string> why_not_general(const Scene& scene) {
   if (auto reason = why_no_system(scene)) return reason;
-  const GeneralEquations equations = general_equations(SceneSystem(scene));
-  const int unknowns = equations.system.unknowns, count = equations.system.equations();
-  if (count != unknowns)
-    return fmt::format("the scene is {}: {} equations for {} unknowns",
-                       count < unknowns ? "loose" : "overconstrained", count, unknowns);
-  try {
-    if (const Eigen::Index rank = generic_rank(equations); rank < unknowns)
-      return fmt::format(
-          "the scene moves at a random figure that meets the constraints without a value: of {} "
-          "equations {} are independent there",
-          unknowns, rank);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return std::nullopt;
+  const Structure structure = analyse_general_structure(scene);
+  if (structure.well_posed() && structure.generic_rank == structure.unknowns) return std::nullopt;
+  return structure.well_posed() ? "no figure at random meets the constraints without a value"
+                                : "the scene is " + structure.defects.front().what;
 }
 
 GeneralStart::GeneralStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup)

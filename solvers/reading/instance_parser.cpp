@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 
+#include "solvers/elements/general_structure.hpp"
 #include "solvers/reading/instance_bodies.hpp"
 #include "solvers/reading/instance_constraints.hpp"
 #include "solvers/reading/instance_format.hpp"
@@ -128,6 +129,7 @@ ProblemStatement read_problem(const JsonCursor& root, InstanceFormat format, con
   read_constraints(root.required("constraints"), format, problem);
   check_structure(root, format, problem, file);
   read_frame(root, problem);
+  if (problem.is_general()) require_general_well_posed(problem, file);
   if (const auto sketch = root.optional("sketch")) read_sketch(*sketch, format, problem);
   if (const auto choice = root.optional("interpolation")) {
     problem.interpolation = read_interpolation(*choice, problem);

@@ -9,7 +9,9 @@
 #include "solvers/homotopies/start_store.hpp"
 #include "solvers/interface/options.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/reduction/common_report.hpp"
 #include "solvers/reduction/core_path.hpp"
+#include "solvers/reduction/independent_lines.hpp"
 #include "solvers/reduction/solution_product.hpp"
 #include "solvers/structure/decomposition.hpp"
 
@@ -18,6 +20,9 @@ namespace {
 
 /// As many solutions are listed, where nobody says how many, as have this many coordinates together.
 constexpr std::size_t listed_coordinates = 1'000'000;
+
+/// Likewise of combinations of lines.
+constexpr std::size_t most_combinations = 10'000;
 
 /// A part to be solved by a strategy, as a scene of its own.
 struct PartScene {
@@ -105,40 +110,6 @@ std::vector<PartSolution> part_solutions(const Scene& whole, const PartScene& pa
 
 // ---- putting reports together
 
-void add(const std::vector<Particular>& more, std::vector<Particular>& particulars) {
-  for (const Particular& particular : more) {
-    const auto same = std::find_if(particulars.begin(), particulars.end(),
-                                   [&](const Particular& other) { return other.name == particular.name; });
-    if (same == particulars.end())
-      particulars.push_back(particular);
-    else
-      same->value += particular.value;
-  }
-}
-
-bool claims_all(Claim claim) { return claim == Claim::all_real || claim == Claim::all_complex; }
-
-/// What the reports on all parts have in common; `is_empty`: one of them proves that there is no solution.
-SolveStatus common_status(const std::vector<SolveReport>& reports, bool is_empty) {
-  const auto any = [&](SolveStatus status) {
-    return std::any_of(reports.begin(), reports.end(),
-                       [&](const SolveReport& r) { return r.status == status; });
-  };
-  if (any(SolveStatus::stopped)) return SolveStatus::stopped;
-  if (is_empty) return SolveStatus::complete;
-  for (const SolveStatus status : {SolveStatus::gave_up, SolveStatus::infinite, SolveStatus::partial})
-    if (any(status)) return status;
-  return SolveStatus::complete;
-}
-
-/// The weakest of the claims.
-Claim common_claim(const std::vector<SolveReport>& reports) {
-  Claim claim = Claim::all_complex;
-  for (const SolveReport& report : reports)
-    if (report.claim != Claim::all_complex && claim != Claim::some_real) claim = report.claim;
-  return claim;
-}
-
 /// Every part has two sides but for the first.
 std::optional<Natural> generic_classes(const std::vector<SolveReport>& reports, std::size_t parts) {
   Natural product = Natural::power_of_two(static_cast<int>(parts) - 1);
@@ -182,6 +153,10 @@ class ReducedStrategy final : public Strategy {
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     if (request.scene.problem().is_general() && !knows_general_scenes_)
       return "it knows points, lines in space and distances between them alone";
+    for (const Scene& line : lines_of(request))
+      if (const auto reason = strategies_.front()->why_unsupported(request.on(line)))
+        return "the part " + line.problem().lines.front() + ": " + *reason;
+    if (!lines_of(request).empty()) return std::nullopt;
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategies_.front()->why_unsupported(request);
     for (const Part& part : parts) {
@@ -194,6 +169,7 @@ class ReducedStrategy final : public Strategy {
   }
 
   void prepare(const SolveRequest& request) override {
+    if (!lines_of(request).empty()) return;  // each is a matter of milliseconds
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) {
       strategy(0).prepare(request);
@@ -208,6 +184,8 @@ class ReducedStrategy final : public Strategy {
   }
 
   SolveReport solve(const SolveRequest& request) override {
+    if (const std::vector<Scene> lines = lines_of(request); !lines.empty())
+      return solve_lines(request, lines);
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategy(0).solve(request);
     return split_ == Split::hung_points ? solve_on_path(request, parts) : solve_parts(request, parts);
@@ -217,6 +195,26 @@ class ReducedStrategy final : public Strategy {
   std::vector<Part> parts_of(const SolveRequest& request) const {
     if (!reduces_) return std::vector<Part>(1);
     return request.analysis ? request.analysis->parts(split_) : decompose(request.scene.problem(), split_);
+  }
+
+  std::vector<Scene> lines_of(const SolveRequest& request) const {
+    std::vector<Scene> lines;
+    if (!reduces_ || split_ != Split::all) return lines;
+    for (ProblemStatement& line : problems_of_lines(request.scene.problem()))
+      lines.push_back(Scene::unchecked(std::move(line)));
+    return lines;
+  }
+
+  SolveReport solve_lines(const SolveRequest& request, const std::vector<Scene>& lines) {
+    std::vector<SolveReport> reports;
+    for (const Scene& line : lines) {
+      const SceneAnalysis analysis(line.problem());
+      SolveRequest of_line = request.on(line, &analysis);
+      of_line.starts = &no_starts_;
+      reports.push_back(strategy(reports.size()).solve(of_line));
+    }
+    return product_of_lines(request.scene, lines, std::move(reports),
+                            request.most_listed.value_or(most_combinations));
   }
 
   Strategy& strategy(std::size_t number) {

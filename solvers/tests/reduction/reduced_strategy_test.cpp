@@ -9,6 +9,7 @@
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/reduction/simplex_coordinates.hpp"
+#include "solvers/solving/solve.hpp"
 #include "solvers/structure/decomposition.hpp"
 #include "solvers/tests/grown_graphs.hpp"
 
@@ -265,4 +266,45 @@ TEST_CASE("a flat point counts once, as a double solution") {
   INFO(report.reason);
   REQUIRE(report.totals);
   for (const Candidate& candidate : report.candidates) CHECK(candidate.multiplicity == 2);
+}
+
+TEST_CASE("lines at four distances from given points are solved apart, and their solutions combined") {
+  samples::RandomNumbers random(77);
+  ProblemStatement problem;
+  problem.points = {"c1", "c2", "c3", "c4"};
+  const Eigen::Matrix3Xd centers = random.points(3, 4, 2);
+  for (int i = 0; i < 4; ++i) problem.fixed_points.emplace_back(centers.col(i));
+  for (const std::string name : {"L", "M"}) {
+    const LinePosition line{random.point(3, 1), random.point(3, 1).normalized()};
+    const int number = problem.entity_count();
+    problem.lines.push_back(name);
+    for (int i = 0; i < 4; ++i)
+      problem.constraints.push_back({name + std::to_string(i),
+                                     {i, number},
+                                     {(centers.col(i) - line.point).cross(line.direction).norm(), ""},
+                                     false});
+  }
+  problem.fixed_lines.resize(2);
+  const Scene scene(problem);
+  for (const std::string strategy : {"monodromy", "sphere-tangents"}) {
+    const Answer both = gcs::solve(scene, strategy, {}, {.certify = true});
+    INFO(strategy << ": " << both.reason);
+    CHECK(both.status == RunStatus::complete);
+    CHECK(both.failed_checks.empty());
+    CHECK(both.solutions.size() == 144);
+    REQUIRE(both.proofs);
+    CHECK(both.proofs->classes == 144);
+    CHECK(both.proofs->are_complete());
+    std::uint64_t real = 1;
+    for (const std::size_t kept : {0U, 1U}) {
+      ProblemStatement one = problem;
+      one.lines = {problem.lines[kept]};
+      one.fixed_lines.resize(1);
+      one.constraints.assign(problem.constraints.begin() + static_cast<std::ptrdiff_t>(4 * kept),
+                             problem.constraints.begin() + static_cast<std::ptrdiff_t>(4 * kept + 4));
+      for (DistanceConstraint& c : one.constraints) c.between[1] = 4;
+      real *= gcs::solve(Scene(one), strategy, {}, {.certify = true}).proofs->real;
+    }
+    CHECK(both.proofs->real == real);
+  }
 }

@@ -1,0 +1,29 @@
+#pragma once
+/// Quadratic systems evaluated in doubles, term by term as they are written: the slow way, for single figures.
+
+#include <Eigen/Core>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "solvers/elements/element_forms.hpp"
+
+namespace gcs {
+
+/// Σ left·right − given of every equation, and the sizes of its terms together.
+struct EquationResiduals {
+  Eigen::VectorXcd value;
+  Eigen::VectorXd size;
+};
+EquationResiduals residuals_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x);
+
+/// Equations × unknowns.
+Eigen::MatrixXcd jacobian_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x);
+
+/// A point at random that solves these equations, to rounding, by the Gauss–Newton method; nothing where some starts do
+/// not lead to one.
+std::optional<std::vector<std::complex<double>>> random_zero(const QuadraticSystem& system,
+                                                             const std::vector<int>& equations,
+                                                             std::mt19937_64& random);
+
+}  // namespace gcs

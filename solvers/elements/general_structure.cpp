@@ -1,0 +1,144 @@
+#include "solvers/elements/general_structure.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "solvers/elements/dense_equations.hpp"
+#include "solvers/numeric/svd.hpp"
+#include "solvers/running/errors.hpp"
+#include "solvers/running/words.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr double rank_tolerance = 1e-9;
+
+/// "a", "a and b", "a, b and c".
+std::string enumeration(const std::vector<std::string>& words) {
+  std::string result;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) result += i + 1 == words.size() ? " and " : ", ";
+    result += words[i];
+  }
+  return result;
+}
+
+std::vector<int> without_value(const SceneSystem& system) {
+  std::vector<int> equations;
+  for (std::size_t e = 0; e < system.value_of().size(); ++e)
+    if (system.value_of()[e] == no_value) equations.push_back(static_cast<int>(e));
+  return equations;
+}
+
+/// The Jacobian's kernel, the motions, and that of its transpose, the dependences; columns.
+struct Kernels {
+  Eigen::Index rank = 0;
+  Eigen::MatrixXcd motions, dependences;
+};
+
+Kernels kernels_of(Eigen::MatrixXcd jacobian) {
+  jacobian.rowwise().normalize();
+  const Eigen::BDCSVD<Eigen::MatrixXcd> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::VectorXd& values = svd.singularValues();
+  Kernels result;
+  while (result.rank < values.size() && values[result.rank] > rank_tolerance * values[0]) ++result.rank;
+  result.motions = svd.matrixV().rightCols(jacobian.cols() - result.rank);
+  result.dependences = svd.matrixU().rightCols(jacobian.rows() - result.rank);
+  return result;
+}
+
+class GeneralDefect {
+ public:
+  GeneralDefect(const ProblemStatement& problem, const SceneSystem& system, const Kernels& kernels)
+      : problem_(problem), freedoms_(kernels.motions.cols()), surplus_(kernels.dependences.cols()) {
+    for (int entity = 0; freedoms_ > 0 && entity < problem.entity_count(); ++entity)
+      if (system.moves(entity, kernels.motions)) loose_.push_back(entity);
+    std::set<int> owners;
+    for (Eigen::Index e = 0; surplus_ > 0 && e < kernels.dependences.rows(); ++e)
+      if (const int owner = system.owner_of()[static_cast<std::size_t>(e)];
+          owner != no_value && kernels.dependences.row(e).norm() > rank_tolerance)
+        owners.insert(owner);
+    dependent_.assign(owners.begin(), owners.end());
+  }
+
+  StructureDefect defect() const {
+    using Kind = StructureDefect::Kind;
+    if (surplus_ == 0)
+      return {Kind::under_constrained, loose_, {}, "under-constrained: " + freedom(), hold()};
+    if (freedoms_ == 0)
+      return {Kind::over_constrained,
+              {},
+              dependent_,
+              "over-constrained: " + dependence(),
+              "remove " + counted(static_cast<int>(surplus_), "equation") +
+                  ", beginning with one of these constraints"};
+    return {Kind::wrongly_constrained, loose_, dependent_,
+            "wrongly constrained: " + freedom() + ", while " + dependence(),
+            "replace one of these constraints by one that holds " + names(loose_)};
+  }
+
+ private:
+  std::string names(const std::vector<int>& entities) const {
+    std::vector<std::string> words;
+    for (const int entity : entities) words.push_back(problem_.name(entity));
+    return enumeration(words);
+  }
+
+  std::string id_of(int owner) const {
+    const auto distances = static_cast<int>(problem_.constraints.size());
+    return owner < distances ? problem_.constraints[static_cast<std::size_t>(owner)].id
+                             : problem_.relations[static_cast<std::size_t>(owner - distances)].id;
+  }
+
+  std::string freedom() const {
+    return fmt::format("{} can move against the rest ({} of freedom left)", names(loose_),
+                       counted(static_cast<int>(freedoms_), "degree"));
+  }
+
+  std::string hold() const {
+    return fmt::format("add constraints of {} together that hold {}",
+                       counted(static_cast<int>(freedoms_), "equation"), names(loose_));
+  }
+
+  std::string dependence() const {
+    std::vector<std::string> ids;
+    for (const int owner : dependent_) ids.push_back(id_of(owner));
+    return fmt::format(
+        "at a random figure that meets the constraints without a value {} depend on each other",
+        enumeration(ids));
+  }
+
+  const ProblemStatement& problem_;
+  Eigen::Index freedoms_;
+  Eigen::Index surplus_;
+  std::vector<int> loose_;
+  std::vector<int> dependent_;
+};
+
+}  // namespace
+
+Structure analyse_general_structure(const Scene& scene) {
+  Structure structure;
+  if (why_no_system(scene)) return structure;
+  const SceneSystem system(scene);
+  std::mt19937_64 random(1);
+  const auto figure = random_zero(system.equations(), without_value(system), random);
+  structure.unknowns = system.equations().unknowns;
+  structure.constraints = static_cast<int>(system.equations().equations.size());
+  if (!figure) return structure;
+  const Kernels kernels = kernels_of(jacobian_at(system.equations(), *figure));
+  structure.generic_rank = static_cast<int>(kernels.rank);
+  if (kernels.motions.cols() > 0 || kernels.dependences.cols() > 0)
+    structure.defects.push_back(GeneralDefect(scene.problem(), system, kernels).defect());
+  return structure;
+}
+
+void require_general_well_posed(const ProblemStatement& problem, const std::string& file) {
+  const Structure structure = analyse_general_structure(Scene::unchecked(problem));
+  if (structure.well_posed()) return;
+  const StructureDefect& defect = structure.defects.front();
+  throw InputError(file, "/constraints", defect.what, defect.remedy);
+}
+
+}  // namespace gcs

@@ -1,0 +1,21 @@
+#pragma once
+/// What is loose in a general scene, and what redundant, before any solving.
+
+#include <string>
+
+#include "solvers/elements/scene_system.hpp"
+#include "solvers/structure/structure.hpp"
+
+namespace gcs {
+
+/// The rank of all equations at a random figure that meets those without a value; defects name the elements that can move
+/// and the constraints that depend on each other there. Without defects as well where there is no system, or no such
+/// figure is found. Numbers of relations are counted on after those of the distance constraints.
+/// A rank that is reached is right; one that is missed is so but for the accidents of rounding (a singular value below
+/// 1e-9 of the largest counts as 0).
+Structure analyse_general_structure(const Scene& scene);
+
+/// Throws InputError with the first defect, as of a file of that name.
+void require_general_well_posed(const ProblemStatement& problem, const std::string& file);
+
+}  // namespace gcs

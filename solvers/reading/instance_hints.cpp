@@ -182,6 +182,11 @@ class PlanReader {
 
 int named_constraint(const JsonCursor& cursor, const std::string& id, const ProblemStatement& problem) {
   const auto constraint = constraint_number(problem, id);
+  const bool is_relation = std::any_of(problem.relations.begin(), problem.relations.end(),
+                                       [&](const Relation& relation) { return relation.id == id; });
+  if (is_relation)
+    cursor.fail("'" + id + "' is no distance between points or, in space, of a point from a line",
+                "only such lengths can be bent: name one of them");
   if (!constraint) cursor.fail_unknown("there is no constraint '" + id + "'", id, constraint_ids(problem));
   return *constraint;
 }

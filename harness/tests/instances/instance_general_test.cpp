@@ -582,6 +582,11 @@ TEST_CASE("a sketch may leave out elements of a body whose pose it tells") {
 }
 
 TEST_CASE("hints for distances do not fit other scenes") {
+  const json with_angle =
+      and_also(bodies(), between("angle", R"(["q", "a1"])", R"(["q", "b1"])", R"(, "degrees": 20)"));
+  CHECK(parsed(with(with_angle, "/interpolation", {{"bent", "a1"}})).problem.interpolation.bent == 0);
+  check_refused(with(with_angle, "/interpolation", {{"bent", "a2"}}), "/interpolation/bent",
+                "only such lengths can be bent");
   check_refused(with(bodies(), "/construction", {{{"place", "q"}, {"from", json::array()}}}), "/construction",
                 "distances between points alone");
 }

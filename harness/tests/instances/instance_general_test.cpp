@@ -640,3 +640,47 @@ TEST_CASE("what only the second format has is refused in the first with that rem
   two_lines["constraints"][0]["between"] = {"L", "M"};
   check_refused(two_lines, "/constraints/0/between", remedy);
 }
+
+TEST_CASE("the shipped scenes of all elements say what their files say") {
+  struct Expected {
+    const char* id;
+    std::size_t points, lines, planes, bodies, distances, relations;
+  };
+  // Counted in the files.
+  for (const Expected& expected :
+       {Expected{"dietmaier", 12, 0, 0, 2, 6, 0}, Expected{"platform", 12, 0, 0, 2, 6, 0},
+        Expected{"planar-platform", 6, 0, 0, 2, 3, 0}, Expected{"octahedral-3p3h", 3, 0, 3, 0, 3, 9},
+        Expected{"octahedral-4p2h", 4, 0, 2, 0, 5, 7}, Expected{"octahedral-5p1h", 5, 0, 1, 0, 8, 4},
+        Expected{"octahedron-line", 6, 1, 0, 0, 16, 0},
+        Expected{"three-points-three-lines-angles", 3, 3, 0, 0, 12, 3},
+        Expected{"three-points-three-lines-distances", 3, 3, 0, 0, 12, 3},
+        Expected{"two-lines", 4, 2, 0, 0, 8, 0}}) {
+    INFO(expected.id);
+    const ProblemStatement problem = gcs::load_instance(expected.id).problem;
+    CHECK(problem.points.size() == expected.points);
+    CHECK(problem.lines.size() == expected.lines);
+    CHECK(problem.planes.size() == expected.planes);
+    CHECK(problem.bodies.size() == expected.bodies);
+    CHECK(problem.constraints.size() == expected.distances);
+    CHECK(problem.relations.size() == expected.relations);
+    CHECK(problem.sketch.has_value() == (std::string(expected.id) != "dietmaier"));
+  }
+  const ProblemStatement dietmaier = gcs::load_instance("dietmaier").problem;
+  CHECK(dietmaier.points[7] == "b2");
+  CHECK(dietmaier.bodies[1].elements[1].numbers[0].text == "0.542805");
+  CHECK(dietmaier.constraints[5].between == std::array{5, 11});
+  CHECK(dietmaier.constraints[5].given.text == "0.771071");
+  CHECK(dietmaier.reference_body == 0);
+  const ProblemStatement octahedral = gcs::load_instance("octahedral-3p3h").problem;
+  CHECK(octahedral.constraints[2].id == "a5");
+  CHECK(octahedral.relations[1].id == "a4");
+  CHECK(octahedral.relations[1].of == std::vector<Operand>{{0, -1}, {5, -1}});
+  CHECK(octahedral.relations[1].given.text == "-2.386319947234");
+  CHECK(octahedral.relations[7].type == RelationType::angle);
+  CHECK(octahedral.relations[7].form == Relation::Form::cosine);
+  CHECK(octahedral.reference->plane == 2);
+  CHECK(octahedral.sketch->planes[2].offset == Approx(-0.236433557313).epsilon(1e-5));
+  const ProblemStatement two_lines = gcs::load_instance("two-lines").problem;
+  CHECK(two_lines.sketch->points.col(0) == Eigen::Vector3d(-1.382585, 0.041213, -1.423988));
+  CHECK(two_lines.fixed_point_texts[3][2] == "1.829177");
+}

@@ -80,7 +80,7 @@ void read_entities(const JsonCursor& root, InstanceFormat format, ProblemStateme
   const JsonCursor points = root.required("points");
   problem.points = read_names(points, format, taken);
   if (format == InstanceFormat::distances && problem.points.empty())
-    points.fail("there is no point", "name the points");
+    points.fail("there is no point", general_format_remedy("name the points"));
   if (const auto lines = root.optional("lines")) read_lines(*lines, format, taken, problem);
   if (const auto planes = root.optional("planes")) read_planes(*planes, taken, problem);
   const auto bodies = root.optional("bodies");

@@ -5,6 +5,7 @@ import json
 import os
 import select
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -19,7 +20,7 @@ class Browser:
     """One page in one browser. `events` collects what the page and the network reported."""
 
     def __init__(self, program, width=1280, height=900):
-        self.profile = tempfile.TemporaryDirectory()
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self.requests = os.pipe()
         self.answers, from_browser = os.pipe()
 
@@ -33,7 +34,8 @@ class Browser:
             [program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
              "--remote-debugging-pipe", f"--user-data-dir={self.profile.name}", f"--window-size={width},{height}",
              "about:blank"],
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, close_fds=False, preexec_fn=connect)
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, close_fds=False, preexec_fn=connect,
+            start_new_session=True)
         os.close(to_browser)
         os.close(from_browser)
         self.numbers = itertools.count(1)
@@ -46,11 +48,25 @@ class Browser:
             self.send(domain + ".enable")
 
     def close(self):
-        self.process.terminate()
-        self.process.wait(timeout=20)
+        """Asks the browser to end, kills what is left of it and its children, and removes its profile."""
+        self.session = None
+        try:
+            self.send("Browser.close")
+            self.process.wait(timeout=20)
+        except (OSError, RuntimeError, subprocess.TimeoutExpired):
+            pass  # it does not answer, or has ended already
+        self.kill()
         os.close(self.requests)
         os.close(self.answers)
         self.profile.cleanup()
+
+    def kill(self):
+        """The browser and its children: it was started in a session of its own."""
+        try:
+            os.killpg(self.process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        self.process.wait()
 
     def send(self, method, **parameters):
         """The result of a command; events that come before it are collected."""
@@ -73,7 +89,10 @@ class Browser:
         while b"\0" not in self.unread:
             if not select.select([self.answers], [], [], max(0, deadline - time.monotonic()))[0]:
                 raise TimeoutError("the browser does not answer")
-            self.unread += os.read(self.answers, 1 << 20)
+            answered = os.read(self.answers, 1 << 20)
+            if not answered:
+                raise ConnectionError("the browser has ended")
+            self.unread += answered
         message, _, self.unread = self.unread.partition(b"\0")
         return json.loads(message)
 

@@ -101,22 +101,35 @@ std::optional<Known> real_solutions(const std::vector<const CellRecord*>& cells,
                                                  : "that there are no more is not proven here")};
 }
 
+constexpr std::string_view proven_tubes = "S is followed in proven tubes until it closes";
+
+/// Where the stored scene has S, and in its list all solutions that S meets.
+std::optional<Known> solutions_on_shown_path(const StoredScene* scene) {
+  if (scene == nullptr || !scene->path) return std::nullopt;
+  const auto& crossings = scene->record.crossings;
+  std::set<int> met;
+  for (const auto& crossing : crossings) {
+    if (!crossing) return std::nullopt;
+    met.insert(crossing->solution);
+  }
+  return Known{met.size(), true,
+               fmt::format("{}, with {} crossings of t = 1", proven_tubes, crossings.size())};
+}
+
+/// Where no scene shows S, a cell whose answer proves its closing, otherwise the first that has S.
 std::optional<Known> solutions_on_path(const std::vector<const CellRecord*>& cells,
                                        const StoredScene* scene) {
-  if (scene != nullptr && scene->path &&
-      std::all_of(scene->record.crossings.begin(), scene->record.crossings.end(),
-                  [](const auto& met) { return met.has_value(); })) {
-    std::set<int> met;
-    for (const auto& crossing : scene->record.crossings) met.insert(crossing->solution);
-    return Known{met.size(), true,
-                 fmt::format("S is followed in proven tubes until it closes, with {} crossings of t = 1",
-                             scene->record.crossings.size())};
+  auto known = solutions_on_shown_path(scene);
+  if (known) return known;
+  for (const CellRecord* cell : cells) {
+    const std::optional<std::uint64_t> count = cell->counts.on_path;
+    if (!count) continue;
+    if (cell->is_path_proven)
+      return Known{*count, true, fmt::format("{} ({})", proven_tubes, label_of(cell->spec))};
+    if (!known)
+      known = {*count, false, fmt::format("found by {}, which proves no closing", label_of(cell->spec))};
   }
-  for (const CellRecord* cell : cells)
-    if (const auto count = on_path(cell))
-      return Known{static_cast<std::uint64_t>(*count), false,
-                   fmt::format("found by {}, which proves no closing", label_of(cell->spec))};
-  return std::nullopt;
+  return known;
 }
 
 const PrintedFigure* printed_figure(const Publications& publications, const std::string& row,

@@ -152,6 +152,13 @@ void take_proofs(const Assessment& assessment, CellRecord& record) {
   record.proofs = RecordedProofs{proofs.classes, proofs.real, proofs.are_complete(), proofs.decide_real()};
 }
 
+bool proves_path(const SolveRun& run) {
+  const auto is_proven = [](const PathEnds& ends) {
+    return ends.proven && ends.end == PathRecord::End::closed;
+  };
+  return run.claim == Claim::on_path && !run.ends.empty() && std::ranges::all_of(run.ends, is_proven);
+}
+
 CellRecord record_of(const CellTask& task, const SolveRun& run, const AccuracyJudge* judge) {
   CellRecord record;
   static_cast<SolveOutcome&>(record) = run;
@@ -166,6 +173,7 @@ CellRecord record_of(const CellTask& task, const SolveRun& run, const AccuracyJu
     record.difference += (record.difference.empty() ? "" : " ") + check.what;
   }
   take_proofs(run, record);
+  record.is_path_proven = proves_path(run);
   const bool is_answer = run.status == RunStatus::complete || run.status == RunStatus::partial;
   if (judge != nullptr && is_answer) record.accuracy = judge->judge(run, task.spec.digits);
   record.warm_up_s = run.timing.total_s();

@@ -83,6 +83,7 @@ void visit_fields(RecordOf<CellRecord> auto& cell, const auto& visit) {
   visit.later("estimate_s", cell.estimate_s);
   visit("counts", cell.counts);
   visit.later("proofs", cell.proofs);
+  visit.later("path_proven", cell.is_path_proven);
   visit.named("claim", cell.claim, all_claims);
   visit.later("accuracy", cell.accuracy);
   visit("work", cell.work);

@@ -51,6 +51,7 @@ struct CellRecord : SolveOutcome {
   std::string difference;  ///< why the answer is wrong; empty: nothing speaks against it
   Counts counts;
   std::optional<RecordedProofs> proofs;     ///< empty: certificates do not reach the scene, or were not asked
+  bool is_path_proven = false;              ///< S is proven to close, with all that it meets at t = 1
   std::optional<Accuracy> accuracy;         ///< empty: not measured
   double residual = 0;                      ///< largest relative residual of the solutions
   std::vector<RecordedSolution> solutions;  ///< one per class; kept only where a table shows them

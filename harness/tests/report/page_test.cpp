@@ -138,6 +138,19 @@ TEST_CASE("a printed number is refuted, proven or open as ours is") {
   CHECK(verdict_on(verdicts(run, octahedron, &scene, papers), "on S").printed_standing == Standing::proven);
 }
 
+TEST_CASE("a cell whose path is proven to close proves what is on S, where no scene is stored") {
+  RunFile run = toy::run_record();
+  const auto on_path = [&] {
+    return verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "on S");
+  };
+  CHECK(on_path().our_standing == Standing::open);
+  run.cells[1].is_path_proven = true;
+  CHECK(on_path().our_standing == Standing::proven);
+  CHECK(on_path().reason.find("(full-space mode=paper)") != std::string::npos);
+  run.cells[1].difference = "It is wrong.";
+  CHECK(on_path().our_standing == Standing::open);
+}
+
 TEST_CASE("what an instance was chosen for proves nothing of the paper's") {
   RunFile run = toy::run_record();
   for (CellRecord& cell : run.cells)

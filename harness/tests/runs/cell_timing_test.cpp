@@ -10,8 +10,8 @@ using namespace gcs;
 
 namespace {
 
-/// Finds both classes of the toy scene, or leaves one out, or gives up, as its option `answer` says. Every
-/// solve leaves a line in `log`.
+/// Finds both classes of the toy scene, proves them, leaves one out, or gives up, as its option `answer` says.
+/// Every solve leaves a line in `log`.
 class ToyStrategy final : public Strategy {
  public:
   ToyStrategy(std::string answer, std::vector<std::string>& log) : answer_(std::move(answer)), log_(log) {}
@@ -26,6 +26,8 @@ class ToyStrategy final : public Strategy {
       report.candidates = {report.candidates[0], report.candidates[2]};  // one class and its mirror image
       report.paths.front().crossings = {{0, 1}, {1, -1}};
     }
+    report.paths.front().proven = answer_.starts_with("proven");
+    if (answer_ == "proven of core") report.claim = Claim::on_path_of_core;
     if (answer_ == "none") {
       report.status = SolveStatus::gave_up;
       report.reason = "it is too hard";
@@ -122,6 +124,14 @@ TEST_CASE("solutions are kept where they are wanted, also when a run without the
     CHECK(solution.points.size() == problem.points.size());
   measure_answers({""}, repetitions(3), resumed, true);
   CHECK(solve_log.empty());
+}
+
+TEST_CASE("a cell keeps whether its answer proves S, of the whole scene") {
+  const auto cells = measure_answers({"", "proven", "proven of core"}, repetitions(1));
+  for (const CellRecord& cell : cells) REQUIRE(cell.is_right());
+  CHECK_FALSE(cells[0].is_path_proven);
+  CHECK(cells[1].is_path_proven);
+  CHECK_FALSE(cells[2].is_path_proven);
 }
 
 TEST_CASE("a wrong answer is reported with its difference and without a time") {

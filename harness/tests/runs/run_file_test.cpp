@@ -83,6 +83,17 @@ TEST_CASE("the ring of a bound reads back, and a run from before rings has none"
   CHECK(parse_run_file(json.dump(), "run.json").instances.front().limit->bound.ring.empty());
 }
 
+TEST_CASE("whether S is proven reads back, and a run from before says of none that it is") {
+  RunFile record = toy::run_record();
+  record.cells.front().is_path_proven = true;
+  nlohmann::json json = nlohmann::json::parse(to_json_text(record));
+  const RunFile again = parse_run_file(json.dump(), "run.json");
+  CHECK(again.cells[0].is_path_proven);
+  CHECK_FALSE(again.cells[1].is_path_proven);
+  json["cells"][0].erase("path_proven");
+  CHECK_FALSE(parse_run_file(json.dump(), "run.json").cells[0].is_path_proven);
+}
+
 TEST_CASE("sessions and plans read back, and a run from before them has none") {
   RunFile record = toy::run_record();
   record.cells.front().planned = 7;

@@ -40,6 +40,21 @@ bool has_unit_terms(const VectorForm& direction) {
   return true;
 }
 
+/// (p − f)·u, where f·u = 0 if f is the foot.
+LinearForm height_along(SystemBuilder& builder, const VectorForm& p, const LineForms& line) {
+  if (line.is_foot && is_constant(p) && has_unit_terms(line.direction)) return along(p, line.direction);
+  const LinearForm height = builder.unknown(line.turning);
+  builder.define([p, line](const Placement&, const ComplexValues& x) {
+    return ComplexValues{bilinear_product(Eigen::Vector3cd(vector_at(p, x) - vector_at(line.foot, x)),
+                                          vector_at(line.direction, x))};
+  });
+  Equation equation;
+  equation.plus(height).minus(p, line.direction);
+  if (!line.is_foot) equation.plus(line.foot, line.direction);
+  builder.add(equation.equals());
+  return height;
+}
+
 void distance_point_line(SystemBuilder& builder, const StatedRelation& stated) {
   state_distance_to_line(builder, stated.entity(1), stated.entity(0), given_square(builder, stated.relation),
                          stated.value);
@@ -75,7 +90,13 @@ void distance_line_line(SystemBuilder& builder, const StatedRelation& stated) {
   const LineForms &a = builder.line(stated.entity(0)), &b = builder.line(stated.entity(1));
   const ExactNumber square = given_square(builder, stated.relation);
   if (are_parallel(builder.problem(), stated.entity(0), stated.entity(1))) {
-    builder.add(Equation().plus_square_of_difference(a.foot, b.foot).equals(square), stated.value);
+    Equation equation;
+    equation.plus_square_of_difference(a.foot, b.foot);
+    if (!a.is_foot || !b.is_foot) {
+      const LinearForm height = height_along(builder, a.foot, b);
+      equation.minus(height, height);
+    }
+    builder.add(equation.equals(square), stated.value);
     return;
   }
   const SignMask turning = builder.new_turning();
@@ -129,14 +150,12 @@ std::span<const ConstraintKind> distance_kinds() {
   return rows;
 }
 
-/// |c − f|² − w² = a² with w = (c − f)·u = c·u.
+/// |c − f|² − w² = a² with w = (c − f)·u.
 void state_distance_to_line(SystemBuilder& builder, int point, int line, const ExactNumber& square,
                             int value) {
   const VectorForm& c = builder.point(point);
   const LineForms& l = builder.line(line);
-  const LinearForm w = is_constant(c) && has_unit_terms(l.direction)
-                           ? along(c, l.direction)
-                           : product_unknown(builder, c, l.direction, l.turning);
+  const LinearForm w = height_along(builder, c, l);
   builder.add(Equation().plus_square_of_difference(c, l.foot).minus(w, w).equals(square), value);
 }
 

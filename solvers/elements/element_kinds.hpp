@@ -2,6 +2,8 @@
 /// The kinds of elements, a file for each: unknowns, their normalisation, and how they follow from a placement.
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "solvers/elements/system_builder.hpp"
@@ -22,11 +24,14 @@ std::vector<int> planes_across(const ProblemStatement& problem, const std::vecto
 PlaneForms free_plane(SystemBuilder& builder, SignMask turning,
                       const std::function<ComplexPlane(const Placement&)>& where);
 
+/// Why a body's pose cannot be told from its elements, in a sentence; nothing where it can.
+std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body);
+
 /// A body by the place t of its origin and the images e, f, g of its axes: e·e = f·f = 1, e·f = 0, g = e × f. Each
 /// posture once, half-turns included. g is left out where all points have a last coordinate of 0; in the plane
 /// e·e = 1, and f is e turned by a right angle.
-std::vector<BodyPoint> free_body(SystemBuilder& builder, const RigidBody& body);
+PlacedBody free_body(SystemBuilder& builder, const RigidBody& body);
 /// The same at t = 0 with the axes of the frame.
-std::vector<BodyPoint> body_at_rest(SystemBuilder& builder, const RigidBody& body);
+PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body);
 
 }  // namespace gcs

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 
 #include "solvers/elements/element_kinds.hpp"
@@ -6,14 +8,50 @@
 namespace gcs {
 namespace {
 
-Eigen::Vector3cd position(const BodyElement& element, double unit) {
+/// A vector that moves with a body, from its first point to another one or along a plane's normal.
+struct BodyVector {
+  Eigen::Vector3cd given;
+  int entity = -1;  ///< the other point, or the plane
+};
+
+/// What tells the pose of a body: a point, and two vectors that are not parallel.
+struct PoseFeatures {
+  int origin = -1;
+  Eigen::Vector3cd origin_given = Eigen::Vector3cd::Zero();
+  BodyVector first, second;
+  double area = 0;  ///< of the two vectors
+};
+
+Eigen::Vector3cd vector_of(const std::vector<Decimal>& numbers, std::size_t from, std::size_t count,
+                           double unit) {
   Eigen::Vector3cd result = Eigen::Vector3cd::Zero();
-  for (std::size_t i = 0; i < element.numbers.size(); ++i)
-    result[static_cast<Eigen::Index>(i)] = element.numbers[i].value * unit;
+  for (std::size_t i = 0; i < count; ++i)
+    result[static_cast<Eigen::Index>(i)] = numbers[from + i].value * unit;
   return result;
 }
 
-/// Columns: a vector, another one and their vector product; in the plane the second is the first turned by a right angle.
+std::vector<BodyVector> body_vectors(const ProblemStatement& problem, const RigidBody& body, double unit,
+                                     PoseFeatures& features) {
+  const auto d = static_cast<std::size_t>(problem.dimension);
+  std::vector<BodyVector> vectors;
+  for (const BodyElement& element : body.elements) {
+    if (!problem.is_point(element.entity)) continue;
+    const Eigen::Vector3cd at = vector_of(element.numbers, 0, d, unit);
+    if (features.origin < 0) {
+      features.origin = element.entity;
+      features.origin_given = at;
+    } else {
+      vectors.push_back({at - features.origin_given, element.entity});
+    }
+  }
+  for (const BodyElement& element : body.elements)
+    if (problem.is_plane(element.entity))
+      vectors.push_back({vector_of(element.numbers, 0, d, 1).normalized(), element.entity});
+  return vectors;
+}
+
+/// Columns: a vector, another one and their vector product; in the plane the second is the first turned by a right
+/// angle.
 Eigen::Matrix3cd triad(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, int dimension) {
   const Eigen::Vector3cd up = Eigen::Vector3cd::UnitZ();
   const Eigen::Vector3cd second = dimension == 2 ? cross_product(up, a) : b;
@@ -22,33 +60,20 @@ Eigen::Matrix3cd triad(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, int
   return result;
 }
 
-/// The points of a body, as the file says, that tell its pose best: the first, the one farthest from it, and the one
-/// farthest from the line through both.
-struct PosePoints {
-  std::array<int, 3> point{};
-  std::array<Eigen::Vector3cd, 3> at;
-};
-
-PosePoints pose_points(const RigidBody& body, double unit) {
-  std::array<std::size_t, 3> chosen{};
-  double farthest = -1, widest = -1;
-  const auto at = [&](std::size_t i) { return position(body.elements[i], unit); };
-  for (std::size_t i = 0; i < body.elements.size(); ++i)
-    if (const double far = (at(i) - at(0)).norm(); far > farthest) {
-      farthest = far;
-      chosen[1] = i;
+/// Of all pairs of vectors the one of largest area; in the plane one vector is enough.
+PoseFeatures pose_features(const ProblemStatement& problem, const RigidBody& body, double unit) {
+  PoseFeatures features;
+  const std::vector<BodyVector> vectors = body_vectors(problem, body, unit, features);
+  const Eigen::Vector3cd up = Eigen::Vector3cd::UnitZ();
+  for (const BodyVector& a : vectors)
+    for (const BodyVector& b : vectors) {
+      const double area = cross_product(a.given, problem.dimension == 2 ? up : b.given).norm();
+      if (!(area > features.area)) continue;
+      features.area = area;
+      features.first = a;
+      features.second = b;
     }
-  for (std::size_t i = 0; i < body.elements.size(); ++i)
-    if (const double wide = cross_product(at(i) - at(0), at(chosen[1]) - at(0)).norm(); wide > widest) {
-      widest = wide;
-      chosen[2] = i;
-    }
-  PosePoints result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    result.point[k] = body.elements[chosen[k]].entity;
-    result.at[k] = at(chosen[k]);
-  }
-  return result;
+  return features;
 }
 
 /// t, then the images of the axes.
@@ -57,42 +82,140 @@ struct Pose {
   Eigen::Matrix3cd axes;
 };
 
-Pose pose(const PosePoints& body, const Placement& placement, int dimension) {
-  const auto image = [&](std::size_t k) -> Eigen::Vector3cd { return placement.points.col(body.point[k]); };
-  const Eigen::Matrix3cd moved = triad(image(1) - image(0), image(2) - image(0), dimension);
-  const Eigen::Matrix3cd given = triad(body.at[1] - body.at[0], body.at[2] - body.at[0], dimension);
-  const Eigen::Matrix3cd axes = moved * given.inverse();
-  return {image(0) - axes * body.at[0], axes};
+Pose pose(const PoseFeatures& body, const Placement& placement, int dimension) {
+  const auto points = placement.points.cols();
+  const auto lines = static_cast<Eigen::Index>(placement.lines.size());
+  const Eigen::Vector3cd origin = placement.points.col(body.origin);
+  const auto moved = [&](const BodyVector& vector) -> Eigen::Vector3cd {
+    if (vector.entity < points) return placement.points.col(vector.entity) - origin;
+    return placement.planes[static_cast<std::size_t>(vector.entity - points - lines)].normal;
+  };
+  const Eigen::Matrix3cd axes = triad(moved(body.first), moved(body.second), dimension) *
+                                triad(body.first.given, body.second.given, dimension).inverse();
+  return {origin - axes * body.origin_given, axes};
 }
 
-/// Σ number_k·axis_k of a component.
-LinearForm combined(LinearForm sum, const SystemBuilder& builder, const Decimal& number,
-                    const LinearForm& axis) {
-  if (number.value == 0) return sum;
-  for (ScaledUnknown term : axis.terms) {
-    ExactNumber coefficient = builder.length(number);
-    coefficient.is_negative = term.coefficient.is_negative;
+/// sum + number·form, for a form whose coefficients are 1 or −1.
+LinearForm plus_times(LinearForm sum, const ExactNumber& number, const LinearForm& form) {
+  if (number.is_zero()) return sum;
+  for (const ScaledUnknown& term : form.terms) {
+    ExactNumber coefficient = number;
+    if (term.coefficient.is_negative) coefficient = negated(coefficient);
     sum.terms.push_back({term.unknown, coefficient});
   }
   return sum;
 }
 
-std::vector<BodyPoint> placed(const SystemBuilder& builder, const RigidBody& body, const VectorForm& origin,
-                              const std::array<VectorForm, 3>& axes) {
-  std::vector<BodyPoint> points;
-  for (const BodyElement& element : body.elements) {
-    BodyPoint point{element.entity, origin, origin};
-    for (std::size_t k = 0; k < element.numbers.size(); ++k) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        point.at[i] = combined(point.at[i], builder, element.numbers[k], axes[k][i]);
-        point.arm[i] = combined(point.arm[i], builder, element.numbers[k], axes[k][i]);
-      }
-      point.numbers.push_back(builder.length(element.numbers[k]));
+/// Σ number_k·axis_k; the axes of a body at rest are those of the frame.
+VectorForm combined(const std::vector<ExactNumber>& numbers,
+                    const std::optional<std::array<VectorForm, 3>>& axes) {
+  VectorForm sum;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (axes)
+        sum[i] = plus_times(sum[i], numbers[k], (*axes)[k][i]);
+      else if (i == k)
+        sum[i] = constant_form(numbers[k]);
     }
-    points.push_back(point);
-  }
-  return points;
+  return sum;
 }
+
+VectorForm sum_of(VectorForm a, const VectorForm& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    a[i].terms.insert(a[i].terms.end(), b[i].terms.begin(), b[i].terms.end());
+    if (a[i].constant.is_zero()) a[i].constant = b[i].constant;
+  }
+  return a;
+}
+
+/// Puts the elements of a body where its pose does.
+class Placing {
+ public:
+  /// `axes`: none for a body at rest, whose origin is 0.
+  Placing(SystemBuilder& builder, VectorForm origin, std::optional<std::array<VectorForm, 3>> axes)
+      : builder_(builder), origin_(std::move(origin)), axes_(std::move(axes)) {}
+
+  PlacedBody run(const RigidBody& body) {
+    for (const BodyElement& element : body.elements) {
+      const ProblemStatement& problem = builder_.problem();
+      if (problem.is_point(element.entity))
+        place_point(element);
+      else if (problem.is_line(element.entity))
+        placed_.lines.push_back({problem.line_of(element.entity), line(element)});
+      else
+        placed_.planes.push_back({problem.plane_of(element.entity), plane(element)});
+    }
+    return std::move(placed_);
+  }
+
+ private:
+  std::size_t dimension() const { return static_cast<std::size_t>(builder_.dimension()); }
+
+  std::vector<ExactNumber> lengths(const BodyElement& element) const {
+    std::vector<ExactNumber> numbers;
+    for (std::size_t k = 0; k < dimension(); ++k) numbers.push_back(builder_.length(element.numbers[k]));
+    return numbers;
+  }
+
+  static ExactNumber exact(const Decimal& number) {
+    ExactNumber result = exactly(number.value);
+    result.decimal = number.text;
+    return result;
+  }
+
+  /// A direction of length 1, from the numbers that begin at `from`.
+  std::vector<ExactNumber> unit(const BodyElement& element, std::size_t from) const {
+    std::vector<ExactNumber> numbers;
+    for (std::size_t k = 0; k < dimension(); ++k) numbers.push_back(exact(element.numbers[from + k]));
+    std::vector<ExactNumber> result = numbers;
+    for (ExactNumber& number : result)
+      if (!number.is_zero()) number.divided_by_norm_of = numbers;
+    return result;
+  }
+
+  void place_point(const BodyElement& element) {
+    const std::vector<ExactNumber> numbers = lengths(element);
+    const VectorForm arm = combined(numbers, axes_);
+    BodyPoint point{element.entity, sum_of(origin_, arm)};
+    if (axes_) {
+      point.origin = origin_;
+      point.arm = arm;
+      point.numbers = numbers;
+    }
+    placed_.points.push_back(point);
+  }
+
+  LineForms line(const BodyElement& element) const {
+    return {sum_of(origin_, combined(lengths(element), axes_)), combined(unit(element, dimension()), axes_),
+            0, false};
+  }
+
+  /// h = n·t + k with the body's own offset k.
+  PlaneForms plane(const BodyElement& element) {
+    PlaneForms plane{combined(unit(element, 0), axes_), {}, 0};
+    ExactNumber offset = builder_.length(element.numbers.back());
+    if (!offset.is_zero())
+      for (std::size_t k = 0; k < dimension(); ++k)
+        offset.divided_by_norm_of.push_back(exact(element.numbers[k]));
+    if (!axes_) {
+      plane.offset = constant_form(offset);
+      return plane;
+    }
+    plane.offset = builder_.unknown(0);
+    builder_.define(
+        [normal = plane.normal, origin = origin_, offset](const Placement&, const ComplexValues& x) {
+          return ComplexValues{bilinear_product(vector_at(normal, x), vector_at(origin, x)) +
+                               rounded_to_double(offset)};
+        });
+    builder_.add(Equation().plus(plane.offset).minus(plane.normal, origin_).equals(offset));
+    return plane;
+  }
+
+  SystemBuilder& builder_;
+  VectorForm origin_;
+  std::optional<std::array<VectorForm, 3>> axes_;
+  PlacedBody placed_;
+};
 
 ComplexValues values_of(const Pose& pose, int dimension, int axes) {
   ComplexValues values = components(pose.origin, dimension);
@@ -105,7 +228,19 @@ ComplexValues values_of(const Pose& pose, int dimension, int axes) {
 
 }  // namespace
 
-std::vector<BodyPoint> free_body(SystemBuilder& builder, const RigidBody& body) {
+std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body) {
+  constexpr double least_area = 1e-9;  // of what the body's vectors span, relative to their lengths
+  const PoseFeatures features = pose_features(problem, body, 1);
+  const double lengths =
+      features.first.given.norm() * (problem.dimension == 2 ? 1 : features.second.given.norm());
+  if (features.origin >= 0 && features.area > least_area * lengths) return std::nullopt;
+  return fmt::format(
+      "the pose of body '{}' is not told by points and planes alone, which is what there are equations for "
+      "yet",
+      body.name);
+}
+
+PlacedBody free_body(SystemBuilder& builder, const RigidBody& body) {
   const int d = builder.dimension();
   const bool has_third = d == 3 && !is_flat(body, d);
   const VectorForm origin = builder.vector();
@@ -114,13 +249,14 @@ std::vector<BodyPoint> free_body(SystemBuilder& builder, const RigidBody& body) 
   if (d == 3) axes[1] = builder.vector();
   if (has_third) axes[2] = builder.pseudo_vector();
   const int count = d == 2 ? 1 : (has_third ? 3 : 2);
+  const double unit = std::ldexp(1.0, -builder.scene().unit_exponent());
   builder.define(
-      [known = pose_points(body, std::ldexp(1.0, -builder.scene().unit_exponent())), d, count](
-          const Placement& at, const ComplexValues&) { return values_of(pose(known, at, d), d, count); });
+      [features = pose_features(builder.problem(), body, unit), d, count](
+          const Placement& at, const ComplexValues&) { return values_of(pose(features, at, d), d, count); });
   builder.add(Equation().plus(axes[0], axes[0]).equals(exactly(1)));
   if (d == 2) {
     axes[1] = {negated(axes[0][1]), axes[0][0], LinearForm{}};
-    return placed(builder, body, origin, axes);
+    return Placing(builder, origin, axes).run(body);
   }
   builder.add(Equation().plus(axes[1], axes[1]).equals(exactly(1)));
   builder.add(Equation().plus(axes[0], axes[1]).equals());
@@ -132,18 +268,11 @@ std::vector<BodyPoint> free_body(SystemBuilder& builder, const RigidBody& body) 
                     .minus(axes[2][i])
                     .equals());
   }
-  return placed(builder, body, origin, axes);
+  return Placing(builder, origin, axes).run(body);
 }
 
-std::vector<BodyPoint> body_at_rest(SystemBuilder& builder, const RigidBody& body) {
-  std::vector<BodyPoint> points;
-  for (const BodyElement& element : body.elements) {
-    BodyPoint point{element.entity, {}};
-    for (std::size_t i = 0; i < element.numbers.size(); ++i)
-      point.at[i] = constant_form(builder.length(element.numbers[i]));
-    points.push_back(point);
-  }
-  return points;
+PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body) {
+  return Placing(builder, {}, std::nullopt).run(body);
 }
 
 }  // namespace gcs

@@ -119,7 +119,8 @@ Turnings::Turnings(const ProblemStatement& problem) {
   std::vector<bool> has_side(problem.planes.size());
   for (int plane = 0; plane < planes; ++plane)
     has_side[static_cast<std::size_t>(plane)] =
-        problem.is_fixed(static_cast<int>(problem.points.size() + problem.lines.size()) + plane);
+        problem.is_fixed(static_cast<int>(problem.points.size() + problem.lines.size()) + plane) ||
+        is_in_a_body(problem, static_cast<int>(problem.points.size() + problem.lines.size()) + plane);
   std::vector<std::pair<int, int>> pairs;
   const auto number_of = [&](const Operand& segment) {
     const auto pair = sorted(segment.entity, segment.end);

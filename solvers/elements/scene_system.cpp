@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/elements/element_kinds.hpp"
 
 namespace gcs {
 namespace {
@@ -22,11 +23,13 @@ int times_in_bodies(const ProblemStatement& problem, int entity) {
 
 std::optional<std::string> why_no_bodies(const ProblemStatement& problem) {
   for (const RigidBody& body : problem.bodies) {
+    if (auto reason = why_no_pose(problem, body)) return reason;
     int joints = 0;
     for (const BodyElement& element : body.elements) {
-      if (!problem.is_point(element.entity))
-        return fmt::format("'{}' is a line or a plane of body '{}', for which there are no equations yet",
-                           problem.name(element.entity), body.name);
+      if (!problem.is_point(element.entity) && times_in_bodies(problem, element.entity) > 1)
+        return fmt::format(
+            "'{}' is a line or a plane of several bodies, for which there are no equations yet",
+            problem.name(element.entity));
       joints += times_in_bodies(problem, element.entity) > 1 ? 1 : 0;
     }
     if (joints > 1 && problem.dimension == 3)
@@ -129,16 +132,31 @@ ComplexValues SceneSystem::coordinates(const Figure& figure) const {
   return builder_.values(placement_of(figure));
 }
 
+double SceneSystem::misfit(const Figure& figure) const {
+  const ComplexValues x = coordinates(figure);
+  return farthest(figure, x, std::vector<double>(x.size(), 0), 0);
+}
+
 double SceneSystem::distance(const Figure& figure, const ComplexValues& x,
                              const std::vector<double>& offsets) const {
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  return farthest(figure, x, offsets, rounding) * (1 + rounding);
+}
+
+double SceneSystem::farthest(const Figure& figure, const ComplexValues& x, const std::vector<double>& offsets,
+                             double rounding) const {
   const ProblemStatement& problem = builder_.problem();
   const Placement at = placement_of(figure), at_x = builder_.placement(x);
-  const auto apart = [](const Eigen::Vector3cd& a, const Eigen::Vector3cd& b) {
+  const auto apart = [rounding](const Eigen::Vector3cd& a, const Eigen::Vector3cd& b) {
     return (a - b).norm() + rounding * (a.norm() + b.norm());
   };
   const auto shift = [&](const VectorForm& forms) {
     return std::hypot(shift_of(forms[0], offsets), shift_of(forms[1], offsets), shift_of(forms[2], offsets));
+  };
+  // The point nearest to the origin, f − (f·u) u, of a line that is given by another one.
+  const auto foot_shift = [&](const LineForms& forms, const ComplexLine& line) {
+    const double reach = vector_at(forms.foot, x).norm() + line.point.norm();
+    return forms.is_foot ? shift(forms.foot) : 3 * shift(forms.foot) + 4 * reach * shift(forms.direction);
   };
   double largest = 0;
   for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
@@ -149,8 +167,9 @@ double SceneSystem::distance(const Figure& figure, const ComplexValues& x,
     const auto i = static_cast<std::size_t>(line);
     const LineForms& forms = builder_.line(static_cast<int>(problem.points.size()) + line);
     const Eigen::Vector3cd &u = at.lines[i].direction, &v = at_x.lines[i].direction;
-    largest = std::max({largest, apart(at.lines[i].point, at_x.lines[i].point) + shift(forms.foot),
-                        size * (std::min(apart(u, v), apart(u, -v)) + shift(forms.direction))});
+    largest =
+        std::max({largest, apart(at.lines[i].point, at_x.lines[i].point) + foot_shift(forms, at_x.lines[i]),
+                  size * (std::min(apart(u, v), apart(u, -v)) + shift(forms.direction))});
   }
   for (int plane = 0; plane < static_cast<int>(problem.planes.size()); ++plane) {
     const auto i = static_cast<std::size_t>(plane);
@@ -160,7 +179,7 @@ double SceneSystem::distance(const Figure& figure, const ComplexValues& x,
         std::max({largest, size * (apart(at.planes[i].normal, at_x.planes[i].normal) + shift(forms.normal)),
                   std::abs(at.planes[i].offset - at_x.planes[i].offset) + shift_of(forms.offset, offsets)});
   }
-  return largest * (1 + rounding);
+  return largest;
 }
 
 Figure SceneSystem::figure(const ComplexValues& x, bool is_real) const {

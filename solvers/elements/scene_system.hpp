@@ -31,10 +31,16 @@ class SceneSystem {
   /// At most so far are points, and lines and planes as SceneEquations::distance says, from where the unknowns put them
   /// that are off from x by these amounts. `x`: coordinates(figure).
   double distance(const Figure& figure, const ComplexValues& x, const std::vector<double>& offsets) const;
+  /// How far elements of the figure are at most from where the unknowns, found from some of them, put them: points of a
+  /// body that has another shape.
+  double misfit(const Figure& figure) const;
   /// The figure at values of the unknowns or, where it is real, at their real parts.
   Figure figure(const ComplexValues& x, bool is_real) const;
 
  private:
+  double farthest(const Figure& figure, const ComplexValues& x, const std::vector<double>& offsets,
+                  double rounding) const;
+
   SystemBuilder builder_;
 };
 

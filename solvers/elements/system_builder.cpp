@@ -16,7 +16,9 @@ SystemBuilder::SystemBuilder(const Scene& scene)
       points_(scene.problem().points.size()),
       has_place_(points_.size()),
       lines_(scene.problem().lines.size()),
-      planes_(scene.problem().planes.size()) {
+      planes_(scene.problem().planes.size()),
+      has_line_(lines_.size()),
+      has_plane_(planes_.size()) {
   place_bodies();
   place_points();
   place_planes();
@@ -68,8 +70,8 @@ ExactNumber SystemBuilder::square(const Decimal& given, bool is_squared) const {
 }
 
 /// Points of a body stand where its pose puts them; one that was in a body before is joined by equations.
-void SystemBuilder::place(const std::vector<BodyPoint>& points) {
-  for (const BodyPoint& placed : points) {
+void SystemBuilder::place(const PlacedBody& body) {
+  for (const BodyPoint& placed : body.points) {
     const auto p = static_cast<std::size_t>(placed.point);
     const VectorForm& form = placed.at;
     if (!has_place_[p] && !placed.numbers.empty()) arms_.emplace(placed.point, placed);
@@ -77,6 +79,14 @@ void SystemBuilder::place(const std::vector<BodyPoint>& points) {
       add(Equation().plus(form[axis]).minus(points_[p][axis]).equals());
     if (!has_place_[p]) points_[p] = form;
     has_place_[p] = true;
+  }
+  for (const auto& [line, at] : body.lines) {
+    lines_[static_cast<std::size_t>(line)] = at;
+    has_line_[static_cast<std::size_t>(line)] = true;
+  }
+  for (const auto& [plane, at] : body.planes) {
+    planes_[static_cast<std::size_t>(plane)] = at;
+    has_plane_[static_cast<std::size_t>(plane)] = true;
   }
 }
 
@@ -108,6 +118,7 @@ void SystemBuilder::place_points() {
 
 void SystemBuilder::place_planes() {
   for (int plane = 0; plane < static_cast<int>(planes_.size()); ++plane) {
+    if (has_plane_[static_cast<std::size_t>(plane)]) continue;
     SignMask turning = 0;
     if (const int set = turnings_.of_plane(plane); set >= 0) {
       SignMask& of_set = turning_of_set_[set];
@@ -122,14 +133,18 @@ void SystemBuilder::place_planes() {
 /// A line that is perpendicular to a plane has its direction, and parallel lines have one.
 void SystemBuilder::place_lines() {
   const auto lines = static_cast<int>(lines_.size());
-  std::vector<bool> is_placed(lines_.size());
+  std::vector<bool> is_placed = has_line_;
   const auto index = [](int line) { return static_cast<std::size_t>(line); };
   for (int line = 0; line < lines; ++line) {
-    if (is_placed[index(line)]) continue;
+    if (is_placed[index(line)] && !has_line_[index(line)]) continue;
     const std::vector<int> parallel = parallel_lines(problem(), line);
     const std::vector<int> across = planes_across(problem(), parallel);
     LineForms first;
-    if (across.empty()) {
+    if (has_line_[index(line)]) {
+      first = lines_[index(line)];
+    } else if (std::ranges::any_of(parallel, [&](int other) { return has_line_[index(other)]; })) {
+      continue;  // it gets its direction with that line
+    } else if (across.empty()) {
       const SignMask turning = new_turning();
       first = free_line(*this, turning,
                         [line](const Placement& at) { return at.lines[static_cast<std::size_t>(line)]; });
@@ -138,6 +153,7 @@ void SystemBuilder::place_lines() {
       first = line_along(*this, plane.normal, plane.turning, line);
     }
     for (const int other : parallel) {
+      if (is_placed[index(other)]) continue;
       lines_[index(other)] = other == line ? first : line_along(*this, first.direction, first.turning, other);
       is_placed[index(other)] = true;
     }

@@ -13,11 +13,12 @@
 
 namespace gcs {
 
-/// A line by its point with foot·direction = 0, direction·direction = 1.
+/// A line by a point and a direction, direction·direction = 1.
 struct LineForms {
   VectorForm foot;
   VectorForm direction;
   SignMask turning = 0;  ///< of the direction's sign
+  bool is_foot = true;   ///< foot·direction = 0
 };
 
 /// A point of a body, by its number in the problem.
@@ -37,11 +38,28 @@ struct PlaneForms {
   SignMask turning = 0;  ///< of the sign of both
 };
 
+/// A line or a plane of a body, by its number in the problem.
+struct BodyLine {
+  int line = -1;
+  LineForms at;
+};
+struct BodyPlane {
+  int plane = -1;
+  PlaneForms at;
+};
+
 /// The vector from one point to another is length·direction, direction·direction = 1.
 struct SegmentForms {
   LinearForm length;
   VectorForm direction;
   SignMask turning = 0;  ///< of the sign of both
+};
+
+/// The elements of a body where its pose puts them.
+struct PlacedBody {
+  std::vector<BodyPoint> points;
+  std::vector<BodyLine> lines;
+  std::vector<BodyPlane> planes;
 };
 
 using ComplexValues = std::vector<std::complex<double>>;
@@ -110,7 +128,7 @@ class SystemBuilder {
   std::vector<bool> turned_planes() const;
 
  private:
-  void place(const std::vector<BodyPoint>& points);
+  void place(const PlacedBody& body);
   void place_points();
   void place_lines();
   void place_planes();
@@ -132,6 +150,7 @@ class SystemBuilder {
   std::map<int, BodyPoint> arms_;
   std::vector<LineForms> lines_;
   std::vector<PlaneForms> planes_;
+  std::vector<bool> has_line_, has_plane_;  // in a body
   std::map<std::pair<int, int>, SegmentForms> segments_;
 };
 

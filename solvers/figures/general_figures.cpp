@@ -26,7 +26,8 @@ double general_residual(const Scene& scene, const Figure& figure) {
   const SceneSystem system(scene);
   const ComplexValues x = system.coordinates(figure);
   const EquationResiduals here = residuals_at(system.equations(), x);
-  double worst = 0;
+  double worst = system.misfit(figure) / scene.size();
+  if (!std::isfinite(worst)) return infinity;
   for (Eigen::Index e = 0; e < here.value.size(); ++e) {
     const double error = here.size[e] > 0 ? std::abs(here.value[e]) / here.size[e] : 0;
     if (!std::isfinite(error)) return infinity;

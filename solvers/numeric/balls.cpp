@@ -15,6 +15,15 @@ void enclose(acb_ptr ball, const ExactNumber& number, slong bits) {
   }
   acb_mul_2exp_si(ball, ball, number.exponent);
   if (number.is_squared) acb_sqr(ball, ball, bits);
+  if (!number.divided_by_norm_of.empty()) {
+    Ball norm, part;
+    for (const ExactNumber& component : number.divided_by_norm_of) {
+      enclose(part, component, bits);
+      acb_addmul(norm, part, part, bits);
+    }
+    acb_sqrt(norm, norm, bits);
+    acb_div(ball, ball, norm, bits);
+  }
   if (number.is_negative) acb_neg(ball, ball);
 }
 

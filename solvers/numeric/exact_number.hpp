@@ -6,17 +6,20 @@
 #include <complex>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace gcs {
 
 /// base·2^exponent, squared if so marked, with its sign changed if so marked; the base is a decimal number as
-/// a file writes it or, where there is none, a double, or the cosine of so many degrees. By default 0.
+/// a file writes it or, where there is none, a double, or the cosine of so many degrees; divided by the norm of other
+/// numbers, where there are some. By default 0.
 struct ExactNumber {
   std::string decimal{};
   std::complex<double> value = 0;
   int exponent = 0;
   bool is_squared = false;
   bool is_negative = false;
+  std::vector<ExactNumber> divided_by_norm_of{};
   bool is_cosine_of_degrees = false;  ///< and then `value` is the nearest double to the number of degrees
 
   bool is_zero() const { return decimal.empty() && value == 0.0 && !is_cosine_of_degrees; }
@@ -35,6 +38,9 @@ inline std::complex<double> rounded_to_double(const ExactNumber& number) {
   if (number.is_cosine_of_degrees) base = std::cos(base.real() * (std::numbers::pi / 180));
   base = {std::ldexp(base.real(), number.exponent), std::ldexp(base.imag(), number.exponent)};
   if (number.is_squared) base *= base;
+  double norm = 0;
+  for (const ExactNumber& part : number.divided_by_norm_of) norm = std::hypot(norm, part.value.real());
+  if (norm > 0) base /= norm;
   return number.is_negative ? -base : base;
 }
 

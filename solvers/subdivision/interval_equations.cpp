@@ -15,7 +15,8 @@ EnclosedNumber enclosed(const ExactNumber& number) {
 
 bool same(const ExactNumber& a, const ExactNumber& b) {
   return a.decimal == b.decimal && a.value == b.value && a.exponent == b.exponent &&
-         a.is_squared == b.is_squared && a.is_negative == b.is_negative;
+         a.is_squared == b.is_squared && a.is_negative == b.is_negative && a.divided_by_norm_of.empty() &&
+         b.divided_by_norm_of.empty();
 }
 
 bool same(const LinearForm& a, const LinearForm& b) {

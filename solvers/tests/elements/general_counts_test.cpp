@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "solvers/elements/scene_system.hpp"
+#include "solvers/figures/general_figures.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/strategies/monodromy.hpp"
 #include "solvers/tests/random_numbers.hpp"
@@ -93,6 +95,33 @@ ProblemStatement random_octahedral(int planes, RandomNumbers& random) {
   return problem;
 }
 
+/// Six planes of one body and six points of another, each point at its distance from its plane. `moving`: which body
+/// the planes are in.
+ProblemStatement points_at_planes(int moving, RandomNumbers& random) {
+  ProblemStatement problem;
+  RigidBody of_planes{"planes", {}}, of_points{"points", {}};
+  for (int i = 0; i < 7; ++i) problem.points.push_back("p" + std::to_string(i));
+  const auto decimals = [&](int count) {
+    std::vector<Decimal> numbers;
+    for (int k = 0; k < count; ++k) numbers.push_back({random.uniform(-1, 1), ""});
+    return numbers;
+  };
+  for (int i = 0; i < 6; ++i) {
+    of_points.elements.push_back({i, decimals(3)});
+    problem.planes.push_back("h" + std::to_string(i));
+    of_planes.elements.push_back({7 + i, decimals(4)});
+    problem.relations.push_back({"c" + std::to_string(i),
+                                 RelationType::distance,
+                                 {{i}, {7 + i}},
+                                 Relation::Form::length,
+                                 {random.uniform(-1, 1), ""}});
+  }
+  of_planes.elements.push_back({6, decimals(3)});
+  problem.bodies = {of_planes, of_points};
+  problem.reference_body = moving == 0 ? 1 : 0;
+  return problem;
+}
+
 }  // namespace
 
 TEST_CASE("a general platform has 40 postures, and one in the plane 6") {
@@ -107,6 +136,67 @@ TEST_CASE("a general platform has 40 postures, and one in the plane 6") {
       CHECK(answer.proofs->are_complete());
       CHECK(answer.proofs->real >= 1);
     }
+}
+
+TEST_CASE(
+    "six points of a body at their distances from six planes of another: 8 postures, the degree of SO(3)") {
+  RandomNumbers random(14);
+  for (const int moving : {0, 1}) {
+    const Answer answer = proven(points_at_planes(moving, random));
+    INFO(answer.reason);
+    CHECK(answer.status == RunStatus::complete);
+    CHECK(answer.failed_checks.empty());
+    CHECK(answer.solutions.size() == 8);
+    REQUIRE(answer.proofs);
+    CHECK(answer.proofs->classes == 8);
+  }
+}
+
+TEST_CASE("the equations of lines and planes of a body hold where it stands") {
+  RandomNumbers random(15);
+  ProblemStatement problem;
+  problem.points = {"a", "b", "c", "p", "q"};
+  problem.lines = {"L"};
+  problem.planes = {"E"};
+  const Eigen::Matrix3Xd base = random.points(3, 3, 1), own = random.points(3, 2, 1);
+  const LinePosition line{random.point(3, 1), random.point(3, 3)};
+  const PlanePosition plane{random.point(3, 3), 0.7};
+  const auto decimals = [](std::initializer_list<Eigen::Vector3d> vectors) {
+    std::vector<Decimal> numbers;
+    for (const Eigen::Vector3d& v : vectors)
+      for (const double x : v) numbers.push_back({x, ""});
+    return numbers;
+  };
+  RigidBody fixed{"base", {}}, moved{"moved", {}};
+  for (int i = 0; i < 3; ++i) fixed.elements.push_back({i, decimals({base.col(i)})});
+  for (int i = 0; i < 2; ++i) moved.elements.push_back({3 + i, decimals({own.col(i)})});
+  moved.elements.push_back({5, decimals({line.point, line.direction})});
+  moved.elements.push_back({6, decimals({plane.normal})});
+  moved.elements.back().numbers.push_back({plane.offset, ""});
+  problem.bodies = {fixed, moved};
+  problem.reference_body = 0;
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1),
+                                                     random.uniform(-1, 1), random.uniform(-1, 1))
+                                      .normalized();
+  const Eigen::Vector3d shift = random.point(3, 2);
+  Figure figure;
+  figure.points.resize(3, 5);
+  figure.points << base, (turn * own.col(0) + shift), (turn * own.col(1) + shift);
+  const Eigen::Vector3d normal = (turn * plane.normal).normalized();
+  figure.lines = {{turn * line.point + shift, (turn * line.direction).normalized()}};
+  figure.planes = {{normal, plane.offset / plane.normal.norm() + normal.dot(shift)}};
+  const double to_line = (base.col(0) - figure.lines[0].point).cross(figure.lines[0].direction).norm();
+  problem.constraints.push_back({"d", {0, 5}, {to_line, ""}, false});
+  problem.relations.push_back({"h",
+                               RelationType::distance,
+                               {{1}, {6}},
+                               Relation::Form::length,
+                               {normal.dot(base.col(1)) - figure.planes[0].offset, ""}});
+  const Scene scene = Scene::unchecked(problem);
+  REQUIRE_FALSE(why_no_system(scene));
+  CHECK(general_residual(scene, figure.scaled(-scene.unit_exponent())) <= 1e-14);
+  figure.planes[0].offset += 1e-3;
+  CHECK(general_residual(scene, figure.scaled(-scene.unit_exponent())) > 1e-5);
 }
 
 TEST_CASE("octahedral scenes with up to three planes have 8 solutions up to reflection") {

@@ -20,34 +20,6 @@ constexpr std::string_view remedy = "make it anew with --set save_start=FILE";
 /// In the order of SearchEnd. What was stopped is not kept.
 constexpr std::array<std::string_view, 3> end_words{"complete", "quiet", "inconsistent"};
 
-std::string sum(const std::vector<std::string>& terms) {
-  return terms.empty() ? "0" : fmt::format("{}", fmt::join(terms, " + "));
-}
-
-/// "(x0-x3)^2 + (x1-0.5)^2": all but the right-hand side.
-std::string equation_text(const SquareSystem& system, int e) {
-  std::vector<std::string> terms;
-  for (int d = system.first[e]; d < system.first[e + 1]; ++d) {
-    const Difference& difference = system.differences[d];
-    const std::string other = difference.subtrahend < 0 ? fmt::format("{}", difference.constant)
-                                                        : fmt::format("x{}", difference.subtrahend);
-    terms.push_back(fmt::format("(x{}-{})^2", difference.minuend, other));
-  }
-  for (int l = system.first_linear[e]; l < system.first_linear[e + 1]; ++l) {
-    const LinearTerm& term = system.linear[l];
-    terms.push_back(
-        fmt::format("({}+{}i)*x{}", term.coefficient.real(), term.coefficient.imag(), term.unknown));
-  }
-  if (system.given[e] != 0) terms.push_back(fmt::format("{}", system.given[e]));
-  return sum(terms);
-}
-
-std::vector<std::string> equation_texts(const SquareSystem& system) {
-  std::vector<std::string> texts;
-  for (int e = 0; e < system.equations(); ++e) texts.push_back(equation_text(system, e));
-  return texts;
-}
-
 JsonValue end_value(SearchEnd end) {
   return json_text(std::string(end_words[static_cast<std::size_t>(end)]));
 }
@@ -74,21 +46,21 @@ std::string solutions_text(const std::vector<ComplexVectorX>& solutions) {
   return fmt::format("[\n  {}\n ]", fmt::join(lines, ",\n  "));
 }
 
-std::string file_text(const SquareSystem& system, const StartSystem& start) {
+std::string file_text(const StartFamily& family, const StartSystem& start) {
   return fmt::format(
       "{{\"format\": \"{}\",\n \"equations\": {},\n \"search\": {},\n \"trace\": {},\n \"squares\": {},\n "
       "\"solutions\": {}}}\n",
-      format_name, to_text(json_texts(equation_texts(system)), 2), to_text(search_value(start.generic), -1),
+      format_name, to_text(json_texts(family.equations), 2), to_text(search_value(start.generic), -1),
       to_text(json_or_null(start.trace, trace_value), -1),
       to_text(json_array_of(start.generic.squares, json_complex), -1),
       solutions_text(start.generic.solutions));
 }
 
-void require_equations(const JsonCursor& equations, const SquareSystem& system) {
+void require_equations(const JsonCursor& equations, const StartFamily& family) {
   const std::string own =
       "a start system serves the graph and frame that it was made for; "
       "make one for this scene with --set save_start=FILE";
-  const std::vector<std::string> wanted = equation_texts(system);
+  const std::vector<std::string>& wanted = family.equations;
   const std::vector<JsonCursor> given = equations.elements();
   for (std::size_t e = 0; e < std::min(given.size(), wanted.size()); ++e)
     if (given[e].text() != wanted[e])
@@ -144,7 +116,7 @@ std::optional<TraceTest> read_trace(const JsonCursor& trace) {
                    read_count(trace.required("solutions")), trace.required("defect").number().value};
 }
 
-void require_solutions(const JsonCursor& document, const std::string& file, const LengthFamily& family,
+void require_solutions(const JsonCursor& document, const std::string& file, const StartFamily& family,
                        const GenericSolutions& generic) {
   const JsonCursor solutions = document.required("solutions"),
                    count = document.required("search").required("solutions");
@@ -158,16 +130,16 @@ void require_solutions(const JsonCursor& document, const std::string& file, cons
 }
 
 /// `solutions`: where they are known already, and the document has an empty list in their place.
-StartSystem read_start(const JsonCursor& document, const std::string& file, const LengthFamily& family,
+StartSystem read_start(const JsonCursor& document, const std::string& file, const StartFamily& family,
                        std::vector<ComplexVectorX> solutions) {
   document.require_format(format_name);
   document.allow_members({"format", "equations", "search", "trace", "squares", "solutions"});
-  require_equations(document.required("equations"), family.system);
+  require_equations(document.required("equations"), family);
   StartSystem start{read_search(document.required("search")), read_trace(document.required("trace"))};
-  start.generic.squares = read_vector(document.required("squares"), family.system.equations());
+  start.generic.squares = read_vector(document.required("squares"), family.parameters);
   start.generic.solutions = std::move(solutions);
   if (start.generic.solutions.empty())
-    start.generic.solutions = read_vectors(document.required("solutions"), family.system.unknowns);
+    start.generic.solutions = read_vectors(document.required("solutions"), family.unknowns);
   require_solutions(document, file, family, start.generic);
   return start;
 }
@@ -180,9 +152,9 @@ bool has_no_solutions(const JsonValue& document) {
 
 }  // namespace
 
-StartSystem StartFiles::read(const std::string& name, const LengthFamily& family) const {
+StartSystem StartFiles::read(const std::string& name, const StartFamily& family) const {
   const std::string text = read_file(name, "give a file that save_start has written");
-  if (std::optional<ComplexRows> taken = take_complex_rows(text, "solutions", family.system.unknowns)) {
+  if (std::optional<ComplexRows> taken = take_complex_rows(text, "solutions", family.unknowns)) {
     const JsonValue document = parse_json(taken->rest, name);
     // Otherwise the rows were taken from another place than the solutions'.
     if (has_no_solutions(document))
@@ -194,9 +166,9 @@ StartSystem StartFiles::read(const std::string& name, const LengthFamily& family
 
 void StartFiles::reserve(const std::string& name) { reserved_[name] = std::make_unique<AtomicFile>(name); }
 
-void StartFiles::write(const std::string& name, const LengthFamily& family, const StartSystem& start) {
+void StartFiles::write(const std::string& name, const StartFamily& family, const StartSystem& start) {
   const auto file = reserved_.extract(name);
-  file.mapped()->commit(file_text(family.system, start));
+  file.mapped()->commit(file_text(family, start));
 }
 
 }  // namespace gcs

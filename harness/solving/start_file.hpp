@@ -22,11 +22,11 @@ class StartFiles final : public StartStore {
  public:
   /// Throws InputError for a file that is not of the format, is for other equations, or does not hold
   /// distinct solutions: with the place, what is wrong and what would be right.
-  StartSystem read(const std::string& name, const LengthFamily& family) const override;
+  StartSystem read(const std::string& name, const StartFamily& family) const override;
   /// Throws OutputError when the place cannot be written.
   void reserve(const std::string& name) override;
   /// Throws OutputError when the disk is full.
-  void write(const std::string& name, const LengthFamily& family, const StartSystem& start) override;
+  void write(const std::string& name, const StartFamily& family, const StartSystem& start) override;
 
  private:
   std::map<std::string, std::unique_ptr<AtomicFile>> reserved_;

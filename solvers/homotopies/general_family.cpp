@@ -84,6 +84,21 @@ GeneralEquations general_equations(const SceneSystem& scene) {
   return result;
 }
 
+ComplexVectorX values_of(const GeneralEquations& equations, const ComplexVectorX& coefficients) {
+  ComplexVectorX values;
+  for (const int j : equations.value_monomial)
+    if (j >= 0) values.push_back(-coefficients[j]);
+  return values;
+}
+
+ComplexVectorX with_values(const GeneralEquations& equations, const ComplexVectorX& values) {
+  ComplexVectorX coefficients = equations.coefficients;
+  std::size_t next = 0;
+  for (const int j : equations.value_monomial)
+    if (j >= 0) coefficients[j] = -values[next++];
+  return coefficients;
+}
+
 EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
                          const ComplexVectorX& x) {
   EquationValues result{Eigen::VectorXcd::Zero(system.equations()),

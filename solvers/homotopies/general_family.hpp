@@ -28,6 +28,11 @@ struct GeneralEquations {
 
 GeneralEquations general_equations(const SceneSystem& scene);
 
+/// The values on the right-hand sides, of the equations that have one in their order, for these coefficients; and the
+/// coefficients for these values.
+ComplexVectorX values_of(const GeneralEquations& equations, const ComplexVectorX& coefficients);
+ComplexVectorX with_values(const GeneralEquations& equations, const ComplexVectorX& values);
+
 /// f_e(x) for these coefficients, one per equation, and the sizes of its terms together.
 struct EquationValues {
   Eigen::VectorXcd value;

@@ -19,15 +19,6 @@ bool are_of_one_family(const GeneralEquations& a, const GeneralEquations& b) {
   return known == other;
 }
 
-/// The values on the right-hand sides of the equations that have one, in the order of the equations.
-std::vector<std::complex<double>> values_of(const GeneralEquations& equations,
-                                            const ComplexVectorX& parameters) {
-  std::vector<std::complex<double>> values;
-  for (const int j : equations.value_monomial)
-    if (j >= 0) values.push_back(-parameters[j]);
-  return values;
-}
-
 }  // namespace
 
 std::optional<std::string> why_not_general(const Scene& scene) {

@@ -128,9 +128,9 @@ int solved_parts(const std::vector<Part>& parts) {
 /// A start system is that of one part, and what names it does not say of which.
 class NoStartSystems final : public StartStore {
  public:
-  StartSystem read(const std::string& name, const LengthFamily&) const override { refuse(name); }
+  StartSystem read(const std::string& name, const StartFamily&) const override { refuse(name); }
   void reserve(const std::string& name) override { refuse(name); }
-  void write(const std::string& name, const LengthFamily&, const StartSystem&) override { refuse(name); }
+  void write(const std::string& name, const StartFamily&, const StartSystem&) override { refuse(name); }
 
  private:
   [[noreturn]] static void refuse(const std::string& name) {

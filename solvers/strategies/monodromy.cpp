@@ -56,6 +56,15 @@ SearchEnd end_of_stored(const GenericSolutions& generic, const std::optional<std
   return generic.end == SearchEnd::complete ? SearchEnd::quiet : generic.end;
 }
 
+void add_particulars(const StartSystem& found, std::vector<Particular>& particulars) {
+  particulars.push_back({"loop_paths", found.generic.legs});
+  particulars.push_back({"lost_loop_paths", found.generic.lost_legs});
+  particulars.push_back({"arcs", found.generic.arcs_used});
+  if (!found.trace) return;
+  particulars.push_back({"trace_points", found.trace->points});
+  particulars.push_back({"trace_solutions", found.trace->solutions});
+}
+
 /// What all lengths of one scene's graph share.
 class Found final : public GenericStart {
  public:
@@ -65,7 +74,7 @@ class Found final : public GenericStart {
   const ComplexVectorX& squares() const override { return generic.squares; }
   const std::vector<ComplexVectorX>& solutions() const override { return generic.solutions; }
   HomotopyFamily family() const { return all_lengths(system, axes); }
-  LengthFamily lengths() const { return {system, axes}; }
+  StartFamily lengths() const { return start_family(system, axes); }
   bool is_stopped() const override { return generic.end == SearchEnd::stopped; }
   std::string missing() const override {
     return why_not_all(generic, trace, is_stored ? "the stored start has" : "found");
@@ -74,13 +83,7 @@ class Found final : public GenericStart {
     std::vector<Particular> counts;
     if (is_stored)
       counts.push_back({"stored_solutions", static_cast<std::int64_t>(generic.solutions.size())});
-    counts.push_back({"loop_paths", generic.legs});
-    counts.push_back({"lost_loop_paths", generic.lost_legs});
-    counts.push_back({"arcs", generic.arcs_used});
-    if (trace) {
-      counts.push_back({"trace_points", trace->points});
-      counts.push_back({"trace_solutions", trace->solutions});
-    }
+    add_particulars({generic, trace}, counts);
     return counts;
   }
 
@@ -123,44 +126,55 @@ class MonodromyStrategy final : public ComplexStrategy {
     return found;
   }
 
-  std::optional<std::string> why_no_general_scenes() const override {
-    if (start_ || save_start_)
-      return "start systems of general scenes are not kept yet: leave out start and save_start";
-    return std::nullopt;
-  }
+  std::optional<std::string> why_no_general_scenes() const override { return std::nullopt; }
 
   void solve_random_member(const SolveRequest& request, const ClassLimit& limit,
                            GeneralStart& start) const override {
+    if ((start_ || save_start_) && !request.starts)
+      throw OptionError("options start and save_start: nothing keeps start systems here");
+    if (save_start_) request.starts->reserve(*save_start_);
+    const std::optional<std::uint64_t> most = limit();
+    StartSystem found = start_ ? request.starts->read(*start_, start_family(start.equations))
+                               : search_member(request, most, start);
+    if (start_) {
+      found.generic.end = end_of_stored(found.generic, most);
+      found.generic.squares = with_values(start.equations, found.generic.squares);
+      start.particulars.push_back({"stored_solutions", std::ssize(found.generic.solutions)});
+    }
+    start.missing = why_not_all(found.generic, found.trace, start_ ? "the stored start has" : "found");
+    start.is_stopped = found.generic.end == SearchEnd::stopped || request.stop.stop_requested();
+    add_particulars(found, start.particulars);
+    start.parameters = found.generic.squares;
+    start.solutions = found.generic.solutions;
+    if (!save_start_ || start.is_stopped) return;
+    found.generic.squares = values_of(start.equations, start.parameters);
+    request.starts->write(*save_start_, start_family(start.equations), found);
+  }
+
+  /// Values have no common factor to turn by, which leaves the mixing to the arcs' bends and number; where the trace test
+  /// says that some are missing, more arcs are tried.
+  StartSystem search_member(const SolveRequest& request, const std::optional<std::uint64_t>& most,
+                            GeneralStart& start) const {
     const auto stopped = [&] { return request.stop.stop_requested(); };
     const auto progress = [&](const char* stage) {
       return [&request, stage](int) { report_progress(request, stage, -1); };
     };
-    // Values have no common factor to turn by, which leaves the mixing to the arcs' bends and number.
     MonodromyOptions search = search_;
     search.bend = trace_bend;
-    GenericSolutions generic;
-    const std::optional<std::uint64_t> most = limit();
-    std::optional<TraceTest> trace;
-    for (int i = 0; i < most_trace_tests && (i == 0 || !start.missing.empty()) && !stopped(); ++i) {
+    StartSystem found;
+    bool is_done = false;
+    for (int i = 0; i < most_trace_tests && !is_done && !stopped(); ++i) {
       search.arcs *= 2;
-      if (!trace || trace->solutions != std::ssize(generic.solutions))
-        generic = search_by_monodromy(start.family, start.tracking, {most, nullptr}, search, start.random,
-                                      stopped, progress("solutions at random values"), start.work);
-      if (with_trace_ && generic.end != SearchEnd::complete)
-        trace = test_trace(start.equations, setup_for(request), search, start.random, stopped,
-                           progress("points for the trace test"), start.work);
-      start.missing = why_not_all(generic, trace, "found");
-      if (!with_trace_) break;
+      if (!found.trace || found.trace->solutions != std::ssize(found.generic.solutions))
+        found.generic =
+            search_by_monodromy(start.family, start.tracking, {most, nullptr}, search, start.random, stopped,
+                                progress("solutions at random values"), start.work);
+      if (with_trace_ && found.generic.end != SearchEnd::complete)
+        found.trace = test_trace(start.equations, setup_for(request), search, start.random, stopped,
+                                 progress("points for the trace test"), start.work);
+      is_done = !with_trace_ || why_not_all(found.generic, found.trace, "").empty();
     }
-    start.is_stopped = generic.end == SearchEnd::stopped || stopped();
-    start.particulars = {
-        {"loop_paths", generic.legs}, {"lost_loop_paths", generic.lost_legs}, {"arcs", generic.arcs_used}};
-    if (trace) {
-      start.particulars.push_back({"trace_points", trace->points});
-      start.particulars.push_back({"trace_solutions", trace->solutions});
-    }
-    start.parameters = std::move(generic.squares);
-    start.solutions = std::move(generic.solutions);
+    return found;
   }
 
   void read(const SolveRequest& request, const ClassLimit& limit, Found& found) const {

@@ -195,6 +195,7 @@ Structure analyse_structure(const ProblemStatement& problem) {
 }
 
 void require_well_posed(const ProblemStatement& problem, const std::string& file) {
+  if (problem.is_general()) return;
   const Structure structure = analyse_structure(problem);
   if (structure.well_posed()) return;
   const StructureDefect& defect = structure.defects.front();

@@ -32,6 +32,7 @@ struct Structure {
 /// missed is missed with a probability below 1e-15. Deterministic. Never throws.
 Structure analyse_structure(const ProblemStatement& problem);
 
+/// Of general scenes nothing is asked here: see require_general_well_posed.
 /// Throws InputError with the first defect, as of a file of that name: a single constraint is pointed at, a set of
 /// them is named by the message.
 void require_well_posed(const ProblemStatement& problem, const std::string& file);

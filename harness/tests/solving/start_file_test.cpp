@@ -63,13 +63,14 @@ void check_refused(const std::filesystem::path& file, const Json& sound, const s
 TEST_CASE("what a search has found serves again, to the same bits") {
   const TestFolder folder;
   const std::string file = (folder / "start.json").string();
-  // 8 classes each: Bartzos et al. 2020 for the octahedron; what polyhedral finds for g16a.
-  for (const std::string id : {"octahedron", "g16a"}) {
+  // Bartzos et al. 2020 for the octahedron; what polyhedral finds for g16a; Mourrain 1993 for the platform.
+  for (const auto& [id, classes] :
+       {std::pair("octahedron", 8U), std::pair("g16a", 8U), std::pair("platform", 40U)}) {
     const SolveRun found = solved(problem_of(id), {{"save_start", file}});
     const SolveRun again = solved(problem_of(id), {{"start", file}});
     CHECK(again.status == RunStatus::complete);
-    CHECK(again.counts.generic == 8U);
-    CHECK(particular(again, "stored_solutions") == 8);
+    CHECK(again.counts.generic == classes);
+    CHECK(particular(again, "stored_solutions") == classes);
     CHECK(particular(again, "trace_solutions") == particular(found, "trace_solutions"));
     CHECK(again.work.iterations < found.work.iterations);
     check_same_solutions(found, again);

@@ -76,7 +76,9 @@ std::optional<std::string> why_not_by_lengths(const Scene& scene) {
   return std::nullopt;
 }
 
-bool takes_general_road(const Scene& scene) { return why_not_by_lengths(scene).has_value(); }
+bool takes_general_road(const Scene& scene) {
+  return scene.problem().is_general() || scene.problem().lines.size() > 1;
+}
 
 }  // namespace
 
@@ -101,7 +103,7 @@ ComplexStrategy::ComplexStrategy(const HomotopySettings& settings)
 
 std::optional<std::string> ComplexStrategy::why_unsupported(const SolveRequest& request) const {
   const Scene& scene = request.scene;
-  if (!takes_general_road(scene)) return std::nullopt;
+  if (!takes_general_road(scene)) return why_not_by_lengths(scene);
   if (auto reason = why_no_general_scenes())
     return scene.problem().is_general() ? reason : why_not_by_lengths(scene);
   return why_not_general(scene);

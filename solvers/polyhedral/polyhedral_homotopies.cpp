@@ -14,32 +14,23 @@ namespace {
 
 constexpr double start_size = 1e-8;       // of the lowest factor e^(h τ) at the start
 constexpr std::int64_t most_legs = 1024;  // of a cell between two reports of progress
-constexpr int most_axes = 3;
 
-/// The axes whose reflection changes no monomial, each with the first unknown that changes its sign.
-std::vector<int> first_mirrored(const Supports& supports, const std::vector<int>& axes) {
-  std::vector<int> result;
-  for (int axis = 0; axis < most_axes; ++axis) {
-    const auto first = std::find(axes.begin(), axes.end(), axis);
-    if (first == axes.end()) continue;
-    const auto is_even = [&](const Exponents& exponents) {
-      int degree = 0;
-      for (std::size_t v = 0; v < axes.size(); ++v) degree += axes[v] == axis ? exponents[v] : 0;
-      return degree % 2 == 0;
-    };
-    if (std::all_of(supports.begin(), supports.end(), [&](const Support& support) {
-          return std::all_of(support.begin(), support.end(), is_even);
-        }))
-      result.push_back(static_cast<int>(first - axes.begin()));
-  }
-  return result;
+SignMask sign_of(const Exponents& exponents, const SignMasks& signs) {
+  SignMask sign = 0;
+  for (std::size_t v = 0; v < exponents.size(); ++v)
+    if (exponents[v] % 2 != 0) sign ^= signs[v];
+  return sign;
 }
 
-/// The mirror group as axes of the unknowns, for the reflections that count.
-std::vector<int> symmetric_axes(const std::vector<int>& axes, const std::vector<int>& mirrored) {
-  std::vector<int> result = axes;
-  for (int& axis : result)
-    if (std::none_of(mirrored.begin(), mirrored.end(), [&](int v) { return axes[v] == axis; })) axis = -1;
+/// Unknowns that the group gives every pattern of signs, each by one of its patterns.
+std::vector<int> independent_unknowns(const SignMasks& signs) {
+  std::vector<int> result;
+  SignEquations equations;
+  for (std::size_t v = 0; v < signs.size(); ++v) {
+    const int rank = equations.rank();
+    equations.add(signs[v], true);
+    if (equations.rank() > rank) result.push_back(static_cast<int>(v));
+  }
   return result;
 }
 
@@ -120,7 +111,7 @@ std::vector<ComplexVectorX> sample_jacobians(const MonomialSystem& system, const
 
 class Homotopies {
  public:
-  Homotopies(const MixedCells& cells, const std::vector<int>& axes, const TrackingSetup& setup,
+  Homotopies(const MixedCells& cells, const SignMasks& signs, const TrackingSetup& setup,
              std::mt19937_64& random, const std::function<bool()>& stopped,
              const std::function<void(double)>& progress, WorkCounters& work)
       : cells_(cells),
@@ -130,8 +121,9 @@ class Homotopies {
         progress_(progress),
         work_(work),
         system_(monomial_system(cells.supports)),
-        mirrored_(first_mirrored(cells.supports, axes)),
-        distinct_(symmetric_axes(axes, mirrored_), random) {
+        signs_(symmetric_signs(cells.supports, signs)),
+        mirrored_(independent_unknowns(signs_)),
+        distinct_(signs_, random) {
     std::uniform_real_distribution<double> turn;
     std::vector<double> turns;
     for (std::size_t j = 0; j < system_.monomials.size(); ++j) turns.push_back(turn(random));
@@ -208,7 +200,8 @@ class Homotopies {
   WorkCounters& work_;
   const double all_paths_ = cells_.total_volume().approximate();
   MonomialSystem system_;
-  std::vector<int> mirrored_;  ///< the first unknown of each reflection that is divided out
+  SignMasks signs_;            ///< that are divided out
+  std::vector<int> mirrored_;  ///< a start is followed where these have arguments in [0, π)
   SolutionSet distinct_;
   GenericZeros result_;
 };
@@ -230,11 +223,34 @@ MonomialSystem monomial_system(const Supports& supports) {
   return system;
 }
 
-GenericZeros follow_polyhedral_homotopies(const MixedCells& cells, const std::vector<int>& axes,
+Supports supports_of(const MonomialSystem& system) {
+  Supports supports;
+  for (int e = 0; e < system.equations(); ++e) {
+    Support& support = supports.emplace_back();
+    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
+      Exponents& exponents = support.emplace_back(static_cast<std::size_t>(system.unknowns), 0);
+      for (const int factor : {system.monomials[j].u, system.monomials[j].v})
+        if (factor >= 0) ++exponents[factor];
+    }
+  }
+  return supports;
+}
+
+SignMasks symmetric_signs(const Supports& supports, const SignMasks& signs) {
+  SignMask changed = 0;
+  for (const Support& support : supports)
+    for (const Exponents& exponents : support)
+      changed |= sign_of(exponents, signs) ^ sign_of(support.front(), signs);
+  SignMasks result;
+  for (const SignMask mask : signs) result.push_back(mask & ~changed);
+  return result;
+}
+
+GenericZeros follow_polyhedral_homotopies(const MixedCells& cells, const SignMasks& signs,
                                           const TrackingSetup& setup, std::mt19937_64& random,
                                           const std::function<bool()>& stopped,
                                           const std::function<void(double)>& progress, WorkCounters& work) {
-  return Homotopies(cells, axes, setup, random, stopped, progress, work).run();
+  return Homotopies(cells, signs, setup, random, stopped, progress, work).run();
 }
 
 }  // namespace gcs

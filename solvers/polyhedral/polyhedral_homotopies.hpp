@@ -15,12 +15,18 @@
 #include <random>
 
 #include "solvers/homotopies/leg_tracking.hpp"
+#include "solvers/numeric/sign_masks.hpp"
 #include "solvers/polyhedral/mixed_cells.hpp"
 
 namespace gcs {
 
 /// Precondition: no monomial has a degree above 2 or a negative exponent.
 MonomialSystem monomial_system(const Supports& supports);
+/// The supports of which that is the system but for the order of factors.
+Supports supports_of(const MonomialSystem& system);
+
+/// The generators of a group of sign changes that change all monomials of an equation or none, whatever the coefficients.
+SignMasks symmetric_signs(const Supports& supports, const SignMasks& signs);
 
 struct GenericZeros {
   ComplexVectorX coefficients;        ///< one per monomial of the MonomialSystem, of modulus 1
@@ -35,10 +41,9 @@ struct GenericZeros {
   bool is_complete() const { return !stopped && lost == 0 && repeated == 0 && unsolved_cells == 0; }
 };
 
-/// `axes` says of every unknown which reflection changes its sign, or −1. Where all monomials are even in the
-/// unknowns of an axis, only one of two mirror images is followed. Preconditions: `cells` is complete, and of
+/// Of zeros that differ by changes of symmetric_signs only one is followed. Preconditions: `cells` is complete, and of
 /// supports as for monomial_system. Adds to `work`.
-GenericZeros follow_polyhedral_homotopies(const MixedCells& cells, const std::vector<int>& axes,
+GenericZeros follow_polyhedral_homotopies(const MixedCells& cells, const SignMasks& signs,
                                           const TrackingSetup& setup, std::mt19937_64& random,
                                           const std::function<bool()>& stopped,
                                           const std::function<void(double)>& progress, WorkCounters& work);

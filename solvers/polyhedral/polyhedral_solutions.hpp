@@ -10,8 +10,8 @@
 
 #include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/model/distance_system.hpp"
-#include "solvers/numeric/natural.hpp"
 #include "solvers/polyhedral/formulation.hpp"
+#include "solvers/polyhedral/supports_paths.hpp"
 
 namespace gcs {
 
@@ -19,10 +19,7 @@ struct PolyhedralSolutions {
   std::vector<ComplexVectorX> solutions;  ///< regular, distinct up to reflections, in the scene's coordinates
   std::string missing;                    ///< what may keep them from being all; empty when nothing does
   bool stopped = false;                   ///< on request, with an incomplete list
-  Natural mixed_volume;
-  std::int64_t cells = 0;
-  std::int64_t start_paths = 0;  ///< where mirror images are divided out, one of each set of them
-  std::int64_t at_infinity = 0;  ///< of these, where they led to no solution
+  PathCounts counts;
 };
 
 struct PolyhedralRequest {

@@ -13,21 +13,38 @@
 /// paths than solutions; formulation=coordinates are the distance equations as they stand, with 2^m paths
 /// for m constraints, as in R. Imbach, P. Mathis, P. Schreck 2016. That no path was lost and none ended
 /// where another did is checked, where the theoretical count or bound (counting/theoretical_counts.hpp) is
-/// not met anyway; that no step jumped is likely, not proven. It fails where the mixed cells cannot be
-/// enumerated, on graphs beyond some twenty points, and on scenes as monodromy does. HOM4PS-2.0: T. L. Lee,
-/// T. Y. Li, C. H. Tsai, Computing 83 (2008).
+/// not met anyway; that no step jumped is likely, not proven.
+///
+/// General scenes go the same way with the equations of elements/scene_system.hpp as they stand, to the values of a
+/// figure at random. Unit vectors and the like leave no coefficient free, and most paths run to infinity.
+///
+/// It fails where the mixed cells cannot be enumerated, on graphs beyond some twenty points, or are of too many paths, and
+/// on scenes as monodromy does. HOM4PS-2.0: T. L. Lee, T. Y. Li, C. H. Tsai, Computing 83 (2008).
 
 #include "solvers/strategies/polyhedral.hpp"
+
+#include <fmt/format.h>
 
 #include <memory>
 
 #include "solvers/homotopies/complex_strategy.hpp"
 #include "solvers/homotopies/endgame.hpp"
 #include "solvers/homotopies/mirror_images.hpp"
+#include "solvers/polyhedral/polyhedral_homotopies.hpp"
 #include "solvers/polyhedral/polyhedral_solutions.hpp"
 
 namespace gcs {
 namespace {
+
+std::vector<Particular> particulars_of(const PathCounts& counts) {
+  return {{"mixed_volume", static_cast<std::int64_t>(counts.mixed_volume.approximate())},
+          {"mixed_cells", counts.cells},
+          {"start_paths", counts.start_paths},
+          {"start_paths_at_infinity", counts.at_infinity}};
+}
+
+/// Of a general scene.
+const std::string destination = "random values";
 
 /// What all lengths of one scene's graph share: the solutions for the lengths of one random placement.
 class Found final : public GenericStart {
@@ -48,12 +65,7 @@ class Found final : public GenericStart {
              std::to_string(generic.solutions.size()) + " classes found for them";
     return are_as_many_as_can_be ? "" : generic.missing;
   }
-  std::vector<Particular> particulars() const override {
-    return {{"mixed_volume", static_cast<std::int64_t>(generic.mixed_volume.approximate())},
-            {"mixed_cells", generic.cells},
-            {"start_paths", generic.start_paths},
-            {"start_paths_at_infinity", generic.at_infinity}};
-  }
+  std::vector<Particular> particulars() const override { return particulars_of(generic.counts); }
 
   ComplexVectorX placement;
   ComplexVectorX placement_squares;
@@ -84,6 +96,56 @@ class PolyhedralStrategy final : public ComplexStrategy {
     return found;
   }
 
+  std::optional<std::string> why_no_general_scenes() const override {
+    if (formulation_ != Formulation::spheres)
+      return "a formulation is one of distances between points: leave it out";
+    return std::nullopt;
+  }
+
+  void solve_random_member(const SolveRequest& request, const ClassLimit& limit,
+                           GeneralStart& start) const override {
+    const FamilyMember member = random_member(start.equations, start.random);
+    const Supports supports = supports_of(start.equations.system);
+    const SignMasks divided = follows_mirror_images() ? SignMasks(std::vector<int>(supports.size(), -1))
+                                                      : symmetric_signs(supports, start.equations.signs);
+    const auto progress = [&request](std::string_view stage, double fraction) {
+      report_progress(request, stage, fraction);
+    };
+    const SupportsPaths paths = follow_supports(
+        supports, member.parameters, divided,
+        {setup_for(request), request.seed, request.stop, progress, destination}, start.random, start.work);
+    start.parameters = member.parameters;
+    start.is_stopped = paths.is_stopped;
+    start.particulars = particulars_of(paths.counts);
+    start.missing = paths.is_stopped ? "stopped on the way to " + destination : paths.missing;
+    sort_in(paths.ends, divided, start);
+    if (!start.missing.empty() && limit() == start.solutions.size()) start.missing.clear();
+    check_member(member.x, start);
+  }
+
+  /// The regular ends, once up to the signs of the scene; jumps show up to those that were divided by.
+  static void sort_in(const std::vector<PathEnd>& ends, const SignMasks& divided, GeneralStart& start) {
+    SolutionSet distinct(divided, start.random), classes(start.equations.signs, start.random);
+    for (const PathEnd& end : ends) {
+      if (end.kind != PathEnd::Kind::regular) continue;
+      distinct.insert(end.x, regular_uncertainty);
+      classes.insert(end.x, regular_uncertainty);
+    }
+    start.solutions = classes.solutions();
+    if (start.missing.empty()) start.missing = why_not_all(ends, distinct.size(), destination);
+  }
+
+  /// The member is a solution itself.
+  static void check_member(const ComplexVectorX& member, GeneralStart& start) {
+    if (start.is_stopped) return;
+    SolutionSet classes(start.equations.signs, start.random);
+    for (const ComplexVectorX& x : start.solutions) classes.insert(x, regular_uncertainty);
+    if (classes.find(member, regular_uncertainty) < 0)
+      start.missing =
+          fmt::format("the random figure that gives the values is not among the {} classes found for them",
+                      start.solutions.size());
+  }
+
   static bool has_placement(const SolveRequest& request, const Found& found) {
     std::mt19937_64 random(request.seed);
     SolutionSet classes(mirror_axes(request.scene, found.coordinates), random);
@@ -101,6 +163,7 @@ StrategyEntry polyhedral_entry() {
   entry.summary = "finds all complex solutions by homotopies from mixed cells, the way of HOM4PS";
   entry.citation = "Huber, Sturmfels 1995; Lee, Li, Tsai 2008";
   entry.keeps_journal = true;
+  entry.knows_general_scenes = true;
   entry.accuracy_settings = tracking_accuracy_settings();
   return entry;
 }

@@ -1,4 +1,3 @@
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
@@ -7,92 +6,17 @@
 #include "solvers/figures/general_figures.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/strategies/monodromy.hpp"
-#include "solvers/tests/random_numbers.hpp"
+#include "solvers/tests/elements/general_samples.hpp"
 
 using namespace gcs;
+using samples::random_octahedral;
+using samples::random_platform;
 using samples::RandomNumbers;
 
 namespace {
 
 Answer proven(const ProblemStatement& problem, std::uint64_t seed = 1) {
   return solve(Scene::unchecked(problem), "monodromy", {}, {.seed = seed, .certify = true});
-}
-
-RigidBody random_body(const std::string& name, int first_point, int count, int dimension,
-                      RandomNumbers& random) {
-  RigidBody body{name, {}};
-  for (int i = 0; i < count; ++i) {
-    BodyElement element{first_point + i, {}};
-    for (int axis = 0; axis < dimension; ++axis) element.numbers.push_back({random.uniform(-1, 1), ""});
-    body.elements.push_back(element);
-  }
-  return body;
-}
-
-/// Two random bodies, leg i between point i of each, as long as it is where the second body stands.
-ProblemStatement random_platform(int dimension, RandomNumbers& random) {
-  const int legs = dimension == 3 ? 6 : 3;
-  ProblemStatement problem;
-  problem.dimension = dimension;
-  for (int i = 0; i < 2 * legs; ++i) problem.points.push_back("p" + std::to_string(i));
-  for (const int body : {0, 1})
-    problem.bodies.push_back(random_body("b" + std::to_string(body), body * legs, legs, dimension, random));
-  problem.reference_body = 0;
-  const Eigen::Quaterniond turn =
-      dimension == 3 ? Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
-                                          random.uniform(-1, 1))
-                           .normalized()
-                     : Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-3, 3), Eigen::Vector3d::UnitZ()));
-  const Eigen::Vector3d shift = random.point(dimension, 2);
-  const auto given = [&](int body, int i) {
-    Eigen::Vector3d at = Eigen::Vector3d::Zero();
-    const BodyElement& element =
-        problem.bodies[static_cast<std::size_t>(body)].elements[static_cast<std::size_t>(i)];
-    for (int axis = 0; axis < dimension; ++axis)
-      at[axis] = element.numbers[static_cast<std::size_t>(axis)].value;
-    return at;
-  };
-  for (int i = 0; i < legs; ++i)
-    problem.constraints.push_back({"leg" + std::to_string(i),
-                                   {i, legs + i},
-                                   {(turn * given(1, i) + shift - given(0, i)).norm(), ""},
-                                   false});
-  return problem;
-}
-
-/// Six elements, all pairs but 0–3, 1–4, 2–5; the last `planes` of them are planes. Values of a random figure.
-ProblemStatement random_octahedral(int planes, RandomNumbers& random) {
-  const int points = 6 - planes;
-  ProblemStatement problem;
-  const Eigen::Matrix3Xd places = random.points(3, points, 2);
-  std::vector<PlanePosition> sides;
-  for (int i = 0; i < points; ++i) problem.points.push_back("p" + std::to_string(i));
-  for (int i = 0; i < planes; ++i) {
-    problem.planes.push_back("h" + std::to_string(i));
-    sides.push_back({random.point(3, 1).normalized(), random.uniform(-1, 1)});
-  }
-  problem.reference = Reference{0, 1, 2};
-  const auto side = [&](int i) { return sides[static_cast<std::size_t>(i - points)]; };
-  for (int a = 0; a < 6; ++a)
-    for (int b = a + 1; b < 6; ++b) {
-      if (b == a + 3) continue;
-      const std::string id = "c" + std::to_string(6 * a + b);
-      if (b < points)
-        problem.constraints.push_back({id, {a, b}, {(places.col(a) - places.col(b)).norm(), ""}, false});
-      else if (a < points)
-        problem.relations.push_back({id,
-                                     RelationType::distance,
-                                     {{a}, {b}},
-                                     Relation::Form::length,
-                                     {side(b).normal.dot(places.col(a)) - side(b).offset, ""}});
-      else
-        problem.relations.push_back({id,
-                                     RelationType::angle,
-                                     {{a}, {b}},
-                                     Relation::Form::cosine,
-                                     {side(a).normal.dot(side(b).normal), ""}});
-    }
-  return problem;
 }
 
 /// Six planes of one body and six points of another, each point at its distance from its plane. `moving`: which body

@@ -1,0 +1,98 @@
+/// Strategies that share no more than a tracker, on general scenes.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "solvers/figures/solution_classes.hpp"
+#include "solvers/solving/solve.hpp"
+#include "solvers/strategies/monodromy.hpp"
+#include "solvers/strategies/polyhedral.hpp"
+#include "solvers/tests/elements/general_samples.hpp"
+
+using namespace gcs;
+using samples::random_octahedral;
+using samples::random_platform;
+using samples::RandomNumbers;
+
+namespace {
+
+/// In how many classes the solutions of both answers fall.
+int classes_of(const Scene& scene, const Answer& a, const Answer& b) {
+  std::vector<Figure> figures;
+  std::vector<SolutionAccuracy> accuracies;
+  for (const Answer* answer : {&a, &b})
+    for (const AssessedSolution& solution : answer->solutions) {
+      figures.push_back(solution.figure);
+      accuracies.push_back({solution.condition});
+    }
+  return solution_classes(scene, figures, accuracies).count();
+}
+
+/// Whether the distances between points of both agree, as far as their proven errors say that they must.
+bool may_be_same(const AssessedSolution& a, const AssessedSolution& b) {
+  const double most = 2 * (a.error_bound.value() + b.error_bound.value()) + 1e-14;
+  const auto count = a.figure.points.cols();
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index k = 0; k < i; ++k) {
+      const auto length = [&](const AssessedSolution& of) {
+        return (of.figure.points.col(i) - of.figure.points.col(k)).norm();
+      };
+      if (std::abs(length(a) - length(b)) > most) return false;
+    }
+  return true;
+}
+
+/// Whether every real solution of `some` is one of `all`.
+bool are_real_solutions_among(const Answer& some, const Answer& all) {
+  return std::all_of(some.solutions.begin(), some.solutions.end(), [&](const AssessedSolution& a) {
+    return !a.is_real() || std::any_of(all.solutions.begin(), all.solutions.end(),
+                                       [&](const auto& b) { return b.is_real() && may_be_same(a, b); });
+  });
+}
+
+void check_agreement(const ProblemStatement& problem, std::size_t count, std::uint64_t seed) {
+  const Scene scene = Scene::unchecked(problem);
+  const Answer loops = solve(scene, Monodromy{.seed = seed, .certify = true});
+  const Answer cells = solve(scene, Polyhedral{.seed = seed, .certify = true});
+  INFO(cells.reason);
+  CHECK(cells.status == RunStatus::complete);
+  CHECK(cells.failed_checks.empty());
+  REQUIRE(cells.solutions.size() == count);
+  REQUIRE(loops.solutions.size() == count);
+  CHECK(classes_of(scene, loops, cells) == static_cast<int>(count));
+  REQUIRE(cells.proofs);
+  CHECK(cells.proofs->classes == count);
+  CHECK(are_real_solutions_among(loops, cells));
+  CHECK(are_real_solutions_among(cells, loops));
+}
+
+}  // namespace
+
+TEST_CASE("mixed cells lead to the same solutions of octahedral scenes as loops") {
+  RandomNumbers random(21);
+  for (const int planes : {1, 2, 3})
+    check_agreement(random_octahedral(planes, random), 8, static_cast<std::uint64_t>(planes));
+}
+
+TEST_CASE("mixed cells lead to the same postures of a planar platform as loops") {
+  RandomNumbers random(22);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) check_agreement(random_platform(2, random), 6, seed);
+}
+
+TEST_CASE("a general scene has as many solutions whether mirror images are followed or divided out") {
+  RandomNumbers random(23);
+  const Scene scene = Scene::unchecked(random_octahedral(3, random));
+  const auto start_paths = [&](HomotopySettings::MirrorImages images) {
+    Polyhedral polyhedral;
+    polyhedral.tracking.mirror_images = images;
+    const Answer answer = solve(scene, polyhedral);
+    CHECK(answer.status == RunStatus::complete);
+    CHECK(answer.solutions.size() == 8);
+    const auto found = std::find_if(answer.particulars.begin(), answer.particulars.end(),
+                                    [](const Particular& p) { return p.name == "start_paths"; });
+    REQUIRE(found != answer.particulars.end());
+    return found->value;
+  };
+  CHECK(start_paths(HomotopySettings::MirrorImages::followed) >
+        start_paths(HomotopySettings::MirrorImages::divided));
+}

@@ -1,0 +1,15 @@
+#pragma once
+/// Random general scenes whose numbers of solutions are known, without a sketch.
+
+#include "solvers/problem/problem_statement.hpp"
+#include "solvers/tests/random_numbers.hpp"
+
+namespace gcs::samples {
+
+/// Two random bodies, leg i between point i of each, as long as it is where the second body stands.
+ProblemStatement random_platform(int dimension, RandomNumbers& random);
+
+/// Six elements, all pairs but 0–3, 1–4, 2–5; the last `planes` of them are planes. Values of a random figure.
+ProblemStatement random_octahedral(int planes, RandomNumbers& random);
+
+}  // namespace gcs::samples

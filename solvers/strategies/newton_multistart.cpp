@@ -12,6 +12,9 @@
 /// more starts are made when that is below `unseen`. It is an estimate and proves nothing: a solution in
 /// whose basin hardly a start lies is missed, however small it is.
 ///
+/// Of a general scene (elements/scene_system.hpp) points start in the box too, directions and rotations are random, and the
+/// last steps are taken in doubles.
+///
 /// Hence it claims some real solutions. It fails, and says so, where no start ends at a solution, which does
 /// not prove that there is none, and at multiple solutions and scenes that move, whose ends it counts only.
 
@@ -23,8 +26,10 @@
 #include <random>
 #include <unsupported/Eigen/NonLinearOptimization>
 
+#include "solvers/elements/random_figure.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
+#include "solvers/homotopies/general_start.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/numeric/digest.hpp"
 #include "solvers/running/run_on_threads.hpp"
@@ -49,32 +54,109 @@ constexpr double singular_condition = 9.5e7;
 constexpr double settled_correction = 64;
 constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
-/// The equations as Eigen's Levenberg-Marquardt method asks for them.
-class Equations {
+/// The equations between points and a line as Eigen's Levenberg-Marquardt method asks for them.
+class DistanceEquations {
  public:
-  explicit Equations(const Scene& scene)
-      : system(scene),
-        squares(target_squares(scene)),
-        figure_(system.figure(Eigen::VectorXd::Zero(inputs()))) {}
+  explicit DistanceEquations(const Scene& scene)
+      : scene_(scene),
+        system_(scene),
+        squares_(target_squares(scene)),
+        figure_(system_.figure(Eigen::VectorXd::Zero(inputs()))) {}
 
-  int inputs() const { return system.unknowns(); }
-  int values() const { return system.equations(); }
+  int inputs() const { return system_.unknowns(); }
+  int values() const { return system_.equations(); }
   int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& f) {
-    system.place(x, figure_.points);
-    system.residual(figure_.points, squares, f);
+    system_.place(x, figure_.points);
+    system_.residual(figure_.points, squares_, f);
     return 0;
   }
   int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) {
-    system.place(x, figure_.points);
-    system.jacobian(figure_.points, jacobian);
+    system_.place(x, figure_.points);
+    system_.jacobian(figure_.points, jacobian);
     return 0;
   }
 
-  const DistanceSystem system;
-  const std::vector<DoubleDouble> squares;
+  Eigen::VectorXd random_start(double reach, std::mt19937_64& random) const {
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    return Eigen::VectorXd::NullaryExpr(inputs(), [&] { return reach * coordinate(random); });
+  }
+  Refinement refined(Eigen::VectorXd& x) const { return refine(system_, squares_, x); }
+  Figure figure(const Eigen::VectorXd& x) const { return scene_.representative(system_.figure(x)); }
 
  private:
+  const Scene& scene_;
+  const DistanceSystem system_;
+  const std::vector<DoubleDouble> squares_;
   Figure figure_;
+};
+
+/// Those of a general scene. Bodies start somewhere as they are, and what else equations need follows from where the
+/// elements start.
+class SceneFunction {
+ public:
+  explicit SceneFunction(const Scene& scene)
+      : scene_(scene), system_(scene), equations_(general_equations(system_)) {}
+
+  int inputs() const { return equations_.system.unknowns; }
+  int values() const { return equations_.system.equations(); }
+  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& f) const {
+    f.setZero();
+    for_each_term([&](int e, double coefficient, Monomial m) {
+      f[e] += coefficient * factor(x, m.u) * factor(x, m.v);
+    });
+    return 0;
+  }
+  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) const {
+    jacobian.setZero();
+    for_each_term([&](int e, double coefficient, Monomial m) {
+      if (m.u >= 0) jacobian(e, m.u) += coefficient * factor(x, m.v);
+      if (m.v >= 0) jacobian(e, m.v) += coefficient * factor(x, m.u);
+    });
+    return 0;
+  }
+
+  Eigen::VectorXd random_start(double reach, std::mt19937_64& random) const {
+    const ComplexValues values = system_.coordinates(random_figure(scene_, reach, random));
+    return Eigen::VectorXd::NullaryExpr(
+        inputs(), [&](Eigen::Index i) { return values[static_cast<std::size_t>(i)].real(); });
+  }
+  Figure figure(const Eigen::VectorXd& x) const {
+    return system_.figure(ComplexValues(x.begin(), x.end()), true);
+  }
+  /// Undamped steps, until they no longer fall.
+  Refinement refined(Eigen::VectorXd& x) const {
+    constexpr int most_iterations = 20;
+    Refinement result{false, 0, std::numeric_limits<double>::infinity()};
+    Eigen::VectorXd f(values());
+    Eigen::MatrixXd jacobian(values(), inputs());
+    while (result.iterations < most_iterations) {
+      (*this)(x, f);
+      df(x, jacobian);
+      const Eigen::VectorXd step = jacobian.partialPivLu().solve(f);
+      const double last = result.last_correction;
+      ++result.iterations;
+      if (!step.allFinite()) return result;
+      x -= step;
+      result.last_correction = step.norm();
+      if (!(result.last_correction < last / 2)) break;
+    }
+    result.converged = result.last_correction <= tolerance * (1 + x.cwiseAbs().maxCoeff());
+    return result;
+  }
+
+ private:
+  static double factor(const Eigen::VectorXd& x, int unknown) { return unknown < 0 ? 1 : x[unknown]; }
+  template <class Visitor>
+  void for_each_term(const Visitor& visit) const {
+    const MonomialSystem& system = equations_.system;
+    for (int e = 0; e < system.equations(); ++e)
+      for (int j = system.first[e]; j < system.first[e + 1]; ++j)
+        visit(e, equations_.coefficients[j].real(), system.monomials[j]);
+  }
+
+  const Scene& scene_;
+  const SceneSystem system_;
+  const GeneralEquations equations_;
 };
 
 /// What became of one start. The figure is a representative of its class.
@@ -93,6 +175,7 @@ class NewtonMultistartStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
+    if (scene.problem().is_general()) return why_not_general(scene);
     if (scene.is_anchored()) return "it places points and a line in a frame, and the file fixes positions";
     if (scene.problem().lines.size() > 1) return "it places at most one line, and the instance has more";
     return std::nullopt;
@@ -139,6 +222,12 @@ class NewtonMultistartStrategy final : public Strategy {
 
   /// The ends of the starts from `first` to before `last`, in their order, whatever the number of threads.
   std::vector<End> ends_of(const SolveRequest& request, int first, int last) const {
+    if (request.scene.problem().is_general()) return ends_of<SceneFunction>(request, first, last);
+    return ends_of<DistanceEquations>(request, first, last);
+  }
+
+  template <class Equations>
+  std::vector<End> ends_of(const SolveRequest& request, int first, int last) const {
     std::vector<End> ends(static_cast<std::size_t>(last - first));
     run_on_threads(request.threads, [&](int thread) {
       Equations equations(request.scene);
@@ -149,32 +238,31 @@ class NewtonMultistartStrategy final : public Strategy {
   }
 
   /// The seed and its number alone say where a start lies.
-  Eigen::VectorXd random_start(const SolveRequest& request, int unknowns, int number) const {
+  static std::mt19937_64 random_numbers(const SolveRequest& request, int number) {
     Digest seed;
     seed.add(request.seed);
     seed.add(static_cast<std::uint64_t>(number));
-    std::mt19937_64 random(seed.value());
-    std::uniform_real_distribution<double> coordinate(-1, 1);
-    const double reach = spread * request.scene.size();
-    return Eigen::VectorXd::NullaryExpr(unknowns, [&] { return reach * coordinate(random); });
+    return std::mt19937_64(seed.value());
   }
 
+  template <class Equations>
   End end_of(const SolveRequest& request, Equations& equations, int number) const {
-    Eigen::VectorXd x = random_start(request, equations.inputs(), number);
+    std::mt19937_64 random = random_numbers(request, number);
+    Eigen::VectorXd x = equations.random_start(spread * request.scene.size(), random);
     Eigen::LevenbergMarquardt<Equations> method(equations);
     method.parameters.xtol = method.parameters.ftol = tolerance;
     method.minimizeInit(x);
     while (method.minimizeOneStep(x) == Eigen::LevenbergMarquardtSpace::Running &&
            !request.stop.stop_requested()) {
     }
-    const Refinement refinement = refine(equations.system, equations.squares, x);
+    const Refinement refinement = equations.refined(x);
 
     End end;
     end.work.iterations = method.njev;
     end.work.newton_iterations = refinement.iterations;
     end.work.evaluations = method.nfev + refinement.iterations;
     end.work.jacobians = end.work.factorisations = method.njev + refinement.iterations;
-    end.figure = request.scene.representative(equations.system.figure(x));
+    end.figure = equations.figure(x);
     if (!refinement.converged || relative_residual(request.scene, end.figure) > double_root_residual)
       return end;
     end.accuracy.condition = jacobian_condition(request.scene, end.figure);
@@ -229,6 +317,7 @@ StrategyEntry newton_multistart_entry() {
   entry.summary = "Levenberg-Marquardt from random starts: some real solutions, the baseline";
   entry.citation = "Moré 1978; Boender, Rinnooy Kan 1987 for when to stop";
   entry.accuracy_settings = {{{"starts", "64"}}};
+  entry.knows_general_scenes = true;
   return entry;
 }
 

@@ -6,6 +6,7 @@
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/strategies/monodromy.hpp"
+#include "solvers/strategies/newton_multistart.hpp"
 #include "solvers/strategies/polyhedral.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
 
@@ -77,6 +78,38 @@ TEST_CASE("mixed cells lead to the same solutions of octahedral scenes as loops"
 TEST_CASE("mixed cells lead to the same postures of a planar platform as loops") {
   RandomNumbers random(22);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) check_agreement(random_platform(2, random), 6, seed);
+}
+
+TEST_CASE("what Newton's method finds of general scenes are the real solutions that loops find") {
+  RandomNumbers random(24);
+  std::vector<ProblemStatement> problems{random_platform(2, random)};
+  for (const int planes : {1, 2, 3}) problems.push_back(random_octahedral(planes, random));
+  for (const ProblemStatement& problem : problems) {
+    const Scene scene = Scene::unchecked(problem);
+    const Answer loops = solve(scene, Monodromy{.certify = true});
+    const Answer newton = solve(scene, NewtonMultistart{.seed = 3, .certify = true});
+    INFO(newton.reason);
+    CHECK(newton.status == RunStatus::complete);
+    CHECK(newton.failed_checks.empty());
+    REQUIRE(!newton.solutions.empty());
+    CHECK(classes_of(scene, loops, newton) == static_cast<int>(loops.solutions.size()));
+    CHECK(are_real_solutions_among(newton, loops));
+  }
+}
+
+TEST_CASE("Newton's method finds the same on any number of threads, another seed the same solutions") {
+  RandomNumbers random(25);
+  const Scene scene = Scene::unchecked(random_octahedral(2, random));
+  const Answer one = solve(scene, NewtonMultistart{.seed = 4});
+  const Answer two = solve(scene, NewtonMultistart{.seed = 4, .threads = 2});
+  const Answer other = solve(scene, NewtonMultistart{.seed = 5, .starts = 2000, .unseen = 1e-3});
+  REQUIRE(!one.solutions.empty());
+  REQUIRE(two.solutions.size() == one.solutions.size());
+  for (std::size_t i = 0; i < one.solutions.size(); ++i) {
+    CHECK(two.solutions[i].figure.points == one.solutions[i].figure.points);
+    CHECK(two.solutions[i].figure.planes.front().normal == one.solutions[i].figure.planes.front().normal);
+  }
+  CHECK(classes_of(scene, one, other) == static_cast<int>(other.solutions.size()));
 }
 
 TEST_CASE("a general scene has as many solutions whether mirror images are followed or divided out") {

@@ -78,7 +78,7 @@ std::optional<std::string> why_no_frame(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   if (problem.is_anchored() || problem.reference_body >= 0) return std::nullopt;
   for (const int point : frame_points(scene))
-    if (point < 0 || is_in_a_body(problem, point))
+    if (point < 0 || point >= scene.point_count() || is_in_a_body(problem, point))
       return problem.dimension == 3
                  ? "a frame is put in a body or in three points, which this scene does not have"
                  : "a frame is put in a body or in two points, which this scene does not have";

@@ -129,7 +129,6 @@ ProblemStatement read_problem(const JsonCursor& root, InstanceFormat format, con
   read_constraints(root.required("constraints"), format, problem);
   check_structure(root, format, problem, file);
   read_frame(root, problem);
-  if (problem.is_general()) require_general_well_posed(problem, file);
   if (const auto sketch = root.optional("sketch")) read_sketch(*sketch, format, problem);
   if (const auto choice = root.optional("interpolation")) {
     problem.interpolation = read_interpolation(*choice, problem);
@@ -154,6 +153,12 @@ std::string optional_text(const JsonCursor& root, std::string_view name) {
 }  // namespace
 
 Instance parse_instance(std::string_view text, const std::string& file, const std::string& expected_id) {
+  Instance instance = parse_statement(text, file, expected_id);
+  if (instance.problem.is_general()) require_general_well_posed(instance.problem, file);
+  return instance;
+}
+
+Instance parse_statement(std::string_view text, const std::string& file, const std::string& expected_id) {
   Instance instance;
   instance.document = parse_json(text, file);
   const JsonCursor root(instance.document, file);

@@ -33,11 +33,15 @@ struct Instance {
   operator Scene() const { return Scene::unchecked(problem); }
 };
 
-/// Reads and checks an instance: the format and then, where there are only distances, the structure (degrees of freedom,
-/// rigidity, unsatisfiable inequalities). `file` is for messages; the id is compared with `expected_id` unless empty.
+/// Reads and checks an instance: the format and then the structure (degrees of freedom, rigidity and, where there are only
+/// distances, unsatisfiable inequalities). `file` is for messages; the id is compared with `expected_id` unless empty.
 /// Throws InputError.
 Instance parse_instance(std::string_view text, const std::string& file = "instance",
                         const std::string& expected_id = {});
+
+/// The same but for the structure of general scenes, which may be loose or say too much.
+Instance parse_statement(std::string_view text, const std::string& file = "instance",
+                         const std::string& expected_id = {});
 
 /// Reads and checks the instance in a file, whose id is the file's name without .json unless the file is a pipe.
 /// `remedy`: what to give in the place of a file that cannot be read. Throws InputError.

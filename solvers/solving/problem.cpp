@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "solvers/elements/general_structure.hpp"
 #include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
@@ -171,7 +172,13 @@ Instance Problem::instance() const {
   if (!bodies_.empty()) members.emplace_back("bodies", json_object(bodies_));
   if (!fixed_.empty()) members.emplace_back("fixed", json_object(fixed_));
   if (!sketch_.empty()) members.emplace_back("sketch", json_object(sketch_));
-  return parse_instance(to_text(json_object(std::move(members)), -1), "problem");
+  return parse_statement(to_text(json_object(std::move(members)), -1), "problem");
+}
+
+Problem::operator Scene() const {
+  const Instance stated = instance();
+  if (stated.problem.is_general()) require_general_well_posed(stated.problem, "problem");
+  return stated;
 }
 
 }  // namespace gcs

@@ -136,10 +136,10 @@ class Problem {
   Problem& sketch(const std::string& plane, std::initializer_list<GivenNumber> normal,
                   const GivenNumber& offset);
 
-  /// The problem as an instance with the id "problem". Throws InputError.
+  /// The problem as an instance with the id "problem"; of general scenes the structure may be wrong. Throws InputError.
   Instance instance() const;
-  /// The same, ready to be solved.
-  operator Scene() const { return instance(); }
+  /// The same, ready to be solved. Throws InputError for a wrong structure, too.
+  operator Scene() const;
 
  private:
   Problem& distance_by(const std::string& a, const std::string& b, const char* form,

@@ -62,7 +62,7 @@ json tangents() {
   return document;
 }
 
-Instance parsed(const json& document) { return gcs::parse_instance(document.dump(), "small.json", "small"); }
+Instance parsed(const json& document) { return gcs::parse_statement(document.dump(), "small.json", "small"); }
 
 json with(json document, const std::string& pointer, const json& value) {
   const json::json_pointer place(pointer);

@@ -20,7 +20,7 @@ nlohmann::json tangents();
 /// The document with the value at `pointer` replaced; a null value removes it.
 nlohmann::json with(nlohmann::json document, const std::string& pointer, const nlohmann::json& value);
 
-/// The document as the instance small.json.
+/// The document as the instance small.json; the structure of general scenes may be wrong.
 Instance parsed(const nlohmann::json& document);
 
 /// Checks that the document is refused at that pointer with a message that begins with the file and holds the

@@ -101,11 +101,11 @@ void check_same(const ProblemStatement& a, const ProblemStatement& b) {
 
 void check_read_back(const Instance& instance) {
   INFO(instance.id);
-  const Scene scene(instance.problem);
+  const Scene scene = instance;
   const std::string text = problem_text(scene);
   const Instance again = parse_instance(text, "text");
   check_same(instance.problem, again.problem);
-  const Scene scene_again(again.problem);
+  const Scene scene_again = again;
   CHECK(scene_again.reference().origin == scene.reference().origin);
   CHECK(scene_again.reference().axis == scene.reference().axis);
   CHECK(scene_again.reference().plane == scene.reference().plane);
@@ -113,7 +113,7 @@ void check_read_back(const Instance& instance) {
   CHECK(scene_again.reference().height == scene.reference().height);
   CHECK(scene_again.target_lengths() == scene.target_lengths());
   CHECK(text.find("published") == std::string::npos);
-  CHECK(text.find('"' + instance.id + '"') == std::string::npos);
+  CHECK(text.find("\"id\": \"" + instance.id + '"') == std::string::npos);
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ namespace gcs {
 /// A line by its point f nearest to the origin and its direction u: u·u = 1, f·u = 0.
 LineForms free_line(SystemBuilder& builder, SignMask turning,
                     const std::function<ComplexLine(const Placement&)>& where);
+/// A line beyond those of the scene; its unknowns are found by two of the points that it is to go through.
+LineForms further_line(SystemBuilder& builder, const std::vector<int>& through);
 /// The line of that number, whose direction is that of another element: f·u = 0.
 LineForms line_along(SystemBuilder& builder, const VectorForm& direction, SignMask turning, int line);
 /// The lines, itself among them, that the problem says are parallel to a line, by their numbers.
@@ -23,6 +25,9 @@ std::vector<int> planes_across(const ProblemStatement& problem, const std::vecto
 /// A plane by its unit normal and its offset.
 PlaneForms free_plane(SystemBuilder& builder, SignMask turning,
                       const std::function<ComplexPlane(const Placement&)>& where);
+
+/// A plane beyond those of the scene; its unknowns are found by three of the points that it is to go through.
+PlaneForms further_plane(SystemBuilder& builder, const std::vector<int>& through);
 
 /// Why a body's pose cannot be told from its elements, in a sentence; nothing where it can.
 std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body);

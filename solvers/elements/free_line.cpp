@@ -39,6 +39,13 @@ LineForms free_line(SystemBuilder& builder, SignMask turning,
   return line;
 }
 
+LineForms further_line(SystemBuilder& builder, const std::vector<int>& through) {
+  return free_line(builder, builder.new_turning(), [through](const Placement& at) {
+    const Eigen::Vector3cd a = at.points.col(through[0]), b = at.points.col(through[1]);
+    return normalised(ComplexLine{a, b - a});
+  });
+}
+
 LineForms line_along(SystemBuilder& builder, const VectorForm& direction, SignMask turning, int number) {
   LineForms line{builder.vector(), direction, turning};
   builder.define([number, d = builder.dimension()](const Placement& at, const ComplexValues&) {

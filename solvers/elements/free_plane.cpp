@@ -1,4 +1,5 @@
 #include "solvers/elements/element_kinds.hpp"
+#include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
 
@@ -16,6 +17,16 @@ PlaneForms free_plane(SystemBuilder& builder, SignMask turning,
   });
   builder.add(Equation().plus(plane.normal, plane.normal).equals(exactly(1)));
   return plane;
+}
+
+PlaneForms further_plane(SystemBuilder& builder, const std::vector<int>& through) {
+  return free_plane(builder, builder.new_turning(), [through](const Placement& at) {
+    const Eigen::Vector3cd a = at.points.col(through[0]), b = at.points.col(through[1]),
+                           c = at.points.col(through[2]);
+    const Eigen::Vector3cd normal =
+        unit_vector(cross_product(Eigen::Vector3cd(b - a), Eigen::Vector3cd(c - a)));
+    return ComplexPlane{normal, bilinear_product(normal, a)};
+  });
 }
 
 }  // namespace gcs

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/elements/element_kinds.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
@@ -50,13 +51,13 @@ std::vector<int> points_of(const StatedRelation& stated) {
 /// A further line carries the points, so that nothing but collinear points fits.
 void collinear(SystemBuilder& builder, const StatedRelation& stated) {
   const std::vector<int> points = points_of(stated);
-  const LineForms line = builder.further_line(points);
+  const LineForms line = further_line(builder, points);
   for (const int point : points) state_on_line(builder, builder.point(point), line);
 }
 
 void coplanar(SystemBuilder& builder, const StatedRelation& stated) {
   const std::vector<int> points = points_of(stated);
-  const PlaneForms plane = builder.further_plane(points);
+  const PlaneForms plane = further_plane(builder, points);
   for (const int point : points) state_on_plane(builder, builder.point(point), plane);
 }
 

@@ -129,10 +129,10 @@ VectorForm sum_of(VectorForm a, const VectorForm& b) {
 }
 
 /// Puts the elements of a body where its pose does.
-class Placing {
+class BodyPlacing {
  public:
   /// `axes`: none for a body at rest, whose origin is 0.
-  Placing(SystemBuilder& builder, VectorForm origin, std::optional<std::array<VectorForm, 3>> axes)
+  BodyPlacing(SystemBuilder& builder, VectorForm origin, std::optional<std::array<VectorForm, 3>> axes)
       : builder_(builder), origin_(std::move(origin)), axes_(std::move(axes)) {}
 
   PlacedBody run(const RigidBody& body) {
@@ -256,7 +256,7 @@ PlacedBody free_body(SystemBuilder& builder, const RigidBody& body) {
   builder.add(Equation().plus(axes[0], axes[0]).equals(exactly(1)));
   if (d == 2) {
     axes[1] = {negated(axes[0][1]), axes[0][0], LinearForm{}};
-    return Placing(builder, origin, axes).run(body);
+    return BodyPlacing(builder, origin, axes).run(body);
   }
   builder.add(Equation().plus(axes[1], axes[1]).equals(exactly(1)));
   builder.add(Equation().plus(axes[0], axes[1]).equals());
@@ -268,11 +268,11 @@ PlacedBody free_body(SystemBuilder& builder, const RigidBody& body) {
                     .minus(axes[2][i])
                     .equals());
   }
-  return Placing(builder, origin, axes).run(body);
+  return BodyPlacing(builder, origin, axes).run(body);
 }
 
 PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body) {
-  return Placing(builder, {}, std::nullopt).run(body);
+  return BodyPlacing(builder, {}, std::nullopt).run(body);
 }
 
 }  // namespace gcs

@@ -8,6 +8,7 @@
 
 #include "solvers/elements/constraint_kinds.hpp"
 #include "solvers/elements/element_kinds.hpp"
+#include "solvers/elements/scene_elements.hpp"
 
 namespace gcs {
 namespace {
@@ -126,7 +127,10 @@ bool SceneSystem::moves(int entity, const Eigen::MatrixXcd& changes) const {
   });
 }
 
-SceneSystem::SceneSystem(const Scene& scene) : builder_(scene) { state_all(builder_); }
+SceneSystem::SceneSystem(const Scene& scene) : builder_(scene) {
+  place_elements(builder_);
+  state_all(builder_);
+}
 
 ComplexValues SceneSystem::coordinates(const Figure& figure) const {
   return builder_.values(placement_of(figure));

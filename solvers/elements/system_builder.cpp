@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "solvers/elements/element_kinds.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
@@ -14,16 +13,8 @@ SystemBuilder::SystemBuilder(const Scene& scene)
       turnings_(scene.problem()),
       next_turning_(8),
       points_(scene.problem().points.size()),
-      has_place_(points_.size()),
       lines_(scene.problem().lines.size()),
-      planes_(scene.problem().planes.size()),
-      has_line_(lines_.size()),
-      has_plane_(planes_.size()) {
-  place_bodies();
-  place_points();
-  place_planes();
-  place_lines();
-}
+      planes_(scene.problem().planes.size()) {}
 
 LinearForm SystemBuilder::unknown(SignMask mask) {
   system_.mirror.push_back(mask);
@@ -69,112 +60,12 @@ ExactNumber SystemBuilder::square(const Decimal& given, bool is_squared) const {
   return number;
 }
 
-/// Points of a body stand where its pose puts them; one that was in a body before is joined by equations.
-void SystemBuilder::place(const PlacedBody& body) {
-  for (const BodyPoint& placed : body.points) {
-    const auto p = static_cast<std::size_t>(placed.point);
-    const VectorForm& form = placed.at;
-    if (!has_place_[p] && !placed.numbers.empty()) arms_.emplace(placed.point, placed);
-    for (std::size_t axis = 0; has_place_[p] && axis < static_cast<std::size_t>(dimension()); ++axis)
-      add(Equation().plus(form[axis]).minus(points_[p][axis]).equals());
-    if (!has_place_[p]) points_[p] = form;
-    has_place_[p] = true;
-  }
-  for (const auto& [line, at] : body.lines) {
-    lines_[static_cast<std::size_t>(line)] = at;
-    has_line_[static_cast<std::size_t>(line)] = true;
-  }
-  for (const auto& [plane, at] : body.planes) {
-    planes_[static_cast<std::size_t>(plane)] = at;
-    has_plane_[static_cast<std::size_t>(plane)] = true;
-  }
-}
-
-void SystemBuilder::place_bodies() {
-  const int at_rest = frame_.body();
-  const auto& bodies = problem().bodies;
-  if (at_rest >= 0) place(body_at_rest(*this, bodies[static_cast<std::size_t>(at_rest)]));
-  for (int body = 0; body < static_cast<int>(bodies.size()); ++body)
-    if (body != at_rest) place(free_body(*this, bodies[static_cast<std::size_t>(body)]));
-}
-
-void SystemBuilder::place_points() {
-  for (int point = 0; point < static_cast<int>(points_.size()); ++point) {
-    if (has_place_[static_cast<std::size_t>(point)]) continue;
-    for (int axis = 0; axis < dimension(); ++axis) {
-      LinearForm& form = points_[static_cast<std::size_t>(point)][static_cast<std::size_t>(axis)];
-      if (scene_.fixed_point(point)) {
-        form = constant_form(given_coordinate(scene_, point, axis));
-        continue;
-      }
-      if (frame_.is_zero(point, axis)) continue;
-      form = unknown(frame_.axis(axis));
-      define([point, axis](const Placement& at, const ComplexValues&) {
-        return ComplexValues{at.points(axis, point)};
-      });
-    }
-  }
-}
-
-void SystemBuilder::place_planes() {
-  for (int plane = 0; plane < static_cast<int>(planes_.size()); ++plane) {
-    if (has_plane_[static_cast<std::size_t>(plane)]) continue;
-    SignMask turning = 0;
-    if (const int set = turnings_.of_plane(plane); set >= 0) {
-      SignMask& of_set = turning_of_set_[set];
-      if (of_set == 0) of_set = new_turning();
-      turning = of_set;
-    }
-    planes_[static_cast<std::size_t>(plane)] = free_plane(
-        *this, turning, [plane](const Placement& at) { return at.planes[static_cast<std::size_t>(plane)]; });
-  }
-}
-
-/// A line that is perpendicular to a plane has its direction, and parallel lines have one.
-void SystemBuilder::place_lines() {
-  const auto lines = static_cast<int>(lines_.size());
-  std::vector<bool> is_placed = has_line_;
-  const auto index = [](int line) { return static_cast<std::size_t>(line); };
-  for (int line = 0; line < lines; ++line) {
-    if (is_placed[index(line)] && !has_line_[index(line)]) continue;
-    const std::vector<int> parallel = parallel_lines(problem(), line);
-    const std::vector<int> across = planes_across(problem(), parallel);
-    LineForms first;
-    if (has_line_[index(line)]) {
-      first = lines_[index(line)];
-    } else if (std::ranges::any_of(parallel, [&](int other) { return has_line_[index(other)]; })) {
-      continue;  // it gets its direction with that line
-    } else if (across.empty()) {
-      const SignMask turning = new_turning();
-      first = free_line(*this, turning,
-                        [line](const Placement& at) { return at.lines[static_cast<std::size_t>(line)]; });
-    } else {
-      const PlaneForms& plane = planes_[index(across.front())];
-      first = line_along(*this, plane.normal, plane.turning, line);
-    }
-    for (const int other : parallel) {
-      if (is_placed[index(other)]) continue;
-      lines_[index(other)] = other == line ? first : line_along(*this, first.direction, first.turning, other);
-      is_placed[index(other)] = true;
-    }
-  }
-}
-
-LineForms SystemBuilder::further_line(std::vector<int> through) {
-  return free_line(*this, new_turning(), [through = std::move(through)](const Placement& at) {
-    const Eigen::Vector3cd a = at.points.col(through[0]), b = at.points.col(through[1]);
-    return normalised(ComplexLine{a, b - a});
-  });
-}
-
-PlaneForms SystemBuilder::further_plane(std::vector<int> through) {
-  return free_plane(*this, new_turning(), [through = std::move(through)](const Placement& at) {
-    const Eigen::Vector3cd a = at.points.col(through[0]), b = at.points.col(through[1]),
-                           c = at.points.col(through[2]);
-    const Eigen::Vector3cd normal =
-        unit_vector(cross_product(Eigen::Vector3cd(b - a), Eigen::Vector3cd(c - a)));
-    return ComplexPlane{normal, bilinear_product(normal, a)};
-  });
+SignMask SystemBuilder::turning_of_plane(int plane) {
+  const int set = turnings_.of_plane(plane);
+  if (set < 0) return 0;
+  SignMask& turning = turning_of_set_[set];
+  if (turning == 0) turning = new_turning();
+  return turning;
 }
 
 SegmentForms SystemBuilder::segment(const Operand& segment) {

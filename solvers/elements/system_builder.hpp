@@ -70,7 +70,7 @@ inline constexpr int no_value = -1;
 
 class SystemBuilder {
  public:
-  /// Writes the elements of the scene. Preconditions: !why_no_frame(scene); the scene outlives this.
+  /// Without elements (see place_elements). Preconditions: !why_no_frame(scene); the scene outlives this.
   explicit SystemBuilder(const Scene& scene);
 
   const Scene& scene() const { return scene_; }
@@ -93,7 +93,16 @@ class SystemBuilder {
   /// one each.
   void define(std::function<ComplexValues(const Placement&, const ComplexValues&)> values);
 
-  // Elements.
+  // Elements, by their numbers among points, lines or planes.
+  void put_point(int point, VectorForm at) { points_[static_cast<std::size_t>(point)] = std::move(at); }
+  void put_arm(const BodyPoint& point) { arms_.emplace(point.point, point); }
+  void put_line(int line, LineForms at) { lines_[static_cast<std::size_t>(line)] = std::move(at); }
+  void put_plane(int plane, PlaneForms at) { planes_[static_cast<std::size_t>(plane)] = std::move(at); }
+  const SceneFrame& frame() const { return frame_; }
+  /// The generator that turns over a plane, with others perhaps; 0: it has a side.
+  SignMask turning_of_plane(int plane);
+
+  // Elements, by the numbers of the problem.
   const VectorForm& point(int entity) const { return points_[static_cast<std::size_t>(entity)]; }
   /// The same with the body that moves it; null where none does.
   const BodyPoint* arm(int entity) const {
@@ -108,10 +117,6 @@ class SystemBuilder {
   }
   /// Unknowns for a segment are added when it is first asked for.
   SegmentForms segment(const Operand& segment);
-  /// A line, or a plane, beyond those of the scene. `through`: points that it is to go through, by which its unknowns are
-  /// found.
-  LineForms further_line(std::vector<int> through);
-  PlaneForms further_plane(std::vector<int> through);
   /// Whether the length of a segment, and thus a distance constraint, is one of its equations.
   bool is_stated_by_segment(int constraint) const;
 
@@ -128,12 +133,6 @@ class SystemBuilder {
   std::vector<bool> turned_planes() const;
 
  private:
-  void place(const PlacedBody& body);
-  void place_points();
-  void place_lines();
-  void place_planes();
-  void place_bodies();
-
   const Scene& scene_;
   SceneFrame frame_;
   Turnings turnings_;
@@ -146,11 +145,9 @@ class SystemBuilder {
   int owner_ = no_value;
   std::vector<std::function<ComplexValues(const Placement&, const ComplexValues&)>> definitions_;
   std::vector<VectorForm> points_;
-  std::vector<bool> has_place_;  // one per point
   std::map<int, BodyPoint> arms_;
   std::vector<LineForms> lines_;
   std::vector<PlaneForms> planes_;
-  std::vector<bool> has_line_, has_plane_;  // in a body
   std::map<std::pair<int, int>, SegmentForms> segments_;
 };
 

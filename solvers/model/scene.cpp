@@ -256,6 +256,7 @@ Scene::Scene(ProblemStatement problem, Unchecked)
     target_lengths_.push_back(c.is_squared ? std::sqrt(given) : given);
   }
   size_ = std::ldexp(std::max({longest, fixed_extent(problem_), general_extent(problem_)}), -unit_exponent_);
+  if (size_ == 0 && problem_.is_general()) size_ = 1;  // angles and incidences alone have no length
   reference_ = problem_.reference.value_or(default_reference(problem_));
 
   if (!problem_.sketch) return;

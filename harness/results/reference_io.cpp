@@ -16,10 +16,12 @@ namespace {
 
 constexpr std::string_view format_name = "gcsbench-reference/1";
 
+JsonValue decimal_value(const DecimalNumber& number, bool is_real) {
+  return is_real ? json_text(number.re) : json_texts({number.re, number.im});
+}
+
 JsonValue vector_value(const DecimalVector& vector, int dimension, bool is_real) {
-  const auto number_value = [&](const DecimalNumber& number) {
-    return is_real ? json_text(number.re) : json_texts({number.re, number.im});
-  };
+  const auto number_value = [&](const DecimalNumber& number) { return decimal_value(number, is_real); };
   return json_array_of(std::span(vector).first(static_cast<std::size_t>(dimension)), number_value);
 }
 
@@ -28,14 +30,21 @@ JsonValue solution_value(const ProblemStatement& problem, const DecimalFigure& f
     return vector_value(point, problem.dimension, is_real);
   };
   const auto line_value = [&](const DecimalFigure::Line& line) {
-    return json_line(vector_value(line.point, 3, is_real), vector_value(line.direction, 3, is_real));
+    return json_line(vector_value(line.point, problem.dimension, is_real),
+                     vector_value(line.direction, problem.dimension, is_real));
   };
-  return json_object({{"real", json_boolean(is_real)},
+  const auto plane_value = [&](const DecimalFigure::Plane& plane) {
+    return json_plane(vector_value(plane.normal, 3, is_real), decimal_value(plane.offset, is_real));
+  };
+  JsonMembers members{{"real", json_boolean(is_real)},
                       {"points", json_object_of(problem.points, figure.points, point_value)},
-                      {"lines", json_object_of(problem.lines, figure.lines, line_value)},
-                      {"error_bound", json_number(figure.error)},
-                      {"unique_within", json_number(figure.unique)},
-                      {"bits", json_number(figure.bits)}});
+                      {"lines", json_object_of(problem.lines, figure.lines, line_value)}};
+  if (!problem.planes.empty())
+    members.emplace_back("planes", json_object_of(problem.planes, figure.planes, plane_value));
+  members.emplace_back("error_bound", json_number(figure.error));
+  members.emplace_back("unique_within", json_number(figure.unique));
+  members.emplace_back("bits", json_number(figure.bits));
+  return json_object(std::move(members));
 }
 
 void require_proven(const StoredResult& result, const Verification& verification) {

@@ -4,6 +4,8 @@
 
 #include "harness/base/record_fields.hpp"
 #include "harness/base/record_json.hpp"
+#include "harness/results/result_counts.hpp"
+#include "harness/solving/frame_view.hpp"
 #include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
@@ -12,14 +14,16 @@ namespace {
 
 JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution& solution) {
   const Figure placement = solution.placement();
-  return json_object({{"points", json_points(problem, placement)},
-                      {"lines", json_lines(problem, placement)},
-                      {"real", json_boolean(solution.is_real())},
-                      {"multiplicity", json_number(solution.multiplicity)},
-                      {"residual", json_number(solution.residual)},
-                      {"condition", json_number(solution.condition)},
-                      {"error_bound", json_or_null(solution.error(), json_number)},
-                      {"certified", json_boolean(solution.certified)}});
+  JsonMembers members{{"points", json_points(problem, placement)}, {"lines", json_lines(problem, placement)}};
+  if (!problem.planes.empty()) members.emplace_back("planes", json_planes(problem, placement));
+  const RecordWriter write(members);
+  write("real", solution.is_real());
+  write("multiplicity", solution.multiplicity);
+  write("residual", solution.residual);
+  write("condition", solution.condition);
+  write("error_bound", solution.error());
+  write("certified", solution.certified);
+  return json_object(std::move(members));
 }
 
 /// Null for a strategy that follows no path in the lengths.
@@ -79,7 +83,8 @@ JsonValue totals_value(const SolutionTotals& totals) {
 JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
   const auto solution = [&](const AssessedSolution& s) { return solution_value(instance.problem, s); };
   JsonMembers counts, statistics, origin;
-  visit_counts(run.counts, RecordWriter(counts));
+  const ResultCounts stated = stated_counts(instance.problem, run.counts);
+  visit_result_counts(stated, RecordWriter(counts));
   visit_work(run.work, RecordWriter(statistics));
   visit_particulars(run.particulars, RecordWriter(statistics));
   visit_environment(environment, RecordWriter(origin));
@@ -91,6 +96,7 @@ JsonMembers result_members(const Instance& instance, const SolveRun& run, const 
           {"status", json_text(std::string(word(run.status)))},
           {"reason", json_text(run.reason)},
           {"claim", claim_value(run.claim)},
+          {"frame", frame_value(instance)},
           {"counts", json_object(std::move(counts))},
           {"totals", json_or_null(run.totals, totals_value)},
           {"proofs", proofs_value(run.proofs)},

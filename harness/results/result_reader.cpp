@@ -17,17 +17,22 @@ namespace {
 
 constexpr std::string_view format_name = "gcsbench-result/1";
 
-/// Whether the coordinates of the first point are numbers.
-bool has_real_points(const JsonCursor& points, const ProblemStatement& problem) {
-  const auto coordinates = points.required(problem.points.front()).elements();
+/// Whether the first coordinates are numbers: those of a point, or of a line or plane where there are no points.
+bool has_real_coordinates(const JsonCursor& solution, const ProblemStatement& problem) {
+  const auto first = [&] {
+    if (!problem.points.empty()) return solution.required("points").required(problem.points.front());
+    if (!problem.lines.empty())
+      return solution.required("lines").required(problem.lines.front()).required("point");
+    return solution.required("planes").required(problem.planes.front()).required("normal");
+  };
+  const auto coordinates = first().elements();
   return coordinates.empty() || coordinates.front().value().kind != JsonValue::Kind::array;
 }
 
 AssessedSolution read_solution(const JsonCursor& cursor, const Scene& scene) {
   AssessedSolution solution;
-  const JsonCursor points = cursor.required("points");
   const auto real = cursor.optional("real");
-  const bool is_real = real ? real->boolean() : has_real_points(points, scene.problem());
+  const bool is_real = real ? real->boolean() : has_real_coordinates(cursor, scene.problem());
   solution.figure = scene.in_scene_unit(read_figure(cursor, scene.problem(), is_real));
   const RecordReader read(cursor);
   solution.condition = std::numeric_limits<double>::infinity();
@@ -93,7 +98,8 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
     result.listed.crossings = read_crossings(*path, result.listed.solutions.size());
   const auto passed_over = RecordReader::Missing::passed_over;
   if (const auto counts = root.optional("counts"))
-    visit_counts(result.listed.counts, RecordReader(*counts, passed_over));
+    visit_result_counts(result.stated, RecordReader(*counts, passed_over));
+  result.listed.counts = counts_of(result.stated);
   if (const auto totals = root.optional("totals"); totals && !totals->is_null())
     visit_totals(result.listed.totals.emplace(), RecordReader(*totals, passed_over));
   return result;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/instances/instance_lookup.hpp"
+#include "harness/results/result_counts.hpp"
 #include "harness/solving/solve_run.hpp"
 #include "solvers/answers/assess.hpp"
 
@@ -18,6 +19,7 @@ struct StoredResult {
   RunStatus status = RunStatus::complete;
   std::optional<Claim> claim = {};  ///< empty where the file has null
   Assessment listed = {};           ///< solutions, crossings and counts as listed; nothing else
+  ResultCounts stated = {};         ///< the counts in the words of the file
 };
 
 /// What an external program answers: a result of which nothing but `solutions` has to be there.

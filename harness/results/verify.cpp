@@ -129,18 +129,32 @@ class Verifier {
   void check_counts() {
     Assessment own = result_.listed;
     recount(own);
+    const ResultCounts expected = stated_counts(scene_.problem(), own.counts);
     std::vector<std::optional<Natural>> given;
-    visit_counts(result_.listed.counts,
+    visit_counts(result_.stated.counts,
                  [&](const std::string&, const auto& count) { given.emplace_back(count); });
     std::size_t i = 0;
-    visit_counts(own.counts, [&](const std::string& name, const auto& count) {
-      const std::optional<Natural> own_count(count);
-      const auto text = [](const std::optional<Natural>& one) { return one ? one->decimal() : "not known"; };
-      if (own_count != given[i])
-        mismatch("count", fmt::format("the count {} is {}, and the list gives {}", name, text(given[i]),
-                                      text(own_count)));
-      ++i;
+    visit_counts(expected.counts, [&](const std::string& name, const auto& count) {
+      check_count(name, given[i++], std::optional<Natural>(count));
     });
+    if (result_.stated.real) check_count("real", result_.stated.real, expected.real);
+    if (result_.stated.complex) check_count("complex", result_.stated.complex, expected.complex);
+    check_convention(*expected.convention);
+  }
+
+  void check_count(const std::string& name, const std::optional<Natural>& given,
+                   const std::optional<Natural>& own) {
+    const auto text = [](const std::optional<Natural>& one) { return one ? one->decimal() : "not known"; };
+    if (own != given)
+      mismatch("count",
+               fmt::format("the count {} is {}, and the list gives {}", name, text(given), text(own)));
+  }
+
+  void check_convention(Convention own) {
+    const std::optional<Convention>& given = result_.stated.convention;
+    if (given && *given != own)
+      mismatch("convention", fmt::format("solutions are said to be counted {}, and the scene's are {}",
+                                         word(*given), word(own)));
   }
 
   /// Of a product there may be more than are listed.

@@ -9,7 +9,7 @@ namespace gcs {
 
 struct Verification {
   Proofs proofs;
-  /// Names: solution, multiplicity, class, real, conjugate, count.
+  /// Names: solution, multiplicity, class, real, conjugate, count, convention.
   std::vector<FailedCheck> mismatches;
 };
 

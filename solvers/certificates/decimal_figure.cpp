@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/model/complex_lines.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
@@ -30,6 +31,22 @@ class Decimals {
     enclose(ball, number, bits_);
     acb_mul_2exp_si(ball, ball, exponent_);
     return decimal(ball);
+  }
+
+  /// A form in the unknowns that is a length, or one without a unit.
+  DecimalNumber form(const LinearForm& form, bool is_length) {
+    Ball sum, coefficient;
+    enclose(sum, form.constant, bits_);
+    for (const ScaledUnknown& term : form.terms) {
+      enclose(coefficient, term.coefficient, bits_);
+      acb_addmul(sum, coefficient, proof_.solution(term.unknown, 0), bits_);
+    }
+    acb_mul_2exp_si(sum, sum, is_length ? exponent_ : 0);
+    return decimal(sum);
+  }
+
+  DecimalVector vector(const VectorForm& forms, bool is_length) {
+    return {form(forms[0], is_length), form(forms[1], is_length), form(forms[2], is_length)};
   }
 
   double error() const { return error_; }
@@ -66,9 +83,35 @@ class Decimals {
   double error_ = 0;
 };
 
-DecimalFigure decimals_of(const BallKrawczyk::Proof& proof, const SceneEquations& equations,
-                          const Scene& scene, int digits, slong bits) {
-  Decimals decimals(proof, scene, digits, bits);
+/// Its sign as that of the direction of a line in doubles.
+VectorForm directed(const VectorForm& form, const Eigen::Vector3cd& direction, const ComplexValues& x) {
+  const Eigen::Vector3cd here = vector_at(form, x);
+  return (here - direction).norm() <= (here + direction).norm() ? form : negated(form);
+}
+
+DecimalFigure general_decimals(Decimals& decimals, const SystemBuilder& forms, const Figure& near,
+                               const ComplexValues& x) {
+  const ProblemStatement& problem = forms.problem();
+  const auto lines = static_cast<int>(problem.points.size());
+  const auto planes = lines + static_cast<int>(problem.lines.size());
+  const std::vector<ComplexLine> near_lines = complex_lines(near);
+  DecimalFigure figure;
+  for (int entity = 0; entity < lines; ++entity)
+    figure.points.push_back(decimals.vector(forms.point(entity), true));
+  for (int entity = lines; entity < planes; ++entity) {
+    const LineForms& line = forms.line(entity);
+    const Eigen::Vector3cd& direction = near_lines[static_cast<std::size_t>(entity - lines)].direction;
+    figure.lines.push_back(
+        {decimals.vector(line.foot, true), decimals.vector(directed(line.direction, direction, x), false)});
+  }
+  for (int entity = planes; entity < problem.entity_count(); ++entity) {
+    const PlaneForms& plane = forms.plane(entity);
+    figure.planes.push_back({decimals.vector(plane.normal, false), decimals.form(plane.offset, true)});
+  }
+  return figure;
+}
+
+DecimalFigure distance_decimals(Decimals& decimals, const SceneEquations& equations, const Scene& scene) {
   DecimalFigure figure;
   for (int point = 0; point < scene.point_count(); ++point) {
     DecimalVector& place = figure.points.emplace_back();
@@ -88,6 +131,16 @@ DecimalFigure decimals_of(const BallKrawczyk::Proof& proof, const SceneEquations
       place.direction[i] = decimals.unknown(equations.line_unknown(line, 1, axis), false);
     }
   }
+  return figure;
+}
+
+DecimalFigure decimals_of(const BallKrawczyk::Proof& proof, const SceneEquations& equations,
+                          const Scene& scene, const Figure& near, int digits, slong bits) {
+  Decimals decimals(proof, scene, digits, bits);
+  const SceneSystem* general = equations.general();
+  DecimalFigure figure =
+      general ? general_decimals(decimals, general->elements(), near, general->coordinates(near))
+              : distance_decimals(decimals, equations, scene);
   figure.error = decimals.error();
   figure.unique = proof.unique;
   figure.bits = static_cast<int>(bits);
@@ -103,7 +156,7 @@ std::optional<DecimalFigure> decimal_figure(const SceneEquations& equations, con
   for (slong bits = 8L * digits; bits <= 32L * digits; bits *= 2) {
     const auto proof = certifier.prove(equations.coordinates(near), bits);
     if (!proof) continue;
-    DecimalFigure figure = decimals_of(*proof, equations, scene, digits, bits);
+    DecimalFigure figure = decimals_of(*proof, equations, scene, near, digits, bits);
     // Of coordinates far beyond the scene's size the last digit is larger.
     const double reach = std::max(1.0, extent(near) / scene.size());
     if (figure.error <= wanted * reach) return figure;

@@ -23,8 +23,13 @@ struct DecimalFigure {
     DecimalVector point;
     DecimalVector direction;
   };
+  struct Plane {
+    DecimalVector normal;
+    DecimalNumber offset;
+  };
   std::vector<DecimalVector> points;  ///< in the file's unit of length
   std::vector<Line> lines;
+  std::vector<Plane> planes{};
   double error = 0;   ///< at least the error of every real and imaginary part
   double unique = 0;  ///< no other solution has all unknowns within this, in the scene's unit
   int bits = 0;       ///< of the balls in which it is proven

@@ -28,7 +28,7 @@ double least_distance(const Figure& a, const Figure& b, std::span<const AxisSign
 /// As largest_distance in as many digits as both are given with; rounded to a double at the end.
 double largest_distance(const DecimalFigure& a, const DecimalFigure& b, const AxisSigns& signs, double size);
 
-/// The nearest doubles; real where no imaginary part is anything but "0".
+/// The nearest doubles; real where no imaginary part is anything but "0". Precondition: it has no planes.
 Figure figure_of(const DecimalFigure& decimals);
 
 /// A figure's doubles to 40 significant digits, exact as far as any error of theirs goes. `error`, `unique`

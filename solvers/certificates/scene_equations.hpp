@@ -45,6 +45,8 @@ class SceneEquations {
   /// Of the point of a line (part 0) or its direction (part 1); −1 for a line that the frame puts on the
   /// x-axis.
   int line_unknown(int line, int part, int axis) const;
+  /// The system of a general scene, in which points, lines and planes are forms; null of any other.
+  const SceneSystem* general() const { return general_ ? &*general_ : nullptr; }
 
  private:
   double general_distance(const Figure& figure, const Certificate& certificate) const;

@@ -26,6 +26,8 @@ class SceneSystem {
   const std::vector<int>& owner_of() const { return builder_.owner_of(); }
   /// Whether the entity's coordinates change with one of these changes of the unknowns, columns of length 1.
   bool moves(int entity, const Eigen::MatrixXcd& changes) const;
+  /// Where the points, lines and planes of the scene are, as forms in the unknowns.
+  const SystemBuilder& elements() const { return builder_; }
   /// The unknowns at a figure that is in the scene's frame.
   ComplexValues coordinates(const Figure& figure) const;
   /// At most so far are points, and lines and planes as SceneEquations::distance says, from where the unknowns put them

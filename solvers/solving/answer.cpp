@@ -15,7 +15,8 @@ std::string_view word(Claim claim) {
 }
 
 std::string_view word(Convention convention) {
-  constexpr std::array<std::string_view, 3> words{"in the given frame", "up to motion", "up to reflection"};
+  constexpr std::array<std::string_view, all_conventions.size()> words{"in the given frame", "up to motion",
+                                                                       "up to reflection"};
   return words[static_cast<std::size_t>(convention)];
 }
 

@@ -32,6 +32,8 @@ inline constexpr std::array all_statuses{RunStatus::complete,    RunStatus::part
                                          RunStatus::interrupted, RunStatus::timed_out};
 inline constexpr std::array all_claims{Claim::some_real, Claim::on_path, Claim::on_path_of_core,
                                        Claim::all_real, Claim::all_complex};
+inline constexpr std::array all_conventions{Convention::in_the_given_frame, Convention::up_to_motion,
+                                            Convention::up_to_reflection};
 
 /// How a solve was asked for, how it ended and what it took.
 struct SolveOutcome {

@@ -45,9 +45,9 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("a result has every field of its format") {
   const Json result = parsed(toy_run());
-  CHECK(keys(result) == Names{"claim", "counts", "ends", "environment", "failed_checks", "format", "instance",
-                              "options", "path", "proofs", "reason", "seed", "solutions", "statistics",
-                              "status", "strategy", "timing", "totals"});
+  CHECK(keys(result) == Names{"claim", "counts", "ends", "environment", "failed_checks", "format", "frame",
+                              "instance", "options", "path", "proofs", "reason", "seed", "solutions",
+                              "statistics", "status", "strategy", "timing", "totals"});
   CHECK(result["format"] == "gcsbench-result/1");
   CHECK(result["strategy"] == "toy");
   CHECK(result["options"] == Json{{"step", "0.1"}});
@@ -70,7 +70,10 @@ TEST_CASE("a result has every field of its format") {
 
 TEST_CASE("counts that are not determined are null") {
   const Json counts = parsed(toy_run())["counts"];
-  CHECK(counts == Json{{"real_up_to_reflection", nullptr},
+  CHECK(counts == Json{{"convention", "up to reflection"},
+                       {"real", nullptr},
+                       {"complex", nullptr},
+                       {"real_up_to_reflection", nullptr},
                        {"complex_up_to_reflection", nullptr},
                        {"generic", nullptr},
                        {"on_path", 2},
@@ -79,6 +82,37 @@ TEST_CASE("counts that are not determined are null") {
                        {"singular", 0},
                        {"failed_paths", 0},
                        {"certified", nullptr}});
+}
+
+TEST_CASE(
+    "counts are in the convention of the scene, and those up to reflection null where mirror images are "
+    "two") {
+  const auto counts_of = [](const Instance& instance) {
+    SolveRun run;
+    run.counts.real_up_to_reflection = 2;
+    run.counts.complex_up_to_reflection = 6;
+    return Json::parse(result_text(instance, run, {}))["counts"];
+  };
+  Instance instance = toy::instance();
+  Json counts = counts_of(instance);
+  CHECK(counts["convention"] == "up to reflection");
+  CHECK(counts["real"] == 2);
+  CHECK(counts["complex_up_to_reflection"] == 6);
+  instance.problem.relations.push_back({"o", RelationType::orientation, {{0}, {1}, {2}}});
+  counts = counts_of(instance);
+  CHECK(counts["convention"] == "up to motion");
+  CHECK(counts["real"] == 2);
+  CHECK(counts["complex"] == 6);
+  CHECK(counts["real_up_to_reflection"].is_null());
+  CHECK(counts["complex_up_to_reflection"].is_null());
+}
+
+TEST_CASE("the frame says which element is put where") {
+  CHECK(parsed(toy_run())["frame"] == Json{{"origin", "p1"}, {"axis", "p2"}});
+  const Instance anchored = load_instance("tangents-durand");
+  const Json frame = Json::parse(result_text(anchored, {}, {}))["frame"];
+  CHECK(keys(frame) == Names{"fixed"});
+  CHECK(frame["fixed"].size() == 4);
 }
 
 TEST_CASE("a count that a double cannot hold is a decimal string") {
@@ -209,5 +243,5 @@ TEST_CASE("failed checks are in the result") {
 TEST_CASE("each solution has a line of its own") {
   const std::string text = text_of(toy_run());
   CHECK(text.back() == '\n');
-  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 18 + 2 + 1 + 1);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 19 + 2 + 1 + 1);
 }

@@ -246,7 +246,7 @@ TEST_CASE("a solution without its conjugate is caught even where counts are adju
   const std::size_t left = result["solutions"].size() - 1;
   REQUIRE(result["solutions"][left]["real"] == false);
   result["solutions"].erase(left);
-  result["counts"]["complex_up_to_reflection"] = left;
+  for (const char* count : {"complex", "complex_up_to_reflection"}) result["counts"][count] = left;
   result["counts"]["certified"] = left;
   CHECK(mismatches(result) == Names{"conjugate"});
 }
@@ -269,6 +269,20 @@ TEST_CASE("a real solution that is listed as complex is caught") {
   for (Json& point : solution["points"])
     for (Json& coordinate : point) coordinate = Json::array({coordinate, 0.0});
   CHECK(mismatches(result).count("real") == 1);
+}
+
+TEST_CASE("another convention, and counts by it that the list contradicts, are caught") {
+  Json result = result_of(cases[1]);
+  CHECK(result["counts"]["convention"] == "up to reflection");
+  result["counts"]["convention"] = "up to motion";
+  CHECK(mismatches(result) == Names{"convention"});
+  result = result_of(cases[1]);
+  result["counts"]["real_up_to_reflection"] = 5;
+  CHECK(mismatches(result) == Names{"count"});
+  // Results of earlier versions have neither.
+  result = result_of(cases[1]);
+  for (const char* member : {"convention", "real", "complex"}) result["counts"].erase(member);
+  CHECK(mismatches(result).empty());
 }
 
 TEST_CASE("a file that is no result is refused with its place") {

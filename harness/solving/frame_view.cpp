@@ -1,0 +1,39 @@
+#include "harness/solving/frame_view.hpp"
+
+#include "solvers/reading/json_build.hpp"
+
+namespace gcs {
+
+std::vector<std::pair<std::string, std::string>> frame_parts(const Scene& scene) {
+  const ProblemStatement& problem = scene.problem();
+  const Reference& reference = scene.reference();
+  if (scene.is_anchored()) return {};
+  if (problem.reference_body >= 0)
+    return {{"body", problem.bodies[static_cast<std::size_t>(problem.reference_body)].name}};
+  std::vector<std::pair<std::string, std::string>> parts;
+  const auto append = [&](const char* part, int index, const std::vector<std::string>& names) {
+    if (index >= 0) parts.emplace_back(part, names[static_cast<std::size_t>(index)]);
+  };
+  append("origin", reference.origin, problem.points);
+  append("axis", reference.axis, problem.points);
+  append("plane", reference.plane, problem.points);
+  append("line", reference.line, problem.lines);
+  append("height", reference.height, problem.points);
+  return parts;
+}
+
+std::vector<std::string> fixed_names(const ProblemStatement& problem) {
+  std::vector<std::string> result;
+  for (int entity = 0; entity < problem.entity_count(); ++entity)
+    if (problem.is_fixed(entity)) result.push_back(problem.name(entity));
+  return result;
+}
+
+JsonValue frame_value(const Scene& scene) {
+  JsonMembers members;
+  if (scene.is_anchored()) members.emplace_back("fixed", json_texts(fixed_names(scene.problem())));
+  for (const auto& [part, name] : frame_parts(scene)) members.emplace_back(part, json_text(name));
+  return json_object(std::move(members));
+}
+
+}  // namespace gcs

@@ -1,0 +1,26 @@
+"""Scenes of more than points with distances between them, for tests of the program."""
+
+
+def distances(*rows):
+    return [{"type": "distance", "between": [a, b], "length": length} for a, b, length in rows]
+
+
+# Two triangles in the plane and three legs: at most six postures (Hunt 1983).
+PLATFORM = {
+    "format": "gcsbench-instance/2", "id": "planar-platform", "dimension": 2, "points": [],
+    "bodies": {"base": {"a1": [0, 0], "a2": [1.696793, 1.702087], "a3": [1.501114, 0.179989]},
+               "platform": {"b1": [0, 0], "b2": [-0.975807, 1.429743], "b3": [-2.187132, 2.328833]}},
+    "constraints": distances(("a1", "b1", 2.223209804508), ("a2", "b2", 1.592107444111), ("a3", "b3", 2.792751828304)),
+}
+
+def planes(unit=1):
+    """Three points and three planes, all pairs constrained but three: eight classes (Hoffmann, Yuan). Lengths are so
+    many units of the file."""
+    lengths = (("e1", "e2", 3.477133043187), ("e1", "e3", 2.98888199664), ("e1", "e5", 2.660174436678),
+               ("e1", "e6", -2.386319947234), ("e2", "e3", 2.974242632977), ("e2", "e4", 1.151141712353),
+               ("e2", "e6", 0.29762364871), ("e3", "e4", 1.851816255962), ("e3", "e5", 0.870596661211))
+    cosines = (("e4", "e5", 0.675186443315), ("e4", "e6", -0.920153990406), ("e5", "e6", -0.672766353494))
+    return {"format": "gcsbench-instance/2", "id": "three-planes", "dimension": 3, "points": ["e1", "e2", "e3"],
+            "planes": ["e4", "e5", "e6"], "reference": {"origin": "e1", "axis": "e2", "plane": "e3"},
+            "constraints": distances(*((a, b, unit * length) for a, b, length in lengths)) +
+                           [{"type": "angle", "between": [a, b], "cosine": cosine} for a, b, cosine in cosines]}

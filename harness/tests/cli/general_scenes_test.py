@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+"""Scenes of planes, bodies and angles from outside: solved, stored, verified.
+
+Usage: general_scenes_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import json
+
+import command_line
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, run
+from general_scenes import PLATFORM, planes
+
+
+class GeneralScenes(command_line.CommandLine):
+    def instance(self, scene):
+        return self.write(scene, f"{scene['id']}.json")
+
+    def solved(self, scene):
+        """The path of a certified result of that scene."""
+        out = self.folder / "result.json"
+        done = run("--quiet", "solve", self.instance(scene), "--strategy", "monodromy", "--certify", "--out", out)
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        return out
+
+    def verified(self, result):
+        return run("--quiet", "verify", self.write(result, "changed.json"))
+
+    def assert_mismatch(self, result, *words):
+        done = self.verified(result)
+        self.assertEqual(done.returncode, CHECK_FAILED, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_counts_say_their_convention(self):
+        result = json.loads(self.solved(PLATFORM).read_text())
+        counts = result["counts"]
+        self.assertEqual((counts["convention"], counts["complex"], counts["certified"]), ("up to motion", 6, 6))
+        self.assertEqual(counts["real"], sum(solution["real"] for solution in result["solutions"]))
+        self.assertIsNone(counts["real_up_to_reflection"])
+        self.assertIsNone(counts["complex_up_to_reflection"])
+        self.assertEqual(result["frame"], {"body": "base"})
+        counts = json.loads(self.solved(planes()).read_text())["counts"]
+        self.assertEqual([counts[name] for name in ["convention", "complex", "complex_up_to_reflection"]],
+                         ["up to reflection", 8, 8])
+
+    def test_results_verify_and_make_references(self):
+        for scene, count in [(PLATFORM, 6), (planes(), 8)]:
+            out = self.solved(scene)
+            done = run("--quiet", "verify", out)
+            self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+            done = run("--quiet", "reference", out, "--out", "-")
+            self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+            reference, result = json.loads(done.stdout), json.loads(out.read_text())
+            self.assertEqual(len(reference["solutions"]), count)
+            for exact, found in zip(reference["solutions"], result["solutions"]):
+                self.assert_same(exact, found)
+
+    def assert_same(self, exact, found):
+        """Decimals as text against the numbers of the result."""
+        self.assertEqual(exact["real"], found["real"])
+        for kind in ["points", "lines", "planes"]:
+            self.assertEqual(kind in exact, kind in found)
+            pairs = zip(self.numbers(exact.get(kind, {})), self.numbers(found.get(kind, {})), strict=True)
+            for a, b in pairs:
+                self.assertAlmostEqual(a, b, delta=1e-9)
+
+    def numbers(self, value):
+        if isinstance(value, dict):
+            return [n for key in sorted(value) for n in self.numbers(value[key])]
+        if isinstance(value, list):
+            return [n for one in value for n in self.numbers(one)]
+        return [float(value)]
+
+    def test_offsets_are_in_the_unit_of_the_file(self):
+        """As all lengths; and normals are not."""
+        unit = 1024
+        one, scaled = (json.loads(self.solved(planes(u)).read_text())["solutions"][0]["planes"]["e5"] for u in [1, unit])
+        self.assertEqual(scaled["offset"], unit * one["offset"])
+        self.assertEqual(scaled["normal"], one["normal"])
+
+    def test_what_is_no_solution_is_caught(self):
+        result = json.loads(self.solved(planes()).read_text())
+        self.assertTrue(result["solutions"][0]["real"])
+
+        def change(spoil):
+            spoiled = json.loads(json.dumps(result))
+            spoil(spoiled["solutions"])
+            return spoiled
+
+        def move(solutions):
+            solutions[0]["points"]["e3"][1] += 1e-9
+
+        def shift(solutions):
+            solutions[0]["planes"]["e4"]["offset"] += 1e-9
+
+        def turn(solutions):
+            plane = solutions[0]["planes"]["e4"]
+            plane.update(normal=[-x for x in plane["normal"]], offset=-plane["offset"])
+
+        self.assertEqual(self.verified(change(lambda solutions: None)).returncode, DONE)
+        for spoil in [move, shift, turn]:
+            self.assert_mismatch(change(spoil), "solution 0")
+        self.assert_mismatch(change(lambda solutions: solutions.append(solutions[0])), "the same class as solution 0")
+        self.assert_mismatch({**result, "counts": {**result["counts"], "convention": "up to motion"}}, "up to motion")
+
+        def drop(solutions):
+            del solutions[0]["planes"]["e4"]
+
+        self.assert_one_message(self.verified(change(drop)), BAD_INPUT, "/solutions/0/planes", "e4")
+
+    def test_a_body_that_is_bent_or_moved_is_caught(self):
+        result = json.loads(self.solved(PLATFORM).read_text())
+        for point in ["a2", "b3"]:
+            spoiled = json.loads(json.dumps(result))
+            spoiled["solutions"][0]["points"][point][0] += 1e-9
+            self.assert_mismatch(spoiled, "solution 0")
+
+
+if __name__ == "__main__":
+    command_line.main()

@@ -46,6 +46,10 @@ std::vector<InstanceFamily> all_families() {
   return all;
 }
 
+std::size_t constraint_count(const ProblemStatement& problem) {
+  return problem.constraints.size() + problem.relations.size();
+}
+
 JsonValue instances_value(const std::vector<Instance>& instances) {
   std::vector<JsonValue> values;
   for (const Instance& instance : instances)
@@ -54,7 +58,7 @@ JsonValue instances_value(const std::vector<Instance>& instances) {
                                   {"dimension", json_count(instance.problem.dimension)},
                                   {"points", json_count(instance.problem.points.size())},
                                   {"lines", json_count(instance.problem.lines.size())},
-                                  {"constraints", json_count(instance.problem.constraints.size())},
+                                  {"constraints", json_count(constraint_count(instance.problem))},
                                   {"sketch", json_boolean(instance.problem.sketch.has_value())}}));
   return json_array(std::move(values));
 }
@@ -101,7 +105,7 @@ void print_instances(const std::vector<Instance>& instances) {
   for (const Instance& instance : instances) {
     const ProblemStatement& problem = instance.problem;
     std::cout << fmt::format("{:{}}  {}D  {:3} constraints  {}  {}\n", instance.id, width, problem.dimension,
-                             problem.constraints.size(), problem.sketch ? "sketch   " : "no sketch",
+                             constraint_count(problem), problem.sketch ? "sketch   " : "no sketch",
                              instance.title);
   }
 }

@@ -43,6 +43,12 @@ LoadedInstances load_all(const std::vector<std::string>& arguments, Instance (*l
   LoadedInstances loaded{};
   for (const std::string& argument : arguments) {
     Instance instance = load(argument);
+    if (instance.problem.is_general())
+      throw UsageError(
+          fmt::format("'{}' has elements or constraints that measurements do not know: they are of points, "
+                      "lines in space "
+                      "and distances alone; `gcsbench solve` knows it",
+                      instance.id));
     const bool again = std::any_of(loaded.instances.begin(), loaded.instances.end(),
                                    [&](const Instance& other) { return other.id == instance.id; });
     if (again) throw UsageError(fmt::format("instance '{}' is given twice", instance.id));

@@ -35,8 +35,15 @@ const Publication& publication_of(const TableKind& kind, const Publications& pub
   return kind.source.empty() ? none : publications.find(kind.source)->second;
 }
 
+/// The shipped instances that measurements know.
+std::vector<std::string> measured_instances() {
+  std::vector<std::string> ids = shipped_instances();
+  std::erase_if(ids, [](const std::string& id) { return load_instance(id).problem.is_general(); });
+  return ids;
+}
+
 const std::vector<std::string>& precision_instances() {
-  static const std::vector<std::string> ids = shipped_instances();
+  static const std::vector<std::string> ids = measured_instances();
   return ids;
 }
 
@@ -197,7 +204,7 @@ Publications load_publications() {
 
 const std::vector<std::string>& sketched_instances() {
   static const std::vector<std::string> ids = [] {
-    std::vector<std::string> all = shipped_instances();
+    std::vector<std::string> all = measured_instances();
     std::erase_if(all, [](const std::string& id) { return !load_instance(id).problem.sketch; });
     return all;
   }();

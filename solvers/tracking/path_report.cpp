@@ -151,6 +151,8 @@ class PathReporter {
 }  // namespace
 
 std::optional<std::string> why_no_path(const Scene& scene) {
+  if (scene.problem().is_general())
+    return "the path S is defined for points with distances between them alone";
   if (scene.has_lines()) return "the path S is defined for points only, and the scene has lines";
   if (!scene.sketch()) return "a path strategy starts from a sketch, and the instance has none";
   return std::nullopt;

@@ -7,7 +7,7 @@ Usage: general_scenes_test.py PROGRAM SOURCE_DIR [unittest arguments]
 import json
 
 import command_line
-from command_line import BAD_INPUT, CHECK_FAILED, DONE, run
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, NOT_SOLVED, run
 from general_scenes import PLATFORM, planes
 
 
@@ -114,6 +114,14 @@ class GeneralScenes(command_line.CommandLine):
             spoiled = json.loads(json.dumps(result))
             spoiled["solutions"][0]["points"][point][0] += 1e-9
             self.assert_mismatch(spoiled, "solution 0")
+
+    def test_what_does_not_know_them_says_so(self):
+        instance = self.instance(PLATFORM)
+        self.assert_one_message(run("path", instance, "--out", self.folder / "path.json"), NOT_SOLVED, "distances")
+        for command in [["precision", instance], ["tables", "table1", "--instances", instance]]:
+            done = run(*command)
+            self.assertEqual(done.returncode, BAD_INPUT)
+            self.assertIn("measurements do not know", done.stderr)
 
 
 if __name__ == "__main__":

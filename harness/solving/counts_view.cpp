@@ -3,36 +3,45 @@
 #include <fmt/format.h>
 
 #include "solvers/reading/json_build.hpp"
+#include "solvers/solving/answer.hpp"
 
 namespace gcs {
 namespace {
 
-std::string in_conventions(const SolutionCount& count) {
+std::string in_conventions(const ProblemStatement& problem, const SolutionCount& count) {
+  if (problem.is_general())
+    return fmt::format("{} {}", readable(count.up_to_reflection()), word(convention_of(problem)));
   return fmt::format("{} in the fixed frame, {} up to reflection, {} with all signs",
                      readable(count.fixed_frame), readable(count.up_to_reflection()),
                      readable(count.all_signs()));
 }
 
-std::string exact_text(const TheoreticalCounts& counts) {
-  return counts.exact ? "exactly " + in_conventions(*counts.exact) : "not known: " + counts.why_no_exact;
+std::string exact_text(const ProblemStatement& problem, const TheoreticalCounts& counts) {
+  return counts.exact ? "exactly " + in_conventions(problem, *counts.exact)
+                      : "not known: " + counts.why_no_exact;
 }
 
 std::string bound_text(const ProblemStatement& problem, const TheoreticalCounts& counts) {
   if (!counts.bound) return "none: " + counts.why_no_bound;
-  return fmt::format("at most {}; {}", in_conventions(counts.bound->count),
+  return fmt::format("at most {}; {}", in_conventions(problem, counts.bound->count),
                      bound_origin(names_of(problem, *counts.bound)));
 }
 
-JsonMembers convention_members(const SolutionCount& count) {
+/// Of a scene of more than distances no reference coordinates are unknowns, and mirror images may be two.
+JsonMembers convention_members(const ProblemStatement& problem, const SolutionCount& count) {
+  if (problem.is_general())
+    return {{"fixed_frame", json_count(count.fixed_frame)},
+            {"up_to_reflection", convention_of(problem) == Convention::up_to_reflection
+                                     ? json_count(count.up_to_reflection())
+                                     : json_null()},
+            {"all_signs", json_null()}};
   return {{"fixed_frame", json_count(count.fixed_frame)},
           {"up_to_reflection", json_count(count.up_to_reflection())},
           {"all_signs", json_count(count.all_signs())}};
 }
 
-JsonValue exact_value(const SolutionCount& count) { return json_object(convention_members(count)); }
-
 JsonValue bound_value(const ProblemStatement& problem, const CountBound& bound) {
-  JsonMembers members = convention_members(bound.count);
+  JsonMembers members = convention_members(problem, bound.count);
   const BoundNames names = names_of(problem, bound);
   members.emplace_back("reference", json_texts(names.reference));
   std::vector<JsonValue> bodies;
@@ -52,10 +61,14 @@ std::string row(std::string_view label, const std::string& text) {
 }
 
 std::string counts_text(const ProblemStatement& problem, const TheoreticalCounts& counts) {
-  return row("complex solutions", exact_text(counts)) + row("upper bound", bound_text(problem, counts));
+  return row("complex solutions", exact_text(problem, counts)) +
+         row("upper bound", bound_text(problem, counts));
 }
 
 JsonValue counts_value(const ProblemStatement& problem, const TheoreticalCounts& counts) {
+  const auto exact_value = [&](const SolutionCount& count) {
+    return json_object(convention_members(problem, count));
+  };
   const auto value_of_bound = [&](const CountBound& bound) { return bound_value(problem, bound); };
   return json_object({{"exact", json_or_null(counts.exact, exact_value)},
                       {"why_no_exact", reason_value(counts.why_no_exact)},

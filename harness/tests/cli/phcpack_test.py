@@ -15,7 +15,9 @@ import unittest
 from pathlib import Path
 
 import command_line
+from bad_instances import TOY
 from command_line import SOURCE, run
+from general_scenes import PLATFORM
 
 
 # Eight up to reflection, four of them real (octahedron) and two (K3,3): theory, and `cayley-menger` by another way.
@@ -69,6 +71,26 @@ class Phcpack(unittest.TestCase):
         answer = json.loads(done.stdout)
         self.assertEqual(answer["status"], "gave up")
         self.assertIn("phcpack", answer["reason"])
+
+    def regular_ends(self, instance):
+        """How many regular ends `phc -b` lists of the equations that `describe` prints."""
+        with tempfile.TemporaryDirectory() as folder:
+            scene, answer = Path(folder) / f"{instance['id']}.json", Path(folder) / "answer"
+            scene.write_text(json.dumps(instance))
+            done = run("describe", scene, "--equations", "phc")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            (Path(folder) / "system").write_text(done.stdout)
+            subprocess.run(["phc", "-b", "-01", "system", "answer"], cwd=folder, capture_output=True, timeout=120, check=True)
+            text = answer.read_text()
+        return text[text.rindex("THE SOLUTIONS"):].count(" regular ==")
+
+    def test_it_solves_the_equations_that_describe_prints(self):
+        """Six postures of a planar platform (Hunt 1983); of four points placed one by one 2 classes with every choice of 2
+        signs."""
+        if shutil.which("phc") is None:
+            self.skipTest("phc is not installed (Debian: phcpack)")
+        self.assertEqual(self.regular_ends(PLATFORM), 6)
+        self.assertEqual(self.regular_ends(TOY), 8)
 
     def test_lines_are_refused(self):
         done, result = self.solve("hoffmann-yuan")

@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+"""`gcsbench describe` from outside: scenes of more than distances, and equations for other solvers.
+
+Usage: describe_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import json
+import re
+from itertools import combinations
+
+import command_line
+from command_line import DONE, NOT_SOLVED, run
+from general_scenes import PLATFORM, distances, planes
+
+DISTANCES_ALONE = ["core to solve", "construction plan", "lengths >= 0", "placed after it"]
+
+
+class Describe(command_line.CommandLine):
+    def instance(self, scene):
+        return self.write(scene, f"{scene['id']}.json")
+
+    def solved(self, instance, strategy):
+        """The real solutions that it finds."""
+        done = run("--quiet", "solve", instance, "--strategy", strategy, "--solutions", "real", "--out", "-")
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        return json.loads(done.stdout)["solutions"]
+
+    def equations(self, instance):
+        """The unit of length of the equations that are printed, and these."""
+        done = run("describe", instance, "--equations", "text")
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        remark, *lines = done.stdout.splitlines()
+        return float(re.fullmatch(r"# .*units of (\S+?);.*", remark)[1]), lines
+
+    def assert_hold(self, lines, values):
+        for line in lines:
+            left, right = (eval(side, dict(values)) for side in line.replace("^", "**").split(" = "))  # pylint: disable=eval-used
+            self.assertAlmostEqual(left, right, delta=1e-12)
+
+    def test_description(self):
+        done = run("describe", self.instance(PLATFORM))
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        for words in ["6 points, 2 bodies in the plane", "4 unknowns, 4 equations: rigid", "body base", "up to motion",
+                      "at most 6 up to motion", "b1, b2, b3"]:
+            self.assertIn(words, done.stdout)
+        for words in DISTANCES_ALONE + ["not rigid", "up to reflection"]:
+            self.assertNotIn(words, done.stdout)
+        text = run("describe", self.instance(planes())).stdout
+        for words in ["3 points, 3 planes in space", "up to reflection", "origin e1, axis e2, plane e3"]:
+            self.assertIn(words, text)
+
+    def test_description_for_programs(self):
+        described = json.loads(run("describe", self.instance(PLATFORM), "--json").stdout)
+        self.assertEqual(described["bodies"], {"base": ["a1", "a2", "a3"], "platform": ["b1", "b2", "b3"]})
+        self.assertEqual(described["degrees_of_freedom"],
+                         {"unknowns": 4, "equations": 4, "rigid": True, "why_not_rigid": None})
+        self.assertEqual((described["frame"], described["convention"]), ({"body": "base"}, "up to motion"))
+        for name in ["core", "parts", "construction", "interpolation", "reference"]:
+            self.assertIsNone(described[name])
+        bound = described["theoretical_counts"]["bound"]
+        self.assertEqual((bound["fixed_frame"], bound["up_to_reflection"]), (6, None))
+
+    def test_equations_hold_at_a_solution(self):
+        """By the names that --help says."""
+        instance = self.instance(PLATFORM)
+        unit, lines = self.equations(instance)
+        self.assertEqual(len(lines), 4)
+        for solution in self.solved(instance, "monodromy"):
+            start, end = (complex(*solution["points"][name]) / unit for name in ["b1", "b2"])
+            turn = (end - start) * unit / complex(*PLATFORM["bodies"]["platform"]["b2"])
+            self.assert_hold(lines, {"platform_tx": start.real, "platform_ty": start.imag,
+                                     "platform_ex": turn.real, "platform_ey": turn.imag})
+
+    def test_equations_of_planes_hold_at_a_solution(self):
+        instance = self.instance(planes())
+        unit, lines = self.equations(instance)
+        for solution in self.solved(instance, "monodromy"):
+            values = {f"{name}_{axis}": x / unit for name, point in solution["points"].items() for axis, x in zip("xyz", point)}
+            for name, plane in solution["planes"].items():
+                values.update((f"{name}_n{axis}", x) for axis, x in zip("xyz", plane["normal"]))
+                values[f"{name}_h"] = plane["offset"] / unit
+            self.assert_hold(lines, values)
+
+    def test_equations_of_distances_hold_at_a_solution(self):
+        unit, lines = self.equations("k33")
+        self.assertEqual(len(lines), 9)
+        for solution in self.solved("k33", "monodromy"):
+            self.assert_hold(lines, {f"{name}_{axis}": x / unit for name, point in solution["points"].items()
+                                     for axis, x in zip("xyz", point)})
+
+    def test_equations_alone_are_asked_for(self):
+        self.assert_usage_error(run("describe", "k33", "--equations", "latex"), "--equations")
+        self.assert_usage_error(run("describe", "k33", "--equations", "text", "--json"), "--json")
+
+    def test_where_there_are_none_it_says_why(self):
+        """Certificates and equations know one line at most beside free points."""
+        points, lines = "abcd", "LM"
+        scene = {"format": "gcsbench-instance/1", "id": "two-lines", "dimension": 3, "points": list(points),
+                 "lines": list(lines), "constraints": distances(*((*pair, 1) for pair in combinations(points, 2)),
+                                                                *((p, line, 0.6) for p in points for line in lines))}
+        self.assert_one_message(run("describe", self.instance(scene), "--equations", "phc"), NOT_SOLVED, "one line at most")
+
+
+if __name__ == "__main__":
+    command_line.main()

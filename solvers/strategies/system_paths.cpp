@@ -6,6 +6,9 @@
 /// (systems/system_paths.hpp), whose ends are counted as they come; those that are regular are turned into points,
 /// settled on the distances, and reported.
 ///
+/// With system=quadrics or echelon general scenes are solved the same way by their equations (elements/scene_system.hpp),
+/// where their numbers are fractions and their unknowns few.
+///
 /// It is a measure of what a way to write a problem costs, and no strategy for hard scenes: multiple solutions, and those
 /// at which a system has no regular zero (a flat octahedron has half angles at infinity), make the status partial.
 /// Step control is a heuristic; where paths are taken for each other, regular ends coincide, and the status is partial.
@@ -15,12 +18,15 @@
 #include <algorithm>
 
 #include "solvers/homotopies/complex_report.hpp"
+#include "solvers/homotopies/general_report.hpp"
+#include "solvers/homotopies/general_start.hpp"
 #include "solvers/homotopies/mirror_images.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/octahedron/octahedron.hpp"
 #include "solvers/running/words.hpp"
 #include "solvers/systems/octahedron_systems.hpp"
 #include "solvers/systems/pyramid_systems.hpp"
+#include "solvers/systems/scene_polynomials.hpp"
 #include "solvers/systems/system_facts.hpp"
 
 namespace gcs {
@@ -138,11 +144,35 @@ SortedEnds sorted(const WrittenSystem& written, const std::vector<PathEnd>& ends
   return result;
 }
 
+/// Those of a general scene: one for each class, in its unknowns.
+SortedEnds sorted(const GeneralEquations& equations, const std::vector<PathEnd>& ends,
+                  std::mt19937_64& random) {
+  constexpr double same_zero = 1e-6;  // relative to 1 + the largest |x_i|
+  SortedEnds result;
+  SolutionSet classes(equations.signs, random);
+  for (PathEnd end : ends) {
+    result.singular += end.kind == PathEnd::Kind::singular;
+    if (end.kind != PathEnd::Kind::regular) continue;
+    const ComplexVectorX from = end.x;
+    if (!newton(equations.system, equations.coefficients, end.x) ||
+        distance(end.x, from) > same_zero * (1 + largest(from))) {
+      ++result.misplaced;
+      continue;
+    }
+    ++result.placed;
+    const int known = classes.size();
+    classes.insert(end.x, regular_uncertainty);
+    if (classes.size() > known) result.classes.push_back(end);
+  }
+  return result;
+}
+
 class SystemPathsStrategy final : public Strategy {
  public:
   explicit SystemPathsStrategy(const SystemPaths& asked) : system_(asked.system), start_(asked.start) {}
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
+    if (request.scene.problem().is_general()) return why_not_general_here(request.scene);
     const bool is_octahedron = whole_octahedron(request.scene).has_value();
     const bool is_pyramid = !is_octahedron && find_pyramid(request.scene).has_value();
     if (!is_octahedron && !is_pyramid) return "no system is written down but of octahedra and of 5p1L";
@@ -154,20 +184,14 @@ class SystemPathsStrategy final : public Strategy {
   }
 
   SolveReport solve(const SolveRequest& request) override {
+    if (request.scene.problem().is_general()) return solve_general(request);
     const SystemOrReason written = write(request.scene, system_);
-    SolveReport report;
-    report.claim = Claim::all_complex;
-    report.reason = written.system ? why_not_square(written.system->equations) : written.why_none;
-    if (!report.reason.empty()) return report;
-    const auto progress = [&request](std::string_view stage, double fraction) {
-      if (request.monitor && !request.stop.stop_requested()) request.monitor->progress(stage, fraction);
-    };
-    TrackingSetup setup;
-    setup.set = widest_instruction_set();
-    setup.threads = request.threads;
+    if (!written.system) return not_solved(written.why_none);
+    const PolynomialSystem& system = written.system->equations;
+    if (std::string reason = why_not_square(system); !reason.empty()) return not_solved(reason);
     WorkCounters work;
-    const FollowedSystem paths = follow_system_paths(
-        {written.system->equations, start_, setup, request.seed, request.stop, progress}, work);
+    const TrackingSetup setup = setup_for(request);
+    const FollowedSystem paths = follow(request, system, setup, work);
     return report_of(request, *written.system, paths, setup, work);
   }
 
@@ -177,6 +201,51 @@ class SystemPathsStrategy final : public Strategy {
     const bool any_constant = std::ranges::any_of(
         system.equations, [](const RationalPolynomial& equation) { return equation.total_degree() < 1; });
     return any_constant ? "an equation of the system is constant" : "";
+  }
+
+  static SolveReport not_solved(const std::string& reason) {
+    SolveReport report;
+    report.claim = Claim::all_complex;
+    report.reason = reason;
+    return report;
+  }
+
+  static TrackingSetup setup_for(const SolveRequest& request) {
+    TrackingSetup setup;
+    setup.set = widest_instruction_set();
+    setup.threads = request.threads;
+    return setup;
+  }
+
+  FollowedSystem follow(const SolveRequest& request, const PolynomialSystem& system,
+                        const TrackingSetup& setup, WorkCounters& work) const {
+    const auto progress = [&request](std::string_view stage, double fraction) {
+      if (request.monitor && !request.stop.stop_requested()) request.monitor->progress(stage, fraction);
+    };
+    return follow_system_paths({system, start_, setup, request.seed, request.stop, progress}, work);
+  }
+
+  std::optional<std::string> why_not_general_here(const Scene& scene) const {
+    if (system_ == System::quartics || system_ == System::parametrised)
+      return "the equations of a general scene are system=quadrics and echelon";
+    if (auto reason = why_not_general(scene)) return reason;
+    return why_no_polynomials(SceneSystem(scene).equations());
+  }
+
+  SolveReport solve_general(const SolveRequest& request) const {
+    const SceneSystem scene(request.scene);
+    PolynomialSystem system = polynomials_of(scene.equations());
+    if (system_ == System::echelon) system = echelon_form(system);
+    if (std::string reason = why_not_square(system); !reason.empty()) return not_solved(reason);
+    WorkCounters work;
+    const FollowedSystem paths = follow(request, system, setup_for(request), work);
+    std::mt19937_64 random(request.seed);
+    const GeneralEquations equations = general_equations(scene);
+    const SortedEnds ends = sorted(equations, paths.ends, random);
+    SolveReport report = general_report(scene, equations, ends.classes, work, random);
+    report.particulars = system_facts(system, request);
+    finish(paths, what_is_missing(paths, ends, 1 << equations.signs.rank()), report);
+    return report;
   }
 
   SolveReport report_of(const SolveRequest& request, const WrittenSystem& written,
@@ -190,22 +259,30 @@ class SystemPathsStrategy final : public Strategy {
     SolutionSet classes(mirror_axes(request.scene, coordinates), random);
     const SortedEnds ends = sorted(written, paths.ends, classes, settling);
     SolveReport report = complex_report(request.scene, coordinates, ends.classes, work, random);
-    report.paths.clear();
-    for (const PathEnd& end : paths.ends) report.paths.push_back(path_record(end));
     report.particulars = system_facts(written.equations, request);
     report.particulars.push_back({"extraneous_ends", ends.extraneous});
-    if (paths.is_stopped) {
-      report.status = SolveStatus::stopped;
-      report.reason = "stopped on request";
-    } else if (std::string missing = what_is_missing(written, paths, ends); !missing.empty()) {
-      report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
-      report.status = SolveStatus::partial;
-    }
+    std::string missing = what_is_missing(paths, ends, written.mirror_images);
+    if (missing.empty() && has_infinite_half_angles(paths))
+      missing = "half angles are infinite, as where points are flat";
+    finish(paths, missing, report);
     return report;
   }
 
-  std::string what_is_missing(const WrittenSystem& written, const FollowedSystem& paths,
-                              const SortedEnds& ends) const {
+  /// The paths as they ended, and what that leaves open.
+  static void finish(const FollowedSystem& paths, const std::string& missing, SolveReport& report) {
+    report.paths.clear();
+    for (const PathEnd& end : paths.ends) report.paths.push_back(path_record(end));
+    if (paths.is_stopped) {
+      report.status = SolveStatus::stopped;
+      report.reason = "stopped on request";
+    } else if (!missing.empty()) {
+      report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
+      report.status = SolveStatus::partial;
+    }
+  }
+
+  /// `images`: zeros that every class has.
+  static std::string what_is_missing(const FollowedSystem& paths, const SortedEnds& ends, int images) {
     if (!paths.why_none.empty()) return paths.why_none;
     const auto failed = std::ranges::count_if(
         paths.ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::failed; });
@@ -216,13 +293,15 @@ class SystemPathsStrategy final : public Strategy {
     if (ends.misplaced > 0)
       return counted(ends.misplaced, "regular end") +
              " give points at infinity, or so far away that doubles do not hold their distances";
-    if (ends.placed != written.mirror_images * static_cast<int>(ends.classes.size()))
+    if (ends.placed != images * static_cast<int>(ends.classes.size()))
       return "regular ends of different paths are the same points, or their mirror images are missing";
-    const bool any_at_infinity = std::ranges::any_of(
-        paths.ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::at_infinity; });
-    if (system_ == System::quartics && start_ == PathStart::mixed_cells && any_at_infinity)
-      return "half angles are infinite, as where points are flat";
     return "";
+  }
+
+  bool has_infinite_half_angles(const FollowedSystem& paths) const {
+    return system_ == System::quartics && start_ == PathStart::mixed_cells &&
+           std::ranges::any_of(paths.ends,
+                               [](const PathEnd& end) { return end.kind == PathEnd::Kind::at_infinity; });
   }
 
   System system_;
@@ -235,6 +314,7 @@ StrategyEntry system_paths_entry() {
   StrategyEntry entry = entry_of<SystemPathsStrategy, SystemPaths>();
   entry.summary = "follows the paths of the polynomial systems that Hoffmann and Yuan write down";
   entry.citation = "Hoffmann, Yuan 2000, sections 4.1 and 4.2";
+  entry.knows_general_scenes = true;
   return entry;
 }
 

@@ -20,10 +20,10 @@ struct SystemPaths {
 
   template <class Self, class Visitor>
   static void options(Self& self, Visitor&& option) {
-    option(
-        "system", self.system, OneOf<System>{"quartics|quadrics|echelon|parametrised"},
-        "quartics: of 6p, three in half angles; quadrics: nine of 6p, twelve of 5p1L; echelon: these after "
-        "Gaussian elimination; parametrised: of 5p1L, two points eliminated");
+    option("system", self.system, OneOf<System>{"quartics|quadrics|echelon|parametrised"},
+           "quartics: of 6p, three in half angles; quadrics: nine of 6p, twelve of 5p1L, those of general "
+           "scenes; "
+           "echelon: these after Gaussian elimination; parametrised: of 5p1L, two points eliminated");
     option("start", self.start, OneOf<PathStart>{"mixed-cells|total-degree"},
            "as many paths as the mixed volume, or as Bezout's number");
   }

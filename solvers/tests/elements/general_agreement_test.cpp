@@ -8,6 +8,7 @@
 #include "solvers/strategies/monodromy.hpp"
 #include "solvers/strategies/newton_multistart.hpp"
 #include "solvers/strategies/polyhedral.hpp"
+#include "solvers/strategies/system_paths.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
 
 using namespace gcs;
@@ -110,6 +111,35 @@ TEST_CASE("Newton's method finds the same on any number of threads, another seed
     CHECK(two.solutions[i].figure.planes.front().normal == one.solutions[i].figure.planes.front().normal);
   }
   CHECK(classes_of(scene, one, other) == static_cast<int>(other.solutions.size()));
+}
+
+TEST_CASE("the equations of a general scene, written down exactly, have the solutions that loops find") {
+  RandomNumbers random(26);
+  for (const ProblemStatement& problem :
+       {random_platform(2, random), random_octahedral(1, random), random_octahedral(3, random)}) {
+    const Scene scene = Scene::unchecked(problem);
+    const Answer loops = solve(scene, Monodromy{.certify = true});
+    const Answer paths =
+        solve(scene, SystemPaths{.seed = 2, .certify = true, .system = SystemPaths::System::echelon});
+    INFO(paths.reason);
+    CHECK(paths.status == RunStatus::complete);
+    CHECK(paths.failed_checks.empty());
+    REQUIRE(paths.solutions.size() == loops.solutions.size());
+    CHECK(classes_of(scene, loops, paths) == static_cast<int>(loops.solutions.size()));
+    CHECK(are_real_solutions_among(paths, loops));
+    CHECK(are_real_solutions_among(loops, paths));
+  }
+}
+
+TEST_CASE("Bezout's paths lead to the postures of a planar platform too") {
+  RandomNumbers random(27);
+  const Scene scene = Scene::unchecked(random_platform(2, random));
+  SystemPaths asked{.system = SystemPaths::System::quadrics, .start = PathStart::total_degree};
+  const Answer paths = solve(scene, asked);
+  CHECK(paths.status == RunStatus::complete);
+  CHECK(paths.solutions.size() == 6);
+  asked.system = SystemPaths::System::quartics;  // of octahedra
+  CHECK(solve(scene, asked).status == RunStatus::unsupported);
 }
 
 TEST_CASE("a general scene has as many solutions whether mirror images are followed or divided out") {

@@ -67,11 +67,13 @@ class Fields {
 
   void add(const std::string& name, const Candidate& candidate) {
     const auto& [figure, multiplicity, error] = candidate;
-    const auto& [points, lines, imaginary, imaginary_lines] = figure;
+    const auto& [points, lines, imaginary, imaginary_lines, planes, imaginary_planes] = figure;
     add(name + ".points", points);
     add(name + ".imaginary", imaginary);
     add(name + ".lines", lines);
     add(name + ".imaginary_lines", imaginary_lines);
+    add(name + ".planes", planes);
+    add(name + ".imaginary_planes", imaginary_planes);
     add(name + ".multiplicity", multiplicity);
     add(name + ".error", error);
   }
@@ -91,6 +93,14 @@ class Fields {
     for (const auto& [point, direction] : lines) {
       add(name + ".point", point);
       add(name + ".direction", direction);
+    }
+  }
+
+  void add(const std::string& name, const std::vector<PlanePosition>& planes) {
+    add(name + ".size()", planes.size());
+    for (const auto& [normal, offset] : planes) {
+      add(name + ".normal", normal);
+      add(name + ".offset", offset);
     }
   }
 

@@ -15,8 +15,9 @@
 /// where another did is checked, where the theoretical count or bound (counting/theoretical_counts.hpp) is
 /// not met anyway; that no step jumped is likely, not proven.
 ///
-/// General scenes go the same way with the equations of elements/scene_system.hpp as they stand, to the values of a
-/// figure at random. Unit vectors and the like leave no coefficient free, and most paths run to infinity.
+/// General scenes go the same way with the equations of elements/scene_system.hpp for the values of a figure at random,
+/// after Gaussian elimination (polyhedral/eliminated_equations.hpp). Unit vectors and the like leave no coefficient free,
+/// and most paths run to infinity.
 ///
 /// It fails where the mixed cells cannot be enumerated, on graphs beyond some twenty points, or are of too many paths, and
 /// on scenes as monodromy does. HOM4PS-2.0: T. L. Lee, T. Y. Li, C. H. Tsai, Computing 83 (2008).
@@ -30,6 +31,7 @@
 #include "solvers/homotopies/complex_strategy.hpp"
 #include "solvers/homotopies/endgame.hpp"
 #include "solvers/homotopies/mirror_images.hpp"
+#include "solvers/polyhedral/eliminated_equations.hpp"
 #include "solvers/polyhedral/polyhedral_homotopies.hpp"
 #include "solvers/polyhedral/polyhedral_solutions.hpp"
 
@@ -105,14 +107,14 @@ class PolyhedralStrategy final : public ComplexStrategy {
   void solve_random_member(const SolveRequest& request, const ClassLimit& limit,
                            GeneralStart& start) const override {
     const FamilyMember member = random_member(start.equations, start.random);
-    const Supports supports = supports_of(start.equations.system);
+    const auto [supports, coefficients] = eliminated_equations(start.equations.system, member.parameters);
     const SignMasks divided = follows_mirror_images() ? SignMasks(std::vector<int>(supports.size(), -1))
                                                       : symmetric_signs(supports, start.equations.signs);
     const auto progress = [&request](std::string_view stage, double fraction) {
       report_progress(request, stage, fraction);
     };
     const SupportsPaths paths = follow_supports(
-        supports, member.parameters, divided,
+        supports, coefficients, divided,
         {setup_for(request), request.seed, request.stop, progress, destination}, start.random, start.work);
     start.parameters = member.parameters;
     start.is_stopped = paths.is_stopped;

@@ -14,6 +14,7 @@
 #include "harness/tests/contract/report_agreement.hpp"
 #include "harness/tests/contract/report_difference.hpp"
 #include "solvers/answers/assess.hpp"
+#include "solvers/elements/placement.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
@@ -144,6 +145,14 @@ double distance(const ComplexLine& a, const ComplexLine& b) {
   return std::max((a.point - b.point).norm(), turn);
 }
 
+/// Likewise of planes, whichever side they are seen from.
+double distance(const ComplexPlane& a, const ComplexPlane& b) {
+  const auto apart = [&](double sign) {
+    return std::max((a.normal - sign * b.normal).norm(), std::abs(a.offset - sign * b.offset));
+  };
+  return std::min(apart(1), apart(-1));
+}
+
 /// Distance of two figures in one frame.
 double distance(const Figure& a, const Figure& b) {
   if (a.is_real() != b.is_real()) return std::numeric_limits<double>::infinity();
@@ -152,6 +161,9 @@ double distance(const Figure& a, const Figure& b) {
                                  lines_b = normalised(complex_lines(b));
   for (std::size_t i = 0; i < lines_a.size(); ++i)
     result = std::max(result, distance(lines_a[i], lines_b[i]));
+  const std::vector<ComplexPlane> planes_a = placement_of(a).planes, planes_b = placement_of(b).planes;
+  for (std::size_t i = 0; i < planes_a.size(); ++i)
+    result = std::max(result, distance(planes_a[i], planes_b[i]));
   return result;
 }
 

@@ -69,6 +69,40 @@ void mirror(Figure& figure) {
   if (!figure.is_real()) figure.imaginary.row(0) *= -1;
   for (auto* lines : {&figure.lines, &figure.imaginary_lines})
     for (LinePosition& line : *lines) mirror(line);
+  for (auto* planes : {&figure.planes, &figure.imaginary_planes})
+    for (PlanePosition& plane : *planes) mirror(plane.normal);
+}
+
+void negate(Decimal& number) {
+  number.value = -number.value;
+  if (!number.text.empty())
+    number.text = number.text.starts_with('-') ? number.text.substr(1) : "-" + number.text;
+}
+
+void scale(Decimal& number, int exponent) {
+  number.value = std::ldexp(number.value, exponent);
+  if (!number.text.empty()) number.text = times_power_of_two(number.text, exponent);
+}
+
+/// Of a body's element the numbers that are along x, and those that are lengths.
+std::vector<std::size_t> along_x(const ProblemStatement& problem, const BodyElement& element) {
+  if (problem.is_line(element.entity)) return {0, static_cast<std::size_t>(problem.dimension)};
+  return {0};
+}
+std::vector<std::size_t> lengths(const ProblemStatement& problem, const BodyElement& element) {
+  if (problem.is_plane(element.entity)) return {element.numbers.size() - 1};
+  std::vector<std::size_t> numbers(static_cast<std::size_t>(problem.dimension));
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// Changes the chosen numbers of all elements of bodies.
+template <class Choose, class Change>
+void change_bodies(ProblemStatement& problem, const Choose& choose, const Change& change) {
+  const ProblemStatement& kinds = problem;
+  for (RigidBody& body : problem.bodies)
+    for (BodyElement& element : body.elements)
+      for (const std::size_t i : choose(kinds, element)) change(element.numbers[i]);
 }
 
 void scale(Eigen::Vector3d& point, double factor) { point *= factor; }
@@ -78,6 +112,7 @@ void scale(LinePosition& line, double factor) { line.point *= factor; }
 void scale(Figure& figure, double factor) {
   figure.points *= factor;
   for (LinePosition& line : figure.lines) scale(line, factor);
+  for (PlanePosition& plane : figure.planes) plane.offset *= factor;
 }
 
 /// digits · factor for digits in base ten, least significant first.
@@ -113,6 +148,13 @@ Restatement relabelled(const ProblemStatement& problem, std::mt19937_64& random)
   for (std::size_t i = 0; i < restated.points.size(); ++i) restated.points[i] = fmt::format("node {}", i);
   for (DistanceConstraint& constraint : restated.constraints)
     for (int& end : constraint.between) renumbering.apply(end);
+  for (Relation& relation : restated.relations)
+    for (Operand& operand : relation.of) {
+      renumbering.apply(operand.entity);
+      renumbering.apply(operand.end);
+    }
+  for (RigidBody& body : restated.bodies)
+    for (BodyElement& element : body.elements) renumbering.apply(element.entity);
   if (!problem.fixed_points.empty())
     restated.fixed_points = reordered(problem.fixed_points, result.point_now);
   if (!problem.fixed_point_texts.empty())
@@ -149,6 +191,8 @@ Restatement mirrored(const ProblemStatement& problem) {
     if (!texts[0].empty()) texts[0] = texts[0].starts_with('-') ? texts[0].substr(1) : "-" + texts[0];
   for (auto& line : result.problem.fixed_lines)
     if (line) mirror(*line);
+  change_bodies(result.problem, along_x, negate);
+  for (Relation& relation : result.problem.relations) relation.sign = -relation.sign;
   return result;
 }
 
@@ -167,9 +211,13 @@ Restatement scaled(const ProblemStatement& problem, int exponent) {
   ProblemStatement& restated = result.problem;
   for (DistanceConstraint& constraint : restated.constraints) {
     const int power = constraint.is_squared ? 2 * exponent : exponent;
-    Decimal& given = constraint.given;
-    given = {std::ldexp(given.value, power), times_power_of_two(given.text, power)};
+    scale(constraint.given, power);
   }
+  for (Relation& relation : restated.relations) {
+    if (relation.form == Relation::Form::length) scale(relation.given, exponent);
+    if (relation.form == Relation::Form::squared) scale(relation.given, 2 * exponent);
+  }
+  change_bodies(restated, lengths, [exponent](Decimal& number) { scale(number, exponent); });
   if (restated.sketch) scale(*restated.sketch, factor);
   for (auto& point : restated.fixed_points)
     if (point) scale(*point, factor);

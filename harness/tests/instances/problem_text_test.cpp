@@ -146,7 +146,7 @@ TEST_CASE("a given construction plan is part of a problem's text") {
 }
 
 TEST_CASE("planes, bodies and relations are part of a problem's text") {
-  const Instance scene = parse_instance(
+  const Instance scene = parse_statement(
       R"({"format": "gcsbench-instance/2", "id": "all", "dimension": 3, "points": ["p"], "lines": ["L"],
           "planes": ["E"],
           "bodies": {"one": {"q": [0, 0, 0.50], "r": [1, 0, 0], "s": [0, 1, 0],
@@ -164,7 +164,7 @@ TEST_CASE("planes, bodies and relations are part of a problem's text") {
           "reference": {"body": "two"}})",
       "all", "");
   REQUIRE(scene.problem.relations.size() == 7);
-  const Instance again = parse_instance(problem_text(Scene::unchecked(scene.problem)), "text");
+  const Instance again = parse_statement(problem_text(Scene::unchecked(scene.problem)), "text");
   check_same(scene.problem, again.problem);
 }
 

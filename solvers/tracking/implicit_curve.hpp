@@ -1,0 +1,146 @@
+#pragma once
+/// A curve of equations F(x, t) = 0 that are quadratic in x, as the series tracker wants it.
+
+#include <Eigen/LU>
+#include <concepts>
+#include <utility>
+
+#include "solvers/numeric/arc_series.hpp"
+#include "solvers/running/work.hpp"
+#include "solvers/tracking/corrector.hpp"
+
+namespace gcs {
+
+/// The equations of a curve: as many as unknowns x. y: x, then t.
+template <class F>
+concept EquationFamily = requires(F family, const F& known, double t, int n, const Eigen::VectorXd& y,
+                                  Eigen::Ref<Eigen::VectorXd> f, Eigen::MatrixXd& matrix) {
+  { known.unknowns() } -> std::same_as<int>;
+  /// x at t = 0.
+  { known.start() } -> std::same_as<Eigen::VectorXd>;
+  family.residual(y, f);
+  /// [dF/dx, dF/dt] at y into the first rows.
+  family.jacobian(y, matrix);
+  /// Of series in s whose coefficients are about to be set: t at s = 0, after the Jacobian was asked for there.
+  family.start_series(t);
+  /// Coefficient n of y, n = 1, 2, …
+  family.set(n, y);
+  /// Minus the n-th coefficient of F without what is linear in the n-th coefficient of y. Precondition: set up to n − 1.
+  family.known(n, f);
+  /// As SeriesCurve says.
+  { known.shortest_length(t) } -> std::same_as<double>;
+};
+
+template <EquationFamily Family>
+class ImplicitCurve {
+ public:
+  ImplicitCurve(Family family, double tolerance)
+      : family_(std::move(family)),
+        tolerance_(tolerance),
+        bordered_(coordinates(), coordinates()),
+        lu_(coordinates()),
+        right_side_(coordinates()),
+        correction_(coordinates()) {}
+
+  Eigen::Index coordinates() const { return family_.unknowns() + 1; }
+
+  bool start(int orientation, ArcSeries& series) {
+    const Eigen::Index m = family_.unknowns();
+    Eigen::VectorXd y(coordinates());
+    y << family_.start(), 0.0;
+    jacobian(y);
+    const Eigen::FullPivLU<Eigen::MatrixXd> full(bordered_.topRows(m));
+    ++work_.factorisations;
+    if (full.rank() < m) return false;
+    Eigen::VectorXd tangent = full.kernel().col(0).normalized();
+    if (tangent[m] * orientation < 0) tangent = -tangent;
+    factorise(y, tangent);
+    side_ = determinant_sign(lu_);
+    expand(y, series);
+    return true;
+  }
+
+  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) {
+    const Eigen::Index m = family_.unknowns();
+    right_side_[m] = 0;
+    residual(y, right_side_.head(m));
+    factorise(y, tangent);
+    if (determinant_sign(lu_) != side_) return false;
+    CorrectorTest test(tolerance_);
+    while (true) {
+      correction_ = lu_.solve(right_side_);
+      y -= correction_;
+      ++work_.newton_iterations;
+      const CorrectorTest::Verdict verdict = test.judge(correction_.norm(), y.norm());
+      if (verdict == CorrectorTest::Verdict::refuse) return false;
+      if (verdict == CorrectorTest::Verdict::settled) break;
+      residual(y, right_side_.head(m));
+    }
+    if (shortest_length(y[m]) < 0) return false;
+    if (test.matrix_is_stale()) factorise(y, tangent);
+    expand(y, series);
+    return true;
+  }
+
+  void renew(ArcSeries& series) {
+    const Eigen::VectorXd y = series.coefficient(0);
+    factorise(y, series.coefficient(1));
+    expand(y, series);
+  }
+
+  double shortest_length(double t) const { return family_.shortest_length(t); }
+  void accept() {}
+  void reject() {}
+  WorkCounters& work() { return work_; }
+
+  void residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f) {
+    ++work_.evaluations;
+    family_.residual(y, f);
+  }
+  /// Into the first rows of the bordered matrix.
+  void jacobian(const Eigen::VectorXd& y) {
+    ++work_.jacobians;
+    family_.jacobian(y, bordered_);
+  }
+
+  const Family& family() const { return family_; }
+
+ private:
+  void factorise(const Eigen::VectorXd& y, const Eigen::VectorXd& last_row) {
+    jacobian(y);
+    bordered_.bottomRows<1>() = last_row.transpose();
+    lu_.compute(bordered_);
+    ++work_.factorisations;
+  }
+
+  /// Σ over the orders: B c_n = −constant_n with the factorised B = [F_x, F_t; tangent];
+  /// see ArcSeries for the last row.
+  void expand(const Eigen::VectorXd& y, ArcSeries& series) {
+    const Eigen::Index m = family_.unknowns();
+    family_.start_series(y[m]);
+    series.coefficient(0) = y;
+    right_side_.setZero();
+    right_side_[m] = 1;
+    correction_ = lu_.solve(right_side_);
+    correction_ /= correction_.norm();
+    series.coefficient(1) = correction_;
+    family_.set(1, correction_);
+    for (int n = 2; n <= series.order(); ++n) {
+      family_.known(n, right_side_.head(m));
+      right_side_[m] = series.arc_length_term(n);
+      correction_ = lu_.solve(right_side_);
+      series.coefficient(n) = correction_;
+      if (n < series.order()) family_.set(n, correction_);
+    }
+  }
+
+  Family family_;
+  double tolerance_;
+  Eigen::MatrixXd bordered_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  int side_ = 0;  ///< the sign of the bordered matrix's determinant, on all of the curve
+  Eigen::VectorXd right_side_, correction_;
+  WorkCounters work_;
+};
+
+}  // namespace gcs

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// In the scene's unit, in which lengths are near 1: what residuals are relative to where terms are smaller still, as
+/// they are in f·u = 0 of a line through the origin.
+constexpr double smallest_size = 1e-3;
+
 double size_of(const ComplexValues& x) {
   double size = 1;
   for (const std::complex<double>& value : x) size = std::max(size, std::abs(value));
@@ -29,7 +33,7 @@ double general_residual(const Scene& scene, const Figure& figure) {
   double worst = system.misfit(figure) / scene.size();
   if (!std::isfinite(worst)) return infinity;
   for (Eigen::Index e = 0; e < here.value.size(); ++e) {
-    const double error = here.size[e] > 0 ? std::abs(here.value[e]) / here.size[e] : 0;
+    const double error = std::abs(here.value[e]) / std::max(here.size[e], smallest_size);
     if (!std::isfinite(error)) return infinity;
     worst = std::max(worst, error);
   }

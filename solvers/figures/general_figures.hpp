@@ -9,8 +9,9 @@
 
 namespace gcs {
 
-/// The largest |left − right| of an equation of the scene, relative to the sizes of its terms together, or misfit of a
-/// body's elements, relative to the scene's size; infinite where there are no equations. Dimensionless.
+/// The largest |left − right| of an equation of the scene, relative to the sizes of its terms together or, where these
+/// are smaller, to a thousandth of the scene's unit, or misfit of a body's elements, relative to the scene's size;
+/// infinite where there are no equations. Dimensionless.
 double general_residual(const Scene& scene, const Figure& figure);
 
 /// 2-norm condition number of the Jacobian of the scene's equations at the figure, its rows normalised. Infinite at a

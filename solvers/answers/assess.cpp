@@ -58,6 +58,18 @@ bool is_usable(const Scene& scene, const Candidate& candidate) {
          (figure.is_real() || is_usable_as_complex(scene, figure)) && candidate.multiplicity >= 1;
 }
 
+/// The most that a coordinate of a point differs by, and of a line's direction or a plane's normal, whichever way it
+/// goes, times `size`.
+double figure_distance(const Figure& a, const Figure& b, double size) {
+  double largest = (a.points - b.points).cwiseAbs().maxCoeff();
+  const auto take = [&](const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+    largest = std::max(largest, size * std::min((one - other).norm(), (one + other).norm()));
+  };
+  for (std::size_t i = 0; i < a.lines.size(); ++i) take(a.lines[i].direction, b.lines[i].direction);
+  for (std::size_t i = 0; i < a.planes.size(); ++i) take(a.planes[i].normal, b.planes[i].normal);
+  return largest;
+}
+
 std::vector<Figure> representatives(const std::vector<Judged>& judged) {
   std::vector<Figure> figures;
   for (const Judged& j : judged) figures.push_back(j.representative);
@@ -244,8 +256,8 @@ class Assessor {
   }
 
   bool same_point(const Judged& a, const Judged& b) const {
-    const double tolerance = merging_tolerance(std::max(a.condition, b.condition)) * scene_.size();
-    return (a.figure.points - b.figure.points).cwiseAbs().maxCoeff() <= tolerance;
+    const double tolerance = merging_tolerance(std::max(a.condition, b.condition));
+    return figure_distance(a.figure, b.figure, scene_.size()) <= tolerance * scene_.size();
   }
 
   /// A regular curve passes each of its points once in a round; its mirror image is another point.

@@ -11,7 +11,7 @@ SystemBuilder::SystemBuilder(const Scene& scene)
     : scene_(scene),
       frame_(scene),
       turnings_(scene.problem()),
-      next_turning_(8),
+      next_turning_(first_turning),
       points_(scene.problem().points.size()),
       lines_(scene.problem().lines.size()),
       planes_(scene.problem().planes.size()) {}

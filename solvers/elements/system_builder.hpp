@@ -68,6 +68,9 @@ using ComplexValues = std::vector<std::complex<double>>;
 /// of a relation.
 inline constexpr int no_value = -1;
 
+/// The generators before it are reflections and half-turns that the frame leaves; from it on they turn elements over.
+inline constexpr SignMask first_turning = 8;
+
 class SystemBuilder {
  public:
   /// Without elements (see place_elements). Preconditions: !why_no_frame(scene); the scene outlives this.

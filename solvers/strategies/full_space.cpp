@@ -5,6 +5,9 @@
 /// bounded ([I] (h2)), or none. Where the Jacobian has full rank on it ([I] (h1)) S is a closed curve; it is followed
 /// through the folds of t until it is back at the sketch, and every crossing of t = 1 is a solution.
 ///
+/// Of a general scene (planes, bodies, angles, incidences) S is that of tracking/general_curve.hpp, mode=fast or newton.
+/// There it may go to infinity, and is then followed to both of its ends.
+///
 /// mode=fast is tracking/series_tracker.hpp on tracking/distance_curve.hpp, mode=paper is
 /// tracking/euler_newton_tracker.hpp on tracking/paper_homotopies.hpp, mode=certified is
 /// proven_paths/certified_tracker.hpp: it proves that S closes and the number and order of its crossings.
@@ -16,10 +19,12 @@
 
 #include "solvers/strategies/full_space.hpp"
 
+#include "solvers/homotopies/general_start.hpp"
 #include "solvers/model/wide_reference.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/proven_paths/path_jumps.hpp"
 #include "solvers/tracking/distance_curve.hpp"
+#include "solvers/tracking/general_path.hpp"
 #include "solvers/tracking/newton_from_sketch.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_options.hpp"
@@ -45,12 +50,14 @@ class FullSpaceStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
+    if (scene.problem().is_general()) return why_no_general_path(scene);
     const bool proves = mode_ == FullSpace::Mode::certified || names_jumps_;
     return proves ? why_not_proven(scene) : why_no_path(scene);
   }
 
   SolveReport solve(const SolveRequest& request) override {
     const TrackerContext context{request.stop, request.monitor};
+    if (request.scene.problem().is_general()) return solve_general(request.scene, context);
     switch (mode_) {
       case FullSpace::Mode::paper:
         return solve_as_published(request.scene, for_scene(options_, request.scene).paper, context);
@@ -71,6 +78,19 @@ class FullSpaceStrategy final : public Strategy {
   }
 
  private:
+  std::optional<std::string> why_no_general_path(const Scene& scene) const {
+    if (mode_ == FullSpace::Mode::paper || names_jumps_)
+      return "the tracker as published is for distances between points; leave out mode=paper";
+    if (mode_ == FullSpace::Mode::certified)
+      return "S is proven for distances between points only yet; mode=fast tracks it without a proof";
+    return why_not_general(scene);
+  }
+
+  SolveReport solve_general(const Scene& scene, const TrackerContext& context) const {
+    if (mode_ == FullSpace::Mode::newton) return newton_from_general_sketch(scene);
+    return follow_general_path(scene, options_.fast, context);
+  }
+
   SolveReport solve_as_published(const Scene& scene, const EulerNewtonOptions& options,
                                  const TrackerContext& context) const {
     PaperDistanceHomotopy homotopy(scene);
@@ -135,6 +155,7 @@ StrategyEntry full_space_entry() {
   entry.summary = "tracks the path S from the sketch in all coordinates";
   entry.citation = "Imbach, Mathis, Schreck 2016, sections 2.2 and 7.1";
   entry.needs_sketch = true;
+  entry.knows_general_scenes = true;
   entry.accuracy_settings = path_accuracy_settings();
   return entry;
 }

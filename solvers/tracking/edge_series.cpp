@@ -5,7 +5,9 @@
 
 namespace gcs {
 
-LengthSeries::LengthSeries(std::vector<LengthPath> paths, int order) : paths_(std::move(paths)) {
+LengthSeries::LengthSeries(std::vector<LengthPath> paths, std::vector<bool> plain, int order)
+    : paths_(std::move(paths)), plain_(std::move(plain)) {
+  plain_.resize(paths_.size());
   const auto m = static_cast<Eigen::Index>(paths_.size());
   for (Eigen::VectorXd* v : {&value_, &slope_, &quadratic_, &cubic_, &quartic_}) v->setZero(m);
   for (Eigen::VectorXd* v : {&offset_, &offset2_}) v->setZero(order + 1);
@@ -19,10 +21,15 @@ LengthSeries::LengthSeries(std::vector<LengthPath> paths, int order) : paths_(st
 }
 
 void LengthSeries::expand(Polynomial& of, double t0) const {
-  const std::vector<double> a = paths_[static_cast<std::size_t>(of.edge)].expansion(t0);
-  of.half_square.assign(2 * a.size() - 1, 0);
+  const auto edge = static_cast<std::size_t>(of.edge);
+  const std::vector<double> a = paths_[edge].expansion(t0);
+  if (plain_[edge]) {
+    of.powers = a;
+    return;
+  }
+  of.powers.assign(2 * a.size() - 1, 0);
   for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < a.size(); ++j) of.half_square[i + j] += a[i] * a[j] / 2;
+    for (std::size_t j = 0; j < a.size(); ++j) of.powers[i + j] += a[i] * a[j] / 2;
 }
 
 /// The n-th coefficients of the powers, which begin with order k.
@@ -42,10 +49,10 @@ void LengthSeries::start(double t0) {
     const double b = paths_[i].slope(t0);
     const double c = -paths_[i].bend;
     value_[e] = a;
-    slope_[e] = a * b;
-    quadratic_[e] = b * b / 2 + a * c;
-    cubic_[e] = b * c;
-    quartic_[e] = c * c / 2;
+    slope_[e] = plain_[i] ? b : a * b;
+    quadratic_[e] = plain_[i] ? c : b * b / 2 + a * c;
+    cubic_[e] = plain_[i] ? 0 : b * c;
+    quartic_[e] = plain_[i] ? 0 : c * c / 2;
   }
   for (Polynomial& polynomial : polynomials_) expand(polynomial, t0);
 }
@@ -70,8 +77,8 @@ void LengthSeries::known(int n, Eigen::Ref<Eigen::VectorXd> result) {
   set_powers(n);
   for (const Polynomial& of : polynomials_) {
     double sum = 0;
-    for (Eigen::Index k = 2; k < powers_.rows() && k < std::ssize(of.half_square); ++k)
-      sum += of.half_square[static_cast<std::size_t>(k)] * powers_(k, n);
+    for (Eigen::Index k = 2; k < powers_.rows() && k < std::ssize(of.powers); ++k)
+      sum += of.powers[static_cast<std::size_t>(k)] * powers_(k, n);
     result[of.edge] = sum;
   }
 }

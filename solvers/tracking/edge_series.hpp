@@ -5,6 +5,7 @@
 /// linear in the n-th coefficients; constant_n depends on lower ones only.
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "solvers/model/interpolation.hpp"
@@ -15,9 +16,11 @@ namespace gcs {
 /// lengths at once from (t − t0)², (t − t0)³ and (t − t0)⁴; the others are made one by one.
 class LengthSeries {
  public:
-  LengthSeries(std::vector<LengthPath> paths, int order);
+  LengthSeries(std::vector<LengthPath> paths, int order) : LengthSeries(std::move(paths), {}, order) {}
+  /// The same where a(t(s)) itself is meant by those that are marked as `plain`; empty: by none.
+  LengthSeries(std::vector<LengthPath> paths, std::vector<bool> plain, int order);
 
-  /// Expands about t0. Afterwards value(i) = a_i(t0), slope(i) = a_i·a_i'(t0).
+  /// Expands about t0. Afterwards value(i) = a_i(t0), slope(i) = a_i·a_i'(t0), or a_i'(t0) of a plain one.
   void start(double t0);
   double value(Eigen::Index i) const { return value_[i]; }
   double slope(Eigen::Index i) const { return slope_[i]; }
@@ -28,18 +31,19 @@ class LengthSeries {
 
   /// To be called for n = 1, 2, … once t_n is known.
   void set(int n, double t_n) { offset_[n] = t_n; }
-  /// The n-th coefficient of a_i²/2 without the term slope(i)·t_n. Precondition: set up to n − 1.
+  /// The n-th coefficient of a_i²/2, or of a plain a_i, without the term slope(i)·t_n. Precondition: set up to n − 1.
   void known(int n, Eigen::Ref<Eigen::VectorXd> result);
 
  private:
   std::vector<LengthPath> paths_;
+  std::vector<bool> plain_;
   Eigen::VectorXd value_, slope_, quadratic_, cubic_, quartic_;  // a²/2 in powers of t − t0
   Eigen::VectorXd offset_, offset2_;                             // series of t − t0 and (t − t0)²
 
   /// A length of a higher degree.
   struct Polynomial {
     Eigen::Index edge = 0;
-    std::vector<double> half_square;  ///< a²/2 in powers of t − t0
+    std::vector<double> powers;  ///< a²/2, or a plain a, in powers of t − t0
   };
   void expand(Polynomial& of, double t0) const;
   void set_powers(int n);

@@ -29,6 +29,8 @@ PathRecord::End record_end(TrackedPath::End end) {
       return PathRecord::End::closed;
     case TrackedPath::End::reached:
       return PathRecord::End::regular;
+    case TrackedPath::End::at_infinity:
+      return PathRecord::End::at_infinity;
     case TrackedPath::End::stopped:
       return PathRecord::End::stopped;
     case TrackedPath::End::failed:
@@ -41,6 +43,7 @@ SolveStatus report_status(TrackedPath::End end) {
   switch (end) {
     case TrackedPath::End::closed:
     case TrackedPath::End::reached:
+    case TrackedPath::End::at_infinity:
       return SolveStatus::complete;
     case TrackedPath::End::stopped:
       return SolveStatus::stopped;
@@ -49,6 +52,30 @@ SolveStatus report_status(TrackedPath::End end) {
   }
   return SolveStatus::gave_up;
 }
+
+class TargetDistances final : public TargetEquations {
+ public:
+  TargetDistances(const Scene& scene, const std::function<Figure(const Eigen::VectorXd&)>& figure_of)
+      : scene_(scene), figure_of_(figure_of), system_(scene, wide_reference(scene)) {}
+
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const override {
+    return system_.coordinates(scene_.in_frame(figure_of_(point), system_.reference()));
+  }
+  Refinement refine(Eigen::VectorXd& x) const override { return gcs::refine(system_, squares_, x); }
+  std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const override {
+    return solutions_at_fold(system_, squares_, near, work);
+  }
+  Figure figure(const Eigen::VectorXd& x) const override { return system_.figure(x); }
+  double proven_error(const Figure& figure) const override {
+    return gcs::proven_error(scene_, squares_, figure);
+  }
+
+ private:
+  const Scene& scene_;
+  const std::function<Figure(const Eigen::VectorXd&)>& figure_of_;
+  const DistanceSystem system_;
+  const std::vector<DoubleDouble> squares_ = target_squares(scene_);
+};
 
 /// Coordinates at which S meets t = 1.
 struct MetSolution {
@@ -61,8 +88,7 @@ struct MetSolution {
 /// Makes the report of one path. A shortcoming leaves a complete report partial; the first one is named.
 class PathReporter {
  public:
-  PathReporter(const Scene& scene, const std::function<Figure(const Eigen::VectorXd&)>& figure_of)
-      : scene_(scene), figure_of_(figure_of), system_(scene, wide_reference(scene)) {
+  PathReporter(const Scene& scene, const TargetEquations& equations) : scene_(scene), equations_(equations) {
     report_.claim = Claim::on_path;
   }
 
@@ -87,16 +113,12 @@ class PathReporter {
     if (report_.reason.empty()) report_.reason = reason;
   }
 
-  Eigen::VectorXd coordinates_of(const Eigen::VectorXd& point) const {
-    return system_.coordinates(scene_.in_frame(figure_of_(point), system_.reference()));
-  }
-
   /// In path order. Next to an extremum of t near 1 the exact lengths decide, not what the tracker took for
   /// crossings.
   std::vector<MetSolution> met_on(const TrackedPath& path) {
     std::vector<MetSolution> met;
     for (const PathCrossing& crossing : path.crossings)
-      met.push_back({coordinates_of(crossing.point), crossing.direction, crossing.at});
+      met.push_back({equations_.coordinates(crossing.point), crossing.direction, crossing.at});
     double end_of_last = 0;
     for (const PathTouch& touch : path.touches) {
       const bool is_alone = touch.at - touch.reach > end_of_last;
@@ -115,13 +137,13 @@ class PathReporter {
 
   /// None or two, or nothing where that is not known.
   std::optional<std::vector<MetSolution>> met_at(const PathTouch& touch) {
-    const Eigen::VectorXd extremum = coordinates_of(touch.point);
-    const auto near = solutions_at_fold(system_, squares_, extremum, report_.work);
+    const Eigen::VectorXd extremum = equations_.coordinates(touch.point);
+    const auto near = equations_.at_fold(extremum, report_.work);
     if (!near) return std::nullopt;
     std::vector<MetSolution> met;
     for (const Eigen::VectorXd& x : near->x) met.push_back({x, touch.direction, touch.at, true});
     if (met.empty()) return met;
-    if (near->direction.dot(extremum - coordinates_of(touch.before)) < 0) std::swap(met[0], met[1]);
+    if (near->direction.dot(extremum - equations_.coordinates(touch.before)) < 0) std::swap(met[0], met[1]);
     met[1].direction = -touch.direction;
     return met;
   }
@@ -129,22 +151,20 @@ class PathReporter {
   /// Refined by Newton's method.
   Candidate candidate_of(const MetSolution& met) {
     Eigen::VectorXd x = met.x;
-    const Refinement refinement = refine(system_, squares_, x);
+    const Refinement refinement = equations_.refine(x);
     report_.work.newton_iterations += refinement.iterations;
-    Candidate candidate{system_.figure(x), 1};
+    Candidate candidate{equations_.figure(x), 1};
     if (!refinement.converged || (x - met.x).norm() > largest_refinement * scene_.size() ||
         relative_residual(scene_, candidate.figure) > largest_residual)
       falls_short("a crossing of t = 1 did not refine to a solution");
-    candidate.error = proven_error(scene_, squares_, candidate.figure);
+    candidate.error = equations_.proven_error(candidate.figure);
     if (met.has_neighbour && !std::isfinite(candidate.error) && is_stiff(scene_, candidate.figure))
       falls_short(not_told_apart);
     return candidate;
   }
 
   const Scene& scene_;
-  const std::function<Figure(const Eigen::VectorXd&)>& figure_of_;
-  const DistanceSystem system_;
-  const std::vector<DoubleDouble> squares_ = target_squares(scene_);
+  const TargetEquations& equations_;
   SolveReport report_;
 };
 
@@ -160,15 +180,22 @@ std::optional<std::string> why_no_path(const Scene& scene) {
 
 SolveReport path_report(const Scene& scene, const TrackedPath& path,
                         const std::function<Figure(const Eigen::VectorXd&)>& figure_of) {
-  return PathReporter(scene, figure_of).run(path);
+  return path_report(scene, path, TargetDistances(scene, figure_of));
+}
+
+SolveReport path_report(const Scene& scene, const TrackedPath& path, const TargetEquations& equations) {
+  return PathReporter(scene, equations).run(path);
+}
+
+SolveReport report_of_newton(SolveReport path) {
+  path.claim = Claim::some_real;
+  path.paths.clear();
+  return path;
 }
 
 SolveReport report_of_newton(const Scene& scene, const TrackedPath& path,
                              const std::function<Figure(const Eigen::VectorXd&)>& figure_of) {
-  SolveReport report = path_report(scene, path, figure_of);
-  report.claim = Claim::some_real;
-  report.paths.clear();
-  return report;
+  return report_of_newton(path_report(scene, path, figure_of));
 }
 
 SolveReport report_once_refined(SeriesTrackerOptions options,

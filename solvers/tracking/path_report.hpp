@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "solvers/figures/fold_solutions.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 #include "solvers/tracking/tracked_path.hpp"
@@ -14,6 +15,21 @@ namespace gcs {
 /// Why S cannot be tracked in this scene (lines, no sketch), or nothing.
 std::optional<std::string> why_no_path(const Scene& scene);
 
+/// The equations at the target, in coordinates of their own.
+class TargetEquations {
+ public:
+  virtual ~TargetEquations() = default;
+  /// Of a tracker's point.
+  virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const = 0;
+  /// By Newton's method.
+  virtual Refinement refine(Eigen::VectorXd& x) const = 0;
+  /// As solutions_at_fold says.
+  virtual std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const = 0;
+  virtual Figure figure(const Eigen::VectorXd& x) const = 0;
+  /// A proven bound on the error of a figure, or infinity.
+  virtual double proven_error(const Figure& figure) const = 0;
+};
+
 /// Refines every crossing of t = 1 to full accuracy in the frame's coordinates and records it in path order;
 /// next to an extremum of t near 1 the equations at the exact target lengths decide whether there are two
 /// (fold_solutions.hpp). `figure_of`: the figure, in the scene's unit and any position, of a crossing's
@@ -21,8 +37,12 @@ std::optional<std::string> why_no_path(const Scene& scene);
 /// not told apart from its neighbour, makes the report partial and says so.
 SolveReport path_report(const Scene& scene, const TrackedPath& path,
                         const std::function<Figure(const Eigen::VectorXd&)>& figure_of);
+/// The same with other equations.
+SolveReport path_report(const Scene& scene, const TrackedPath& path, const TargetEquations& equations);
 
-/// The same of newton_from_sketch: no path, and a claim of some real solutions.
+/// A report on Newton's method in place of a path: a claim of some real solutions.
+SolveReport report_of_newton(SolveReport path);
+/// That of newton_from_sketch.
 SolveReport report_of_newton(const Scene& scene, const TrackedPath& path,
                              const std::function<Figure(const Eigen::VectorXd&)>& figure_of);
 

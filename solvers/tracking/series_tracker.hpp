@@ -74,6 +74,15 @@ struct SeriesTrackerOptions {
   int orientation = 1;
   bool stops_at_first = false;  ///< at the first solution
   TimeRange far{};              ///< S is given up beyond it
+  /// A path with a coordinate beyond this has its end at infinity.
+  double infinite_coordinate = std::numeric_limits<double>::infinity();
+};
+
+/// A curve on which points are the same figure that differ in the signs of some coordinates.
+template <class C>
+concept TurnedCurve = requires(const C curve, const Eigen::VectorXd& y) {
+  /// Of all coordinates, 1 or −1: those that bring the first point nearest to the second.
+  { curve.signs_towards(y, y) } -> std::same_as<Eigen::VectorXd>;
 };
 
 /// Backward evaluation must meet the old point within this fraction of the step. A jump misses it by the
@@ -126,6 +135,8 @@ class SeriesTracker {
       std::swap(here_, there_);
       if (auto cause = runs_off(options_.far, here_.coefficient(0)[t_row()]))
         return finish(TrackedPath::End::failed, *std::move(cause));
+      if (here_.coefficient(0).lpNorm<Eigen::Infinity>() > options_.infinite_coordinate)
+        return finish(TrackedPath::End::at_infinity, "");
       report_progress();
     }
     return finish(TrackedPath::End::failed, "max_steps reached before the path closed");
@@ -177,9 +188,17 @@ class SeriesTracker {
     return above;
   }
 
+  /// The start as it would be seen from here.
+  void turn_start() {
+    const Eigen::VectorXd signs = curve_.signs_towards(start_, here_.coefficient(0));
+    start_.array() *= signs.array();
+    start_tangent_.array() *= signs.array();
+  }
+
   /// Where on this step the path is back at the start with the same tangent; 0: nowhere.
   double closing_length() {
     const double near = 2 * step_;
+    if constexpr (TurnedCurve<Curve>) turn_start();
     if ((here_.coefficient(0) - start_).norm() > near && (there_.coefficient(0) - start_).norm() > near)
       return 0;
     const bool first = curve_.work().iterations == 1;

@@ -30,9 +30,9 @@ struct PathTouch {
 };
 
 struct TrackedPath {
-  enum class End { closed, reached, failed, stopped };
+  enum class End { closed, reached, at_infinity, failed, stopped };
   End end = End::failed;  ///< reached: the solution at which the tracker was to stop
-  std::string cause;      ///< a sentence, empty when closed or reached
+  std::string cause;      ///< a sentence where it failed or was stopped
   double length = 0;      ///< arc length tracked, in the coordinates of the tracker
   std::vector<PathCrossing> crossings;
   std::vector<PathTouch> touches;  ///< what the tracker takes for crossings near them is in `crossings` too

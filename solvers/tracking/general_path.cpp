@@ -1,0 +1,186 @@
+#include "solvers/tracking/general_path.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solvers/tracking/general_curve.hpp"
+#include "solvers/tracking/path_report.hpp"
+#include "solvers/tracking/sketched_unknowns.hpp"
+
+namespace gcs {
+namespace {
+
+constexpr const char* too_far =
+    "Gauss-Newton steps from the sketch do not settle at a figure that meets the constraints without a value";
+
+/// In units of the scene. Steps grow with the coordinates, so that it takes some hundred to get there.
+constexpr double infinite_coordinate = 1e6;
+
+class TargetValues final : public TargetEquations {
+ public:
+  explicit TargetValues(const SceneSystem& system)
+      : system_(system), equations_(real_equations(system.equations())) {}
+
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const override {
+    return point.head(equations_.unknowns);
+  }
+  Refinement refine(Eigen::VectorXd& x) const override {
+    constexpr int most_iterations = 12;
+    return refine(x, most_iterations);
+  }
+  Refinement refine(Eigen::VectorXd& x, int most_iterations) const;
+  /// In doubles two solutions and none are not told apart.
+  std::optional<FoldSolutions> at_fold(const Eigen::VectorXd&, WorkCounters&) const override {
+    return std::nullopt;
+  }
+  Figure figure(const Eigen::VectorXd& x) const override {
+    return system_.figure(ComplexValues(x.begin(), x.end()), true);
+  }
+  double proven_error(const Figure&) const override { return std::numeric_limits<double>::infinity(); }
+
+ private:
+  const SceneSystem& system_;
+  RealEquations equations_;
+};
+
+Refinement TargetValues::refine(Eigen::VectorXd& x, int most_iterations) const {
+  constexpr double ulp = std::numeric_limits<double>::epsilon(), settled = 1e-6;
+  const Eigen::VectorXd start = x;
+  Eigen::MatrixXd jacobian(equations_.count(), equations_.unknowns);
+  Refinement result;
+  double last = std::numeric_limits<double>::infinity();
+  while (result.iterations < most_iterations && !result.converged) {
+    equations_.jacobian(x, jacobian);
+    const Eigen::VectorXd excess = equations_.sums(x) - equations_.given;
+    const Eigen::VectorXd correction = jacobian.partialPivLu().solve(excess);
+    x -= correction;
+    ++result.iterations;
+    result.last_correction = correction.norm();
+    if (!std::isfinite(result.last_correction)) break;
+    const double size = x.cwiseAbs().maxCoeff();
+    // Rounding keeps an ill-conditioned solution from settling to the last bit.
+    result.converged = result.last_correction <= 4 * ulp * size ||
+                       (result.last_correction <= settled * size && result.last_correction > last / 2);
+    last = result.last_correction;
+  }
+  if (!result.converged) x = start;
+  return result;
+}
+
+SolveReport given_up(const std::string& reason) {
+  SolveReport report;
+  report.claim = Claim::on_path;
+  report.reason = reason;
+  return report;
+}
+
+/// In millionths of the scene's unit.
+Particular moved(const SketchedUnknowns& sketched) {
+  return {"sketch_moved_millionths", std::llround(1e6 * sketched.moved)};
+}
+
+std::vector<LengthPath> bounding_lengths(const std::vector<TravellingValue>& values) {
+  std::vector<LengthPath> lengths;
+  for (const TravellingValue& value : values)
+    if (!value.is_plain) lengths.push_back(value.path);
+  return lengths;
+}
+
+/// A half of S seen the other way, from infinity to the sketch.
+TrackedPath reversed(TrackedPath path) {
+  for (PathCrossing& crossing : path.crossings) {
+    crossing.direction = -crossing.direction;
+    crossing.at = -crossing.at;
+  }
+  for (PathTouch& touch : path.touches) {
+    touch.before = 2 * touch.point - touch.before;
+    touch.at = -touch.at;
+  }
+  std::ranges::reverse(path.crossings);
+  std::ranges::reverse(path.touches);
+  return path;
+}
+
+/// Both halves of S, one after the other; the end of the one that was tracked last, which tells whether all is there.
+TrackedPath joined(TrackedPath first, const TrackedPath& second) {
+  TrackedPath path = reversed(second);
+  path.crossings.insert(path.crossings.end(), first.crossings.begin(), first.crossings.end());
+  path.touches.insert(path.touches.end(), first.touches.begin(), first.touches.end());
+  path.length += first.length;
+  add(first.work, path.work);
+  return path;
+}
+
+class GeneralPath {
+ public:
+  GeneralPath(const Scene& scene, const SceneSystem& system, const Eigen::VectorXd& sketched,
+              const TrackerContext& context)
+      : scene_(scene), system_(system), sketched_(sketched), context_(context) {}
+
+  TrackedPath follow(SeriesTrackerOptions options) const {
+    TrackedPath path = follow_half(options);
+    if (path.end != TrackedPath::End::at_infinity) return path;
+    if (options.stops_at_first) {
+      path.end = TrackedPath::End::failed;
+      path.cause = "S goes to infinity and meets no solution on the way";
+      return path;
+    }
+    options.orientation = -options.orientation;
+    return joined(std::move(path), follow_half(options));
+  }
+
+ private:
+  TrackedPath follow_half(SeriesTrackerOptions options) const {
+    GeneralFamily family(scene_, system_, sketched_, options.order);
+    options.far = times_far_away(bounding_lengths(family.values()));
+    options.infinite_coordinate = infinite_coordinate;
+    GeneralCurve curve(std::move(family), options.tolerance);
+    return SeriesTracker(curve, options, context_).run();
+  }
+
+  const Scene& scene_;
+  const SceneSystem& system_;
+  const Eigen::VectorXd& sketched_;
+  const TrackerContext& context_;
+};
+
+}  // namespace
+
+SolveReport follow_general_path(const Scene& scene, SeriesTrackerOptions options,
+                                const TrackerContext& context) {
+  const SceneSystem system(scene);
+  const auto sketched = sketched_unknowns(scene, system);
+  if (!sketched) return given_up(too_far);
+  const TargetValues target(system);
+  const GeneralPath path(scene, system, sketched->x, context);
+  SolveReport report = report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
+    return path_report(scene, path.follow(refined), target);
+  });
+  report.particulars.push_back(moved(*sketched));
+  return report;
+}
+
+SolveReport newton_from_general_sketch(const Scene& scene) {
+  constexpr int most_iterations = 200;
+  const SceneSystem system(scene);
+  const auto sketched = sketched_unknowns(scene, system);
+  if (!sketched) return report_of_newton(given_up(too_far));
+  const TargetValues target(system);
+  Eigen::VectorXd x = sketched->x;
+  const Refinement refinement = target.refine(x, most_iterations);
+  TrackedPath path;
+  path.work.newton_iterations = path.work.factorisations = refinement.iterations;
+  if (refinement.converged) {
+    path.end = TrackedPath::End::reached;
+    path.crossings.push_back({x, 1});
+  } else {
+    path.cause = "Newton's method from the sketch does not settle";
+  }
+  SolveReport report = report_of_newton(path_report(scene, path, target));
+  report.particulars.push_back(moved(*sketched));
+  return report;
+}
+
+}  // namespace gcs

@@ -1,0 +1,54 @@
+#include "solvers/tracking/real_equations.hpp"
+
+namespace gcs {
+namespace {
+
+double in_double(const ExactNumber& number) { return rounded_to_double(number).real(); }
+
+RealForm real_form(const LinearForm& form) {
+  RealForm result{{}, in_double(form.constant)};
+  for (const ScaledUnknown& term : form.terms)
+    result.terms.emplace_back(term.unknown, in_double(term.coefficient));
+  return result;
+}
+
+}  // namespace
+
+double RealForm::change(const Eigen::VectorXd& x) const {
+  double sum = 0;
+  for (const auto& [unknown, coefficient] : terms) sum += coefficient * x[unknown];
+  return sum;
+}
+
+Eigen::VectorXd RealEquations::sums(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(count());
+  for (const Product& product : products)
+    result[product.equation] += product.left.at(x) * product.right.at(x);
+  return result;
+}
+
+void RealEquations::jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) const {
+  matrix.topLeftCorner(count(), unknowns).setZero();
+  for (const Product& product : products) {
+    const double left = product.left.at(x), right = product.right.at(x);
+    for (const auto& [unknown, coefficient] : product.left.terms)
+      matrix(product.equation, unknown) += coefficient * right;
+    for (const auto& [unknown, coefficient] : product.right.terms)
+      matrix(product.equation, unknown) += coefficient * left;
+  }
+}
+
+RealEquations real_equations(const QuadraticSystem& system) {
+  RealEquations result;
+  result.unknowns = system.unknowns;
+  result.given.resize(static_cast<Eigen::Index>(system.equations.size()));
+  for (Eigen::Index e = 0; e < result.count(); ++e) {
+    const QuadraticEquation& equation = system.equations[static_cast<std::size_t>(e)];
+    result.given[e] = in_double(equation.given);
+    for (const FormProduct& product : equation.products)
+      result.products.push_back({e, real_form(product.left), real_form(product.right)});
+  }
+  return result;
+}
+
+}  // namespace gcs

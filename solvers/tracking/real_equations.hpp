@@ -1,0 +1,44 @@
+#pragma once
+/// The equations of a general scene at real unknowns, in doubles.
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "solvers/model/quadratic_system.hpp"
+
+namespace gcs {
+
+/// Σ terms + constant
+struct RealForm {
+  std::vector<std::pair<int, double>> terms;
+  double constant = 0;
+
+  /// What it changes by when x does.
+  double change(const Eigen::VectorXd& x) const;
+  double at(const Eigen::VectorXd& x) const { return constant + change(x); }
+  bool operator==(const RealForm&) const = default;
+};
+
+/// Σ left·right = given, one sum for each equation.
+struct RealEquations {
+  struct Product {
+    Eigen::Index equation = 0;
+    RealForm left, right;
+  };
+
+  int unknowns = 0;
+  std::vector<Product> products;
+  Eigen::VectorXd given;
+
+  Eigen::Index count() const { return given.size(); }
+  /// Σ left·right of all equations.
+  Eigen::VectorXd sums(const Eigen::VectorXd& x) const;
+  /// Their derivatives, into the first rows and columns.
+  void jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) const;
+};
+
+/// Precondition: the coefficients are real.
+RealEquations real_equations(const QuadraticSystem& system);
+
+}  // namespace gcs

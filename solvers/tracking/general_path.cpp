@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/figures/general_figures.hpp"
 #include "solvers/tracking/general_curve.hpp"
 #include "solvers/tracking/path_report.hpp"
 #include "solvers/tracking/sketched_unknowns.hpp"
@@ -20,8 +21,8 @@ constexpr double infinite_coordinate = 1e6;
 
 class TargetValues final : public TargetEquations {
  public:
-  explicit TargetValues(const SceneSystem& system)
-      : system_(system), equations_(real_equations(system.equations())) {}
+  TargetValues(const Scene& scene, const SceneSystem& system)
+      : scene_(scene), system_(system), equations_(real_equations(system.equations())) {}
 
   Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const override {
     return point.head(equations_.unknowns);
@@ -38,9 +39,15 @@ class TargetValues final : public TargetEquations {
   Figure figure(const Eigen::VectorXd& x) const override {
     return system_.figure(ComplexValues(x.begin(), x.end()), true);
   }
+  /// A segment that was turned over as its length went through 0 has another angle than it is to have.
+  bool meets_constraints(const Figure& figure) const override {
+    constexpr double other_angle = 1e-6;
+    return general_residual(scene_, figure) <= other_angle;
+  }
   double proven_error(const Figure&) const override { return std::numeric_limits<double>::infinity(); }
 
  private:
+  const Scene& scene_;
   const SceneSystem& system_;
   RealEquations equations_;
 };
@@ -153,7 +160,7 @@ SolveReport follow_general_path(const Scene& scene, SeriesTrackerOptions options
   const SceneSystem system(scene);
   const auto sketched = sketched_unknowns(scene, system);
   if (!sketched) return given_up(too_far);
-  const TargetValues target(system);
+  const TargetValues target(scene, system);
   const GeneralPath path(scene, system, sketched->x, context);
   SolveReport report = report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
     return path_report(scene, path.follow(refined), target);
@@ -167,7 +174,7 @@ SolveReport newton_from_general_sketch(const Scene& scene) {
   const SceneSystem system(scene);
   const auto sketched = sketched_unknowns(scene, system);
   if (!sketched) return report_of_newton(given_up(too_far));
-  const TargetValues target(system);
+  const TargetValues target(scene, system);
   Eigen::VectorXd x = sketched->x;
   const Refinement refinement = target.refine(x, most_iterations);
   TrackedPath path;

@@ -147,11 +147,13 @@ class Homotopies {
     }
     const std::vector<double> h = heights(cells_, cell);
     const Route route = route_of(result_.coefficients, h);
-    std::vector<ComplexVectorX> starts = starts_of(*roots, binomials, 0);
+    std::int64_t first = 0;
+    std::vector<ComplexVectorX> starts = starts_of(*roots, binomials, first);
+    while (starts.empty()) starts = starts_of(*roots, binomials, first += most_legs);
     const Elimination elimination = order_elimination(
         system_.unknowns, sample_jacobians(system_, result_.coefficients, h, starts, random_));
     LegTracking tracking(system_, elimination, setup_);
-    for (std::int64_t first = 0;;) {
+    while (true) {
       follow(starts, route, tracking);
       first += most_legs;
       if (first >= roots->volume() || result_.stopped) return;

@@ -160,3 +160,26 @@ TEST_CASE("sparse equations and squares of differences have the same paths") {
   CHECK(distance(one.x, two.x) <= 1e-10 * (1 + largest(one.x)));
   CHECK(distance(one.x, start) > 0.1);
 }
+
+TEST_CASE("a start is found where only the last of a cell's roots is one") {
+  // Pairs of conics a x² + b y² + c = 0: all signs of the twelve unknowns are divided out, which leaves one path of 4096.
+  constexpr int unknowns = 12;
+  Supports supports;
+  std::vector<int> signs;
+  for (int v = 0; v < unknowns; ++v) {
+    Exponents one(unknowns, 0), x = one, y = one;
+    x[static_cast<std::size_t>(v - v % 2)] = 2;
+    y[static_cast<std::size_t>(v - v % 2 + 1)] = 2;
+    supports.push_back({x, y, one});
+    signs.push_back(v);
+  }
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const MixedCells cells = mixed_cells(supports, {seed, 1, {}});
+    REQUIRE(cells.total_volume() == Natural(4096));
+    const GenericZeros found = zeros_of(cells, signs);
+    CHECK(found.is_complete());
+    CHECK(found.mirror_images == 4096);
+    REQUIRE(found.zeros.size() == 1);
+    CHECK(relative_residual(supports, found.coefficients, found.zeros.front()) < 1e-12);
+  }
+}

@@ -63,6 +63,7 @@ Reference point_reference(const ProblemStatement& problem) {
   const int n = static_cast<int>(problem.points.size());
   Reference fallback{0, n > 1 ? 1 : -1, problem.dimension == 3 && n > 2 ? 2 : -1};
   for (const DistanceConstraint& c : problem.constraints) {
+    if (!problem.is_point(c.between[0]) || !problem.is_point(c.between[1])) continue;
     Reference candidate{c.between[0], c.between[1]};
     if (problem.dimension == 2) return candidate;
     for (int p = 0; p < n; ++p)

@@ -14,16 +14,6 @@ namespace {
 
 constexpr double rank_tolerance = 1e-9;
 
-/// "a", "a and b", "a, b and c".
-std::string enumeration(const std::vector<std::string>& words) {
-  std::string result;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) result += i + 1 == words.size() ? " and " : ", ";
-    result += words[i];
-  }
-  return result;
-}
-
 std::vector<int> without_value(const SceneSystem& system) {
   std::vector<int> equations;
   for (std::size_t e = 0; e < system.value_of().size(); ++e)

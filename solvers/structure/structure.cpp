@@ -14,16 +14,6 @@
 namespace gcs {
 namespace {
 
-/// "a", "a and b", "a, b and c".
-std::string enumeration(const std::vector<std::string>& words) {
-  std::string result;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) result += i + 1 == words.size() ? " and " : ", ";
-    result += words[i];
-  }
-  return result;
-}
-
 std::string names_of(const ProblemStatement& problem, const std::vector<int>& entities) {
   std::vector<std::string> names;
   for (const int entity : entities) names.push_back(problem.name(entity));

@@ -45,7 +45,7 @@ TEST_CASE("smaller steps and the other strategy find the same solutions on the s
   int checked = 0;
   for (const std::string& id : shipped_instances()) {
     const ProblemStatement problem = load_instance(id).problem;
-    if (!problem.sketch) continue;
+    if (!problem.sketch || problem.is_general() || !problem.lines.empty()) continue;  // rcp places points
     std::vector<StepBound> bounds = default_step_bounds();
     if (is_long(id)) bounds.resize(2);
     CHECK(check_agreement(id, Scene(problem), bounds) > 0);

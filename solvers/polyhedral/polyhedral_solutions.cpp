@@ -6,7 +6,7 @@
 namespace gcs {
 namespace {
 
-const std::string destination = "random lengths";
+const std::string where_paths_lead = "random lengths";
 
 ComplexVectorX flat(const std::vector<ComplexVectorX>& coefficients) {
   ComplexVectorX all;
@@ -29,7 +29,7 @@ class Solution {
   PolyhedralSolutions run() {
     const SupportsPaths paths = follow_supports(
         equations_.supports, flat(equations_.coefficients), axes(),
-        {request_.setup, request_.seed, request_.stop, request_.progress, destination}, random_, work_);
+        {request_.setup, request_.seed, request_.stop, request_.progress, where_paths_lead}, random_, work_);
     result_.missing = paths.missing;
     result_.counts = paths.counts;
     result_.stopped = paths.is_stopped;
@@ -45,7 +45,7 @@ class Solution {
     result_.solutions = request_.follows_mirror_images
                             ? one_of_each_class(distinct.solutions(), frame_axes_, random_)
                             : distinct.solutions();
-    if (result_.missing.empty()) result_.missing = why_not_all(ends, distinct.size(), destination);
+    if (result_.missing.empty()) result_.missing = why_not_all(ends, distinct.size(), where_paths_lead);
   }
 
   /// The frame's coordinates from the equations' unknowns; those that are known there are the placement's.

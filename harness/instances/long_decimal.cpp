@@ -4,8 +4,8 @@
 
 namespace gcs {
 
-std::string LongDecimal::text(int digits) const {
-  char* written = arb_get_str(value_, digits, ARB_STR_NO_RADIUS);
+std::string LongDecimal::text(int places) const {
+  char* written = arb_get_str(value_, places, ARB_STR_NO_RADIUS);
   const std::string text = written;
   flint_free(written);
   return text;

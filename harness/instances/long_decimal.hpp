@@ -38,7 +38,7 @@ class LongDecimal {
   }
 
   /// With so many significant digits.
-  std::string text(int digits) const;
+  std::string text(int places) const;
 
  private:
   static constexpr slong bits = 400;

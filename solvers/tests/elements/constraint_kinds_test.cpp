@@ -45,8 +45,8 @@ struct World {
 };
 
 constexpr int line_0 = 5, line_1 = 6, plane_0 = 7, plane_1 = 8;
-const Operand point_c{3}, point_d{4}, a_line{line_0}, other_line{line_1}, a_plane{plane_0},
-    other_plane{plane_1}, c_d{3, 4}, a_b{1, 2};
+const Operand point_c{3}, a_line{line_0}, other_line{line_1}, a_plane{plane_0}, other_plane{plane_1},
+    c_d{3, 4}, a_b{1, 2};
 
 double degrees(double cosine) { return std::acos(cosine) * 180 / std::numbers::pi; }
 

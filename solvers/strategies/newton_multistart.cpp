@@ -20,6 +20,7 @@
 
 #include "solvers/strategies/newton_multistart.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>

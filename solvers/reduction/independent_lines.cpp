@@ -5,7 +5,7 @@
 
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
-#include "solvers/reduction/common_report.hpp"
+#include "solvers/reduction/part_reports.hpp"
 
 namespace gcs {
 namespace {

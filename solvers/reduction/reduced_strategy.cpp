@@ -9,9 +9,9 @@
 #include "solvers/homotopies/start_store.hpp"
 #include "solvers/interface/options.hpp"
 #include "solvers/model/complex_points.hpp"
-#include "solvers/reduction/common_report.hpp"
 #include "solvers/reduction/core_path.hpp"
 #include "solvers/reduction/independent_lines.hpp"
+#include "solvers/reduction/part_reports.hpp"
 #include "solvers/reduction/solution_product.hpp"
 #include "solvers/structure/decomposition.hpp"
 

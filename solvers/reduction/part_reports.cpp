@@ -1,4 +1,4 @@
-#include "solvers/reduction/common_report.hpp"
+#include "solvers/reduction/part_reports.hpp"
 
 #include <algorithm>
 

@@ -66,16 +66,7 @@ ClassLimit limit_of(const SolveRequest& request, int doublings = 0) {
 
 bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
-/// Why the equations of a scene are not those of squared lengths, in a sentence; nothing where they are.
-std::optional<std::string> why_not_by_lengths(const Scene& scene) {
-  if (scene.problem().is_general()) return "it has more than points, lines and distances";
-  if (scene.problem().lines.size() > 1) return "it places one line at most";
-  if (is_released(scene)) return why_not_released(scene);
-  if (scene.has_lines() && scene.reference().line < 0)
-    return "it puts the line on the x-axis, which a reference of points does not allow";
-  return std::nullopt;
-}
-
+/// Whether the scene is solved by the equations of all kinds of elements, and not by those of squared lengths.
 bool takes_general_road(const Scene& scene) {
   return scene.problem().is_general() || scene.problem().lines.size() > 1;
 }
@@ -103,10 +94,14 @@ ComplexStrategy::ComplexStrategy(const HomotopySettings& settings)
 
 std::optional<std::string> ComplexStrategy::why_unsupported(const SolveRequest& request) const {
   const Scene& scene = request.scene;
-  if (!takes_general_road(scene)) return why_not_by_lengths(scene);
-  if (auto reason = why_no_general_scenes())
-    return scene.problem().is_general() ? reason : why_not_by_lengths(scene);
-  return why_not_general(scene);
+  if (takes_general_road(scene)) {
+    if (auto reason = why_no_general_scenes()) return reason;
+    return why_not_general(scene);
+  }
+  if (is_released(scene)) return why_not_released(scene);
+  if (scene.has_lines() && scene.reference().line < 0)
+    return "it puts the line on the x-axis, which a reference of points does not allow";
+  return std::nullopt;
 }
 
 void ComplexStrategy::prepare(const SolveRequest& request) {
@@ -132,9 +127,8 @@ SolveReport ComplexStrategy::solve_general(const SolveRequest& request) const {
   const bool is_prepared = prepared_general_ && prepared_general_->serves(request.scene);
   const std::unique_ptr<GeneralStart> fresh = is_prepared ? nullptr : general_start(request);
   GeneralStart& start = fresh ? *fresh : *prepared_general_;
-  return start.carried_to(request.scene, request, [&](double fraction) {
-    report_progress(request, "paths to the given values", fraction);
-  });
+  return start.carried_to_values(
+      request, [&](double fraction) { report_progress(request, "paths to the given values", fraction); });
 }
 
 SolveReport ComplexStrategy::solve(const SolveRequest& request) {

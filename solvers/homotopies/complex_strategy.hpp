@@ -75,11 +75,10 @@ class ComplexStrategy : public Strategy {
   virtual std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request,
                                                                 const ClassLimit& limit) const = 0;
   /// Why it does not find the solutions of general scenes; nothing where it does.
-  virtual std::optional<std::string> why_no_general_scenes() const {
-    return "it knows points, one line and distances between them alone";
-  }
+  virtual std::optional<std::string> why_no_general_scenes() const = 0;
   /// Finds a member of the scene's family with its solutions. Precondition: !why_no_general_scenes().
-  virtual void solve_random_member(const SolveRequest&, const ClassLimit&, GeneralStart&) const {}
+  virtual void solve_random_member(const SolveRequest& request, const ClassLimit& limit,
+                                   GeneralStart& start) const = 0;
   std::unique_ptr<GeneralStart> general_start(const SolveRequest& request) const;
   SolveReport solve_general(const SolveRequest& request) const;
   SolveReport solve_free(const SolveRequest& request, const ClassLimit& limit) const;

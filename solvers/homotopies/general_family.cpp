@@ -37,28 +37,12 @@ Expansion expanded(const QuadraticEquation& equation) {
   return expansion;
 }
 
-Complex monomial_at(const Monomial& monomial, const ComplexVectorX& x) {
-  return (monomial.u < 0 ? 1.0 : x[monomial.u]) * (monomial.v < 0 ? 1.0 : x[monomial.v]);
-}
-
 /// The equations that have no value.
 std::vector<int> without_value(const GeneralEquations& equations) {
   std::vector<int> result;
   for (int e = 0; e < equations.system.equations(); ++e)
     if (equations.value_monomial[e] < 0) result.push_back(e);
   return result;
-}
-
-Eigen::MatrixXcd dense_jacobian(const MonomialSystem& system, const ComplexVectorX& coefficients,
-                                const ComplexVectorX& x) {
-  Eigen::MatrixXcd jacobian = Eigen::MatrixXcd::Zero(system.equations(), system.unknowns);
-  for (int e = 0; e < system.equations(); ++e)
-    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
-      const auto [u, v] = system.monomials[j];
-      if (u >= 0) jacobian(e, u) += coefficients[j] * (v < 0 ? 1.0 : x[v]);
-      if (v >= 0) jacobian(e, v) += coefficients[j] * x[u];
-    }
-  return jacobian;
 }
 
 }  // namespace
@@ -99,28 +83,11 @@ ComplexVectorX with_values(const GeneralEquations& equations, const ComplexVecto
   return coefficients;
 }
 
-EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
-                         const ComplexVectorX& x) {
-  EquationValues result{Eigen::VectorXcd::Zero(system.equations()),
-                        Eigen::VectorXd::Zero(system.equations())};
-  for (int e = 0; e < system.equations(); ++e)
-    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
-      const Complex term = coefficients[j] * monomial_at(system.monomials[j], x);
-      result.value[e] += term;
-      result.size[e] += std::abs(term);
-    }
-  return result;
-}
-
-Eigen::MatrixXcd general_jacobian(const GeneralEquations& equations, const ComplexVectorX& x) {
-  return dense_jacobian(equations.system, equations.coefficients, x);
-}
-
 FamilyMember random_member(const GeneralEquations& equations, std::mt19937_64& random) {
   auto x = random_zero(equations.exact, without_value(equations), random);
   if (!x) throw std::runtime_error("no figure at random meets the constraints without a value");
   FamilyMember member{std::move(*x), equations.coefficients};
-  const Eigen::VectorXcd value = values_at(equations.system, equations.coefficients, member.x).value;
+  const ComplexVectorX value = values_at(equations.system, equations.coefficients, member.x).value;
   for (int e = 0; e < equations.system.equations(); ++e)
     if (const int j = equations.value_monomial[e]; j >= 0) member.parameters[j] -= value[e];
   return member;
@@ -148,12 +115,16 @@ Elimination order_elimination(const MonomialSystem& system, const HomotopyFamily
 bool newton(const MonomialSystem& system, const ComplexVectorX& coefficients, ComplexVectorX& x) {
   constexpr int most_iterations = 8;
   constexpr double settled = 1e-13, settled_at_all = 1e-6;
+  using Rows = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto n = static_cast<Eigen::Index>(x.size());
   double last = 1;
   for (int i = 0; i < most_iterations; ++i) {
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> factors(dense_jacobian(system, coefficients, x));
-    const Eigen::VectorXcd change = factors.solve(values_at(system, coefficients, x).value);
+    const ComplexVectorX jacobian = jacobian_at(system, coefficients, x);
+    const ComplexVectorX value = values_at(system, coefficients, x).value;
+    const Eigen::PartialPivLU<Rows> factors(Eigen::Map<const Rows>(jacobian.data(), n, n));
+    const Eigen::VectorXcd change = factors.solve(Eigen::Map<const Eigen::VectorXcd>(value.data(), n));
     if (!change.allFinite()) return false;
-    Eigen::Map<Eigen::VectorXcd>(x.data(), change.size()) -= change;
+    Eigen::Map<Eigen::VectorXcd>(x.data(), n) -= change;
     const double correction = change.cwiseAbs().maxCoeff() / (1 + largest(x));
     if (correction <= settled) return true;
     if (i > 2 && correction > last / 2) return correction <= settled_at_all;

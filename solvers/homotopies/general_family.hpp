@@ -5,7 +5,6 @@
 /// All figures that meet what has no value, with the values that they give, are the graph of a polynomial map; monodromy
 /// over the values reaches all solutions of a random member that are on one component of it with the first.
 
-#include <Eigen/Core>
 #include <random>
 #include <vector>
 
@@ -32,17 +31,6 @@ GeneralEquations general_equations(const SceneSystem& scene);
 /// coefficients for these values.
 ComplexVectorX values_of(const GeneralEquations& equations, const ComplexVectorX& coefficients);
 ComplexVectorX with_values(const GeneralEquations& equations, const ComplexVectorX& values);
-
-/// f_e(x) for these coefficients, one per equation, and the sizes of its terms together.
-struct EquationValues {
-  Eigen::VectorXcd value;
-  Eigen::VectorXd size;
-};
-EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
-                         const ComplexVectorX& x);
-
-/// The rows of the equations without a value, then those of the others at x. Equations × unknowns.
-Eigen::MatrixXcd general_jacobian(const GeneralEquations& equations, const ComplexVectorX& x);
 
 /// A figure at random that meets the equations without a value, to rounding, with the coefficients that make it a zero of
 /// all. Throws std::runtime_error where none is found. Time: some singular value decompositions.

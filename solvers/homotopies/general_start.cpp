@@ -40,16 +40,13 @@ bool GeneralStart::serves(const Scene& scene) const {
   return !why_no_system(scene) && are_of_one_family(equations, general_equations(SceneSystem(scene)));
 }
 
-SolveReport GeneralStart::carried_to(const Scene& scene, const SolveRequest& request,
-                                     const std::function<void(double)>& progress) {
-  const SceneSystem system(scene);
+SolveReport GeneralStart::carried_to_values(const SolveRequest& request,
+                                            const std::function<void(double)>& progress) {
+  const SceneSystem system(request.scene);
   const GeneralEquations given = general_equations(system);
   const auto stopped = [&] { return request.stop.stop_requested(); };
   const auto is_zero = [&](const ComplexVectorX& x) {
-    constexpr double tolerance =
-        1e-9;  // of the terms' sizes: the error of a singular end is a root of rounding
-    const EquationValues here = values_at(given.system, given.coefficients, x);
-    return (here.value.cwiseAbs().array() <= tolerance * here.size.array()).all();
+    return is_zero_at(given.system, given.coefficients, x);
   };
   WorkCounters all_work = work;
   const std::vector<PathEnd> ends = follow_to_end(tracking, solutions, parameters, given.coefficients,

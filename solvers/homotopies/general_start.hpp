@@ -25,9 +25,8 @@ class GeneralStart {
 
   /// Whether another scene has the same equations but for its values.
   bool serves(const Scene& scene) const;
-  /// Every solution followed to the values of the scene.
-  SolveReport carried_to(const Scene& scene, const SolveRequest& request,
-                         const std::function<void(double)>& progress);
+  /// Every solution followed to the values of the request's scene, which it serves.
+  SolveReport carried_to_values(const SolveRequest& request, const std::function<void(double)>& progress);
 
   std::mt19937_64 random;
   GeneralEquations equations;

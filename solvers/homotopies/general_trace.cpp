@@ -10,10 +10,6 @@ using Complex = std::complex<double>;
 /// In E; a few random ones are generic enough, and more cost time.
 constexpr std::size_t most_products = 10;
 
-Complex monomial_at(const Monomial& monomial, const ComplexVectorX& x) {
-  return (monomial.u < 0 ? 1.0 : x[monomial.u]) * (monomial.v < 0 ? 1.0 : x[monomial.v]);
-}
-
 /// Equations for (x, s, E).
 class GeneralTrace {
  public:

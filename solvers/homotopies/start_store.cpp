@@ -89,9 +89,13 @@ StartFamily start_family(const GeneralEquations& equations) {
           static_cast<int>(free), equations.signs,
           [&equations](const ComplexVectorX& x, const ComplexVectorX& values) {
             const EquationValues here = values_at(equations.system, with_values(equations, values), x);
-            const Eigen::ArrayXd residuals = here.value.cwiseAbs().array() / here.size.array().max(1e-300);
-            return residuals.isFinite().all() ? residuals.maxCoeff()
-                                              : std::numeric_limits<double>::infinity();
+            double largest_residual = 0;
+            for (std::size_t e = 0; e < here.value.size(); ++e) {
+              const double residual = std::abs(here.value[e]) / std::max(here.size[e], 1e-300);
+              if (!std::isfinite(residual)) return std::numeric_limits<double>::infinity();
+              largest_residual = std::max(largest_residual, residual);
+            }
+            return largest_residual;
           }};
 }
 

@@ -2,6 +2,27 @@
 
 namespace gcs {
 
+EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                         const ComplexVectorX& x) {
+  const auto equations = static_cast<std::size_t>(system.equations());
+  EquationValues result{ComplexVectorX(equations), std::vector<double>(equations)};
+  for (std::size_t e = 0; e < equations; ++e)
+    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
+      const std::complex<double> term = coefficients[j] * monomial_at(system.monomials[j], x);
+      result.value[e] += term;
+      result.size[e] += std::abs(term);
+    }
+  return result;
+}
+
+bool is_zero_at(const MonomialSystem& system, const ComplexVectorX& coefficients, const ComplexVectorX& x) {
+  constexpr double tolerance = 1e-9;  // of the terms' sizes; ends that a mean lies between are further apart
+  const EquationValues here = values_at(system, coefficients, x);
+  for (std::size_t e = 0; e < here.value.size(); ++e)
+    if (!(std::abs(here.value[e]) <= tolerance * here.size[e])) return false;
+  return true;
+}
+
 ComplexVectorX jacobian_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
                            const ComplexVectorX& x) {
   const int n = system.unknowns;

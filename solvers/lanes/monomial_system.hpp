@@ -21,6 +21,22 @@ struct MonomialSystem {
   int equations() const { return static_cast<int>(first.size()) - 1; }
 };
 
+/// At x.
+inline std::complex<double> monomial_at(const Monomial& monomial, const ComplexVectorX& x) {
+  return (monomial.u < 0 ? 1.0 : x[monomial.u]) * (monomial.v < 0 ? 1.0 : x[monomial.v]);
+}
+
+/// f_e(x; c), one per equation, and the sizes of its terms together.
+struct EquationValues {
+  ComplexVectorX value;
+  std::vector<double> size;
+};
+EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                         const ComplexVectorX& x);
+
+/// Whether the error of a singular end, the root of rounding, explains what x misses of 0 in every equation.
+bool is_zero_at(const MonomialSystem& system, const ComplexVectorX& coefficients, const ComplexVectorX& x);
+
 /// df_e/dx_i for these coefficients, one per monomial, row by row.
 ComplexVectorX jacobian_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
                            const ComplexVectorX& x);

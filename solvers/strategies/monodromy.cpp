@@ -111,8 +111,7 @@ class MonodromyStrategy final : public ComplexStrategy {
  private:
   std::unique_ptr<GenericStart> solve_at_random_lengths(const SolveRequest& request,
                                                         const ClassLimit& limit) const override {
-    if ((start_ || save_start_) && !request.starts)
-      throw OptionError("options start and save_start: nothing keeps start systems here");
+    require_store(request);
     auto found = std::make_unique<Found>(request, setup_for(request));
     if (start_) {
       read(request, limit, *found);
@@ -130,8 +129,7 @@ class MonodromyStrategy final : public ComplexStrategy {
 
   void solve_random_member(const SolveRequest& request, const ClassLimit& limit,
                            GeneralStart& start) const override {
-    if ((start_ || save_start_) && !request.starts)
-      throw OptionError("options start and save_start: nothing keeps start systems here");
+    require_store(request);
     if (save_start_) request.starts->reserve(*save_start_);
     const std::optional<std::uint64_t> most = limit();
     StartSystem found = start_ ? request.starts->read(*start_, start_family(start.equations))
@@ -175,6 +173,12 @@ class MonodromyStrategy final : public ComplexStrategy {
       is_done = !with_trace_ || why_not_all(found.generic, found.trace, "").empty();
     }
     return found;
+  }
+
+  /// For start systems, where options name them.
+  void require_store(const SolveRequest& request) const {
+    if ((start_ || save_start_) && !request.starts)
+      throw OptionError("options start and save_start: nothing keeps start systems here");
   }
 
   void read(const SolveRequest& request, const ClassLimit& limit, Found& found) const {

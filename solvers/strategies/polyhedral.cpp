@@ -120,13 +120,18 @@ class PolyhedralStrategy final : public ComplexStrategy {
     start.is_stopped = paths.is_stopped;
     start.particulars = particulars_of(paths.counts);
     start.missing = paths.is_stopped ? "stopped on the way to " + destination : paths.missing;
-    sort_in(paths.ends, divided, start);
+    const bool has_member = sort_in(paths.ends, divided, member.x, start);
     if (!start.missing.empty() && limit() == start.solutions.size()) start.missing.clear();
-    check_member(member.x, start);
+    if (!start.is_stopped && !has_member)
+      start.missing =
+          fmt::format("the random figure that gives the values is not among the {} classes found for them",
+                      start.solutions.size());
   }
 
-  /// The regular ends, once up to the signs of the scene; jumps show up to those that were divided by.
-  static void sort_in(const std::vector<PathEnd>& ends, const SignMasks& divided, GeneralStart& start) {
+  /// The regular ends, once up to the signs of the scene; jumps show up to those that were divided by. Whether the
+  /// member, which is a solution itself, is among them.
+  static bool sort_in(const std::vector<PathEnd>& ends, const SignMasks& divided,
+                      const ComplexVectorX& member, GeneralStart& start) {
     SolutionSet distinct(divided, start.random), classes(start.equations.signs, start.random);
     for (const PathEnd& end : ends) {
       if (end.kind != PathEnd::Kind::regular) continue;
@@ -135,17 +140,7 @@ class PolyhedralStrategy final : public ComplexStrategy {
     }
     start.solutions = classes.solutions();
     if (start.missing.empty()) start.missing = why_not_all(ends, distinct.size(), destination);
-  }
-
-  /// The member is a solution itself.
-  static void check_member(const ComplexVectorX& member, GeneralStart& start) {
-    if (start.is_stopped) return;
-    SolutionSet classes(start.equations.signs, start.random);
-    for (const ComplexVectorX& x : start.solutions) classes.insert(x, regular_uncertainty);
-    if (classes.find(member, regular_uncertainty) < 0)
-      start.missing =
-          fmt::format("the random figure that gives the values is not among the {} classes found for them",
-                      start.solutions.size());
+    return classes.find(member, regular_uncertainty) >= 0;
   }
 
   static bool has_placement(const SolveRequest& request, const Found& found) {

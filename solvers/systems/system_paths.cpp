@@ -20,23 +20,6 @@ ComplexVectorX flat(const std::vector<ComplexVectorX>& coefficients, const Quadr
   return all;
 }
 
-struct EquationValue {
-  std::complex<double> value = 0;
-  double size = 0;  ///< of its terms together
-};
-
-EquationValue equation_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
-                          const ComplexVectorX& x, int equation) {
-  EquationValue result;
-  for (int j = system.first[equation]; j < system.first[equation + 1]; ++j) {
-    const auto [u, v] = system.monomials[j];
-    const std::complex<double> term = coefficients[j] * (u < 0 ? 1.0 : x[u]) * (v < 0 ? 1.0 : x[v]);
-    result.value += term;
-    result.size += std::abs(term);
-  }
-  return result;
-}
-
 /// Newton's method on an end that the trackers, whose order of elimination is fixed, did not take for regular; it is
 /// where the method settles and a pivoting factorisation is regular.
 void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, PathEnd& end) {
@@ -49,9 +32,8 @@ void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, Pa
   for (int i = 0; i < most_iterations; ++i) {
     const ComplexVectorX jacobian = jacobian_at(system, coefficients, x);
     const Eigen::PartialPivLU<Rows> factors(Eigen::Map<const Rows>(jacobian.data(), n, n));
-    Eigen::VectorXcd value(n);
-    for (int e = 0; e < system.equations(); ++e) value[e] = equation_at(system, coefficients, x, e).value;
-    const Eigen::VectorXcd change = factors.solve(value);
+    const ComplexVectorX value = values_at(system, coefficients, x).value;
+    const Eigen::VectorXcd change = factors.solve(Eigen::Map<const Eigen::VectorXcd>(value.data(), n));
     for (Eigen::Index v = 0; v < n; ++v) x[static_cast<std::size_t>(v)] -= change[v];
     if (!(factors.rcond() > regular) || !change.allFinite()) return;
     if (change.cwiseAbs().maxCoeff() > settled * (1 + largest(x))) continue;
@@ -59,16 +41,6 @@ void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, Pa
     end.x = x;
     return;
   }
-}
-
-/// Whether the error of a singular end, the root of rounding, explains what x misses of 0 in every equation.
-bool is_zero_at(const MonomialSystem& system, const ComplexVectorX& coefficients, const ComplexVectorX& x) {
-  constexpr double tolerance = 1e-9;  // of the terms' sizes; ends that a mean lies between are further apart
-  for (int e = 0; e < system.equations(); ++e) {
-    const EquationValue here = equation_at(system, coefficients, x, e);
-    if (!(std::abs(here.value) <= tolerance * here.size)) return false;
-  }
-  return true;
 }
 
 /// The equations with x_i^(d_i) and 1 among the monomials of equation i, and the coefficients on both ends.

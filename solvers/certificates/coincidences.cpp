@@ -17,13 +17,7 @@ constexpr double margin = 1 + 8 * std::numeric_limits<double>::epsilon();
 /// change sign together, and the weighted sum of the others. It tells nearly all different solutions apart.
 class Invariant {
  public:
-  explicit Invariant(const SignMasks& mirror) {
-    const std::vector<SignMask> kinds = mirror.kinds();
-    kinds_ = kinds.size();
-    for (const SignMask mask : mirror)
-      kind_.push_back(
-          static_cast<std::size_t>(std::lower_bound(kinds.begin(), kinds.end(), mask) - kinds.begin()));
-  }
+  explicit Invariant(const SignMasks& mirror) : kind_(mirror.kind_numbers()), kinds_(mirror.kinds().size()) {}
 
   Interval of(const Enclosure& solution) const {
     std::vector<Sum> sums(kinds_);
@@ -64,7 +58,7 @@ class Invariant {
   }
 
   std::vector<std::size_t> kind_;  ///< of each unknown, 0: its sign stays
-  std::size_t kinds_ = 1;
+  std::size_t kinds_;
 };
 
 bool overlap(double a, double b, double reach) { return std::abs(a - b) <= reach * margin; }

@@ -24,15 +24,10 @@ int image_count(const std::vector<int>& axes) {
   return count;
 }
 
-SolutionSet::SolutionSet(SignMasks signs, std::mt19937_64& random) : signs_(std::move(signs)) {
+SolutionSet::SolutionSet(SignMasks signs, std::mt19937_64& random)
+    : signs_(std::move(signs)), kind_(signs_.kind_numbers()), kinds_(signs_.kinds().size()) {
   std::normal_distribution<double> normal;
-  const std::vector<SignMask> kinds = signs_.kinds();
-  kinds_ = kinds.size();
-  for (const SignMask mask : signs_) {
-    weights_.push_back(normal(random));
-    kind_.push_back(
-        static_cast<std::size_t>(std::lower_bound(kinds.begin(), kinds.end(), mask) - kinds.begin()));
-  }
+  for (std::size_t i = 0; i < signs_.size(); ++i) weights_.push_back(normal(random));
 }
 
 /// Of the weighted sums over the unknowns of one mask the square is the same for all signs.

@@ -43,7 +43,7 @@ class SolutionSet {
   SignMasks signs_;
   std::vector<std::size_t>
       kind_;  ///< of each unknown: which of the different masks it has, 0: its sign stays
-  std::size_t kinds_ = 1;
+  std::size_t kinds_;
   std::vector<double> weights_;
   std::vector<ComplexVectorX> solutions_;
   std::vector<double> uncertainties_;

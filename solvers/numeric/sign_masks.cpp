@@ -1,5 +1,6 @@
 #include "solvers/numeric/sign_masks.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -19,6 +20,14 @@ std::vector<SignMask> SignMasks::kinds() const {
   std::set<SignMask> kinds(masks_.begin(), masks_.end());
   kinds.insert(0);
   return {kinds.begin(), kinds.end()};
+}
+
+std::vector<std::size_t> SignMasks::kind_numbers() const {
+  const std::vector<SignMask> all = kinds();
+  std::vector<std::size_t> numbers;
+  for (const SignMask mask : masks_)
+    numbers.push_back(static_cast<std::size_t>(std::ranges::lower_bound(all, mask) - all.begin()));
+  return numbers;
 }
 
 bool SignEquations::add(SignMask mask, bool changes) {

@@ -31,6 +31,8 @@ class SignMasks {
   int rank() const;
   /// The masks that unknowns have, each once, 0 first.
   std::vector<SignMask> kinds() const;
+  /// Of each unknown, which of kinds() its mask is.
+  std::vector<std::size_t> kind_numbers() const;
 
  private:
   std::vector<SignMask> masks_;

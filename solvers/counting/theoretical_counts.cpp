@@ -239,18 +239,6 @@ void bound_tangents(const ProblemStatement& problem, TheoreticalCounts& counts) 
   counts.bound = CountBound{{product, {}}, {}, {}, static_cast<int>(problem.lines.size())};
 }
 
-/// The body that a point is in; −1: none, or several.
-int only_body_of(const ProblemStatement& problem, int point) {
-  int found = -1;
-  for (int body = 0; body < static_cast<int>(problem.bodies.size()); ++body)
-    for (const BodyElement& element : problem.bodies[static_cast<std::size_t>(body)].elements) {
-      if (element.entity != point) continue;
-      if (found >= 0) return -1;
-      found = body;
-    }
-  return found;
-}
-
 /// Nothing but two bodies and as many distances between points of both as they have freedoms against each other.
 bool is_platform(const ProblemStatement& problem) {
   const std::size_t freedoms = problem.dimension == 3 ? 6 : 3;
@@ -258,10 +246,10 @@ bool is_platform(const ProblemStatement& problem) {
       !problem.relations.empty() || problem.constraints.size() != freedoms || problem.is_anchored())
     return false;
   for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
-    if (only_body_of(problem, point) < 0) return false;
+    if (bodies_with(problem, point).size() != 1) return false;
   return std::all_of(problem.constraints.begin(), problem.constraints.end(),
                      [&](const DistanceConstraint& c) {
-                       return only_body_of(problem, c.between[0]) != only_body_of(problem, c.between[1]);
+                       return bodies_with(problem, c.between[0]) != bodies_with(problem, c.between[1]);
                      });
 }
 

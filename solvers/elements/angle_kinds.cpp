@@ -5,6 +5,8 @@
 namespace gcs {
 namespace {
 
+using enum OperandKind;
+
 /// s² = cos² with s = u·v: both signs are one angle.
 void between_directions(SystemBuilder& builder, const VectorForm& u, const VectorForm& v, SignMask turning,
                         const StatedRelation& stated) {
@@ -61,12 +63,12 @@ void angle_segment_segment(SystemBuilder& builder, const StatedRelation& stated)
 
 std::span<const ConstraintKind> angle_kinds() {
   static constexpr std::array rows{
-      ConstraintKind{RelationType::angle, "line line", angle_line_line},
-      ConstraintKind{RelationType::angle, "line segment", angle_line_segment},
-      ConstraintKind{RelationType::angle, "line plane", angle_line_plane},
-      ConstraintKind{RelationType::angle, "plane segment", angle_plane_segment},
-      ConstraintKind{RelationType::angle, "plane plane", angle_plane_plane},
-      ConstraintKind{RelationType::angle, "segment segment", angle_segment_segment}};
+      ConstraintKind{RelationType::angle, {{line, line}}, angle_line_line},
+      ConstraintKind{RelationType::angle, {{line, segment}}, angle_line_segment},
+      ConstraintKind{RelationType::angle, {{line, plane}}, angle_line_plane},
+      ConstraintKind{RelationType::angle, {{plane, segment}}, angle_plane_segment},
+      ConstraintKind{RelationType::angle, {{plane, plane}}, angle_plane_plane},
+      ConstraintKind{RelationType::angle, {{segment, segment}}, angle_segment_segment}};
   return rows;
 }
 

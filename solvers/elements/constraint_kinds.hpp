@@ -1,9 +1,9 @@
 #pragma once
 /// The kinds of constraints: a row for each pair of kinds that a type is between, which writes its equations.
 
+#include <array>
+#include <optional>
 #include <span>
-#include <string_view>
-#include <vector>
 
 #include "solvers/elements/system_builder.hpp"
 
@@ -20,8 +20,8 @@ struct StatedRelation {
 
 struct ConstraintKind {
   RelationType type = RelationType::on;
-  /// The kinds of what it is between, in alphabetical order, "line plane"; "points" for any number of points.
-  std::string_view between;
+  /// The kinds of what it is between, in the order of OperandKind; nothing for any number of points.
+  std::optional<std::array<OperandKind, 2>> between;
   /// Writes the equations; operands are in the order of `between`.
   void (*state)(SystemBuilder& builder, const StatedRelation& stated) = nullptr;
 };
@@ -31,9 +31,6 @@ std::span<const ConstraintKind> distance_kinds();
 std::span<const ConstraintKind> angle_kinds();
 std::span<const ConstraintKind> incidence_kinds();
 std::span<const ConstraintKind> direction_kinds();
-
-/// "point", "line", "plane" or "segment".
-std::string_view operand_kind(const ProblemStatement& problem, const Operand& operand);
 
 /// The row of a relation, or null. Turns its operands into the row's order.
 const ConstraintKind* find_kind(const ProblemStatement& problem, Relation& relation);

@@ -6,6 +6,8 @@
 namespace gcs {
 namespace {
 
+using enum OperandKind;
+
 VectorForm start(SystemBuilder& builder, const Operand& segment) { return builder.point(segment.entity); }
 VectorForm end(SystemBuilder& builder, const Operand& segment) { return builder.point(segment.end); }
 
@@ -75,18 +77,18 @@ void orientation(SystemBuilder&, const StatedRelation&) {}
 
 std::span<const ConstraintKind> direction_kinds() {
   static constexpr std::array rows{
-      ConstraintKind{RelationType::parallel, "line line", shared_direction},
-      ConstraintKind{RelationType::parallel, "line segment", parallel_line_segment},
-      ConstraintKind{RelationType::parallel, "segment segment", parallel_segments},
-      ConstraintKind{RelationType::parallel, "line plane", parallel_line_plane},
-      ConstraintKind{RelationType::parallel, "plane segment", parallel_plane_segment},
-      ConstraintKind{RelationType::perpendicular, "line line", perpendicular_lines},
-      ConstraintKind{RelationType::perpendicular, "line segment", perpendicular_line_segment},
-      ConstraintKind{RelationType::perpendicular, "segment segment", perpendicular_segments},
-      ConstraintKind{RelationType::perpendicular, "plane plane", perpendicular_planes},
-      ConstraintKind{RelationType::perpendicular, "line plane", shared_direction},
-      ConstraintKind{RelationType::perpendicular, "plane segment", perpendicular_plane_segment},
-      ConstraintKind{RelationType::orientation, "points", orientation}};
+      ConstraintKind{RelationType::parallel, {{line, line}}, shared_direction},
+      ConstraintKind{RelationType::parallel, {{line, segment}}, parallel_line_segment},
+      ConstraintKind{RelationType::parallel, {{segment, segment}}, parallel_segments},
+      ConstraintKind{RelationType::parallel, {{line, plane}}, parallel_line_plane},
+      ConstraintKind{RelationType::parallel, {{plane, segment}}, parallel_plane_segment},
+      ConstraintKind{RelationType::perpendicular, {{line, line}}, perpendicular_lines},
+      ConstraintKind{RelationType::perpendicular, {{line, segment}}, perpendicular_line_segment},
+      ConstraintKind{RelationType::perpendicular, {{segment, segment}}, perpendicular_segments},
+      ConstraintKind{RelationType::perpendicular, {{plane, plane}}, perpendicular_planes},
+      ConstraintKind{RelationType::perpendicular, {{line, plane}}, shared_direction},
+      ConstraintKind{RelationType::perpendicular, {{plane, segment}}, perpendicular_plane_segment},
+      ConstraintKind{RelationType::orientation, std::nullopt, orientation}};
   return rows;
 }
 

@@ -1,11 +1,15 @@
+#include <algorithm>
 #include <array>
 
 #include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/elements/element_kinds.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
 namespace {
+
+using enum OperandKind;
 
 ExactNumber given_square(const SystemBuilder& builder, const Relation& relation) {
   return builder.square(relation.given, relation.form == Relation::Form::squared);
@@ -56,7 +60,7 @@ LinearForm height_along(SystemBuilder& builder, const VectorForm& p, const LineF
 }
 
 void distance_point_line(SystemBuilder& builder, const StatedRelation& stated) {
-  state_distance_to_line(builder, stated.entity(1), stated.entity(0), given_square(builder, stated.relation),
+  state_distance_to_line(builder, stated.entity(0), stated.entity(1), given_square(builder, stated.relation),
                          stated.value);
 }
 
@@ -77,12 +81,8 @@ Equation point_distance(const SystemBuilder& builder, int a, int b) {
 }
 
 bool are_parallel(const ProblemStatement& problem, int a, int b) {
-  for (const Relation& relation : problem.relations)
-    if (relation.type == RelationType::parallel && relation.of.size() == 2 &&
-        ((relation.of[0].entity == a && relation.of[1].entity == b) ||
-         (relation.of[0].entity == b && relation.of[1].entity == a)))
-      return true;
-  return false;
+  const std::vector<int> parallel = parallel_lines(problem, problem.line_of(a));
+  return std::ranges::find(parallel, problem.line_of(b)) != parallel.end();
 }
 
 /// Of lines that are not parallel the common normal n: n·u = n·v = 0, n·n = 1; then (n·(p − q))² = a².
@@ -117,10 +117,10 @@ void distance_line_line(SystemBuilder& builder, const StatedRelation& stated) {
 }
 
 /// n·p − h = a, as seen from the plane's side.
-void distance_plane_point(SystemBuilder& builder, const StatedRelation& stated) {
-  const PlaneForms& plane = builder.plane(stated.entity(0));
+void distance_point_plane(SystemBuilder& builder, const StatedRelation& stated) {
+  const PlaneForms& plane = builder.plane(stated.entity(1));
   builder.add(Equation()
-                  .plus(plane.normal, builder.point(stated.entity(1)))
+                  .plus(plane.normal, builder.point(stated.entity(0)))
                   .minus(plane.offset)
                   .equals(builder.length(stated.relation.given)),
               stated.value);
@@ -143,10 +143,10 @@ void distance_line_plane(SystemBuilder& builder, const StatedRelation& stated) {
 
 std::span<const ConstraintKind> distance_kinds() {
   static constexpr std::array rows{
-      ConstraintKind{RelationType::distance, "line point", distance_point_line},
-      ConstraintKind{RelationType::distance, "line line", distance_line_line},
-      ConstraintKind{RelationType::distance, "plane point", distance_plane_point},
-      ConstraintKind{RelationType::distance, "line plane", distance_line_plane}};
+      ConstraintKind{RelationType::distance, {{point, line}}, distance_point_line},
+      ConstraintKind{RelationType::distance, {{line, line}}, distance_line_line},
+      ConstraintKind{RelationType::distance, {{point, plane}}, distance_point_plane},
+      ConstraintKind{RelationType::distance, {{line, plane}}, distance_line_plane}};
   return rows;
 }
 

@@ -14,13 +14,6 @@ namespace {
 
 constexpr double rank_tolerance = 1e-9;
 
-std::vector<int> without_value(const SceneSystem& system) {
-  std::vector<int> equations;
-  for (std::size_t e = 0; e < system.value_of().size(); ++e)
-    if (system.value_of()[e] == no_value) equations.push_back(static_cast<int>(e));
-  return equations;
-}
-
 /// The Jacobian's kernel, the motions, and that of its transpose, the dependences; columns.
 struct Kernels {
   Eigen::Index rank = 0;
@@ -113,7 +106,7 @@ Structure analyse_general_structure(const Scene& scene) {
   if (why_no_system(scene)) return structure;
   const SceneSystem system(scene);
   std::mt19937_64 random(1);
-  const auto figure = random_zero(system.equations(), without_value(system), random);
+  const auto figure = random_zero(system.equations(), system.without_value(), random);
   structure.unknowns = system.equations().unknowns;
   structure.constraints = static_cast<int>(system.equations().equations.size());
   if (!figure) return structure;

@@ -7,12 +7,14 @@
 namespace gcs {
 namespace {
 
-void incidence_line_point(SystemBuilder& builder, const StatedRelation& stated) {
-  state_on_line(builder, builder.point(stated.entity(1)), builder.line(stated.entity(0)));
+using enum OperandKind;
+
+void incidence_point_line(SystemBuilder& builder, const StatedRelation& stated) {
+  state_on_line(builder, builder.point(stated.entity(0)), builder.line(stated.entity(1)));
 }
 
-void incidence_plane_point(SystemBuilder& builder, const StatedRelation& stated) {
-  state_on_plane(builder, builder.point(stated.entity(1)), builder.plane(stated.entity(0)));
+void incidence_point_plane(SystemBuilder& builder, const StatedRelation& stated) {
+  state_on_plane(builder, builder.point(stated.entity(0)), builder.plane(stated.entity(1)));
 }
 
 void incidence_line_plane(SystemBuilder& builder, const StatedRelation& stated) {
@@ -64,12 +66,12 @@ void coplanar(SystemBuilder& builder, const StatedRelation& stated) {
 }  // namespace
 
 std::span<const ConstraintKind> incidence_kinds() {
-  static constexpr std::array rows{ConstraintKind{RelationType::on, "line point", incidence_line_point},
-                                   ConstraintKind{RelationType::on, "plane point", incidence_plane_point},
-                                   ConstraintKind{RelationType::on, "line plane", incidence_line_plane},
-                                   ConstraintKind{RelationType::meet, "line line", incidence_line_line},
-                                   ConstraintKind{RelationType::collinear, "points", collinear},
-                                   ConstraintKind{RelationType::coplanar, "points", coplanar}};
+  static constexpr std::array rows{ConstraintKind{RelationType::on, {{point, line}}, incidence_point_line},
+                                   ConstraintKind{RelationType::on, {{point, plane}}, incidence_point_plane},
+                                   ConstraintKind{RelationType::on, {{line, plane}}, incidence_line_plane},
+                                   ConstraintKind{RelationType::meet, {{line, line}}, incidence_line_line},
+                                   ConstraintKind{RelationType::collinear, std::nullopt, collinear},
+                                   ConstraintKind{RelationType::coplanar, std::nullopt, coplanar}};
   return rows;
 }
 

@@ -1,7 +1,8 @@
 #include "solvers/elements/random_figure.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
+
+#include "solvers/elements/body_motion.hpp"
 
 namespace gcs {
 namespace {
@@ -39,19 +40,6 @@ class RandomElements {
   std::mt19937_64& random_;
 };
 
-/// The points of a body where a random motion puts them.
-void place(const RigidBody& body, double unit, RandomElements& elements, Figure& figure) {
-  const Eigen::Matrix3d rotation = elements.rotation();
-  const Eigen::Vector3d origin = elements.point();
-  for (const BodyElement& element : body.elements) {
-    if (element.entity >= figure.points.cols()) continue;
-    Eigen::Vector3d at = Eigen::Vector3d::Zero();
-    for (std::size_t axis = 0; axis < element.numbers.size(); ++axis)
-      at[static_cast<Eigen::Index>(axis)] = element.numbers[axis].value * unit;
-    figure.points.col(element.entity) = origin + rotation * at;
-  }
-}
-
 }  // namespace
 
 Figure random_figure(const Scene& scene, double reach, std::mt19937_64& random) {
@@ -59,8 +47,11 @@ Figure random_figure(const Scene& scene, double reach, std::mt19937_64& random) 
   Figure figure;
   figure.points.resize(3, scene.point_count());
   for (Eigen::Index i = 0; i < figure.points.cols(); ++i) figure.points.col(i) = elements.point();
-  const double unit = std::ldexp(1.0, -scene.unit_exponent());
-  for (const RigidBody& body : scene.problem().bodies) place(body, unit, elements, figure);
+  std::vector<BodyMotion> motions;
+  for (std::size_t i = 0; i < scene.problem().bodies.size(); ++i) {
+    const Eigen::Matrix3d rotation = elements.rotation();
+    motions.push_back({rotation, elements.point()});
+  }
   for (std::size_t i = 0; i < scene.problem().lines.size(); ++i) {
     const Eigen::Vector3d through = elements.point();
     figure.lines.push_back({through, elements.direction()});
@@ -69,6 +60,10 @@ Figure random_figure(const Scene& scene, double reach, std::mt19937_64& random) 
     const Eigen::Vector3d normal = elements.direction();
     figure.planes.push_back({normal, normal.dot(elements.point())});
   }
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    for (const BodyElement& element : scene.problem().bodies[i].elements)
+      put(scene.problem(), element.entity,
+          motions[i](position_in_body(scene.problem(), element, -scene.unit_exponent())), figure);
   return figure;
 }
 

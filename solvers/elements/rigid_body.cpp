@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "solvers/elements/body_motion.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
@@ -22,21 +23,16 @@ struct PoseFeatures {
   double area = 0;  ///< of the two vectors
 };
 
-Eigen::Vector3cd vector_of(const std::vector<Decimal>& numbers, std::size_t from, std::size_t count,
-                           double unit) {
-  Eigen::Vector3cd result = Eigen::Vector3cd::Zero();
-  for (std::size_t i = 0; i < count; ++i)
-    result[static_cast<Eigen::Index>(i)] = numbers[from + i].value * unit;
-  return result;
-}
-
-std::vector<BodyVector> body_vectors(const ProblemStatement& problem, const RigidBody& body, double unit,
+std::vector<BodyVector> body_vectors(const ProblemStatement& problem, const RigidBody& body, int exponent,
                                      PoseFeatures& features) {
-  const auto d = static_cast<std::size_t>(problem.dimension);
-  std::vector<BodyVector> vectors;
+  std::vector<BodyVector> vectors, normals;
   for (const BodyElement& element : body.elements) {
-    if (!problem.is_point(element.entity)) continue;
-    const Eigen::Vector3cd at = vector_of(element.numbers, 0, d, unit);
+    const ElementPosition position = position_in_body(problem, element, exponent);
+    if (const auto* plane = std::get_if<PlanePosition>(&position))
+      normals.push_back({plane->normal.cast<std::complex<double>>(), element.entity});
+    const auto* point = std::get_if<Eigen::Vector3d>(&position);
+    if (point == nullptr) continue;
+    const Eigen::Vector3cd at = point->cast<std::complex<double>>();
     if (features.origin < 0) {
       features.origin = element.entity;
       features.origin_given = at;
@@ -44,9 +40,7 @@ std::vector<BodyVector> body_vectors(const ProblemStatement& problem, const Rigi
       vectors.push_back({at - features.origin_given, element.entity});
     }
   }
-  for (const BodyElement& element : body.elements)
-    if (problem.is_plane(element.entity))
-      vectors.push_back({vector_of(element.numbers, 0, d, 1).normalized(), element.entity});
+  vectors.insert(vectors.end(), normals.begin(), normals.end());
   return vectors;
 }
 
@@ -61,9 +55,9 @@ Eigen::Matrix3cd triad(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, int
 }
 
 /// Of all pairs of vectors the one of largest area; in the plane one vector is enough.
-PoseFeatures pose_features(const ProblemStatement& problem, const RigidBody& body, double unit) {
+PoseFeatures pose_features(const ProblemStatement& problem, const RigidBody& body, int exponent) {
   PoseFeatures features;
-  const std::vector<BodyVector> vectors = body_vectors(problem, body, unit, features);
+  const std::vector<BodyVector> vectors = body_vectors(problem, body, exponent, features);
   const Eigen::Vector3cd up = Eigen::Vector3cd::UnitZ();
   for (const BodyVector& a : vectors)
     for (const BodyVector& b : vectors) {
@@ -159,7 +153,7 @@ class BodyPlacing {
 
   static ExactNumber exact(const Decimal& number) {
     ExactNumber result = exactly(number.value);
-    result.decimal = number.text;
+    if (number.value != 0) result.decimal = number.text;
     return result;
   }
 
@@ -230,7 +224,7 @@ ComplexValues values_of(const Pose& pose, int dimension, int axes) {
 
 std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body) {
   constexpr double least_area = 1e-9;  // of what the body's vectors span, relative to their lengths
-  const PoseFeatures features = pose_features(problem, body, 1);
+  const PoseFeatures features = pose_features(problem, body, 0);
   const double lengths =
       features.first.given.norm() * (problem.dimension == 2 ? 1 : features.second.given.norm());
   if (features.origin >= 0 && features.area > least_area * lengths) return std::nullopt;
@@ -249,9 +243,9 @@ PlacedBody free_body(SystemBuilder& builder, const RigidBody& body) {
   if (d == 3) axes[1] = builder.vector();
   if (has_third) axes[2] = builder.pseudo_vector();
   const int count = d == 2 ? 1 : (has_third ? 3 : 2);
-  const double unit = std::ldexp(1.0, -builder.scene().unit_exponent());
+  const int exponent = -builder.scene().unit_exponent();
   builder.define(
-      [features = pose_features(builder.problem(), body, unit), d, count](
+      [features = pose_features(builder.problem(), body, exponent), d, count](
           const Placement& at, const ComplexValues&) { return values_of(pose(features, at, d), d, count); });
   builder.add(Equation().plus(axes[0], axes[0]).equals(exactly(1)));
   if (d == 2) {

@@ -100,7 +100,7 @@ class Placing {
     const bool is_there = has_line_[index(line)];
     if (!is_there) builder_.put_line(line, first_line(line, parallel));
     has_line_[index(line)] = true;
-    const LineForms& first = builder_.line(static_cast<int>(problem().points.size()) + line);
+    const LineForms& first = builder_.line(problem().line_entity(line));
     const VectorForm direction = first.direction;
     const SignMask turning = first.turning;
     for (const int other : parallel) {
@@ -115,8 +115,7 @@ class Placing {
     if (across.empty())
       return free_line(builder_, builder_.new_turning(),
                        [line](const Placement& at) { return at.lines[index(line)]; });
-    const PlaneForms plane =
-        builder_.plane(static_cast<int>(problem().points.size() + problem().lines.size()) + across.front());
+    const PlaneForms plane = builder_.plane(problem().plane_entity(across.front()));
     return line_along(builder_, plane.normal, plane.turning, line);
   }
 

@@ -1,7 +1,6 @@
 #include "solvers/elements/scene_frame.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 
 namespace gcs {
@@ -21,13 +20,6 @@ class Sets {
   std::vector<int> root_;
 };
 
-bool is_in_a_body(const ProblemStatement& problem, int entity) {
-  return std::any_of(problem.bodies.begin(), problem.bodies.end(), [&](const RigidBody& body) {
-    return std::any_of(body.elements.begin(), body.elements.end(),
-                       [&](const BodyElement& element) { return element.entity == entity; });
-  });
-}
-
 /// The points that a frame needs, of those that the scene's reference names.
 std::vector<int> frame_points(const Scene& scene) {
   const Reference& reference = scene.reference();
@@ -38,14 +30,10 @@ std::vector<int> frame_points(const Scene& scene) {
 
 std::pair<int, int> sorted(int a, int b) { return std::minmax(a, b); }
 
-bool is_between_segments(const Relation& relation) {
-  return relation.of.size() == 2 && relation.of[0].is_segment() && relation.of[1].is_segment();
-}
-
-bool is_between_planes(const ProblemStatement& problem, const Relation& relation) {
-  return relation.of.size() == 2 &&
-         std::all_of(relation.of.begin(), relation.of.end(),
-                     [&](const Operand& of) { return !of.is_segment() && problem.is_plane(of.entity); });
+/// Whether a relation is an angle between two operands of that kind.
+bool is_angle_between(const ProblemStatement& problem, const Relation& relation, OperandKind kind) {
+  return relation.type == RelationType::angle && kind_of(problem, relation.of[0]) == kind &&
+         kind_of(problem, relation.of[1]) == kind;
 }
 
 /// Whether the value of a relation with a plane is seen from a side of it.
@@ -78,33 +66,28 @@ std::optional<std::string> why_no_frame(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   if (problem.is_anchored() || problem.reference_body >= 0) return std::nullopt;
   for (const int point : frame_points(scene))
-    if (point < 0 || point >= scene.point_count() || is_in_a_body(problem, point))
+    if (point < 0 || point >= scene.point_count() || !bodies_with(problem, point).empty())
       return problem.dimension == 3
                  ? "a frame is put in a body or in three points, which this scene does not have"
                  : "a frame is put in a body or in two points, which this scene does not have";
   return std::nullopt;
 }
 
-SceneFrame::SceneFrame(const Scene& scene) : reference_(scene.reference()) {
+SceneFrame::SceneFrame(const Scene& scene) {
   const Convention convention = convention_of(scene.problem());
-  if (convention == Convention::in_the_given_frame) {
-    reference_ = {};
-    return;
-  }
+  if (convention == Convention::in_the_given_frame) return;
+  const bool is_mirrored = convention == Convention::up_to_reflection;
   body_ = scene.problem().reference_body;
   if (body_ >= 0) {
-    reference_ = {};
-    if (convention == Convention::up_to_reflection)
-      axes_[static_cast<std::size_t>(scene.dimension() - 1)] = 1;
+    if (is_mirrored) axes_[static_cast<std::size_t>(scene.dimension() - 1)] = 1;
     return;
   }
+  reference_ = scene.reference();
   // The group of all reflections in the planes of the frame, or its rotations.
   if (scene.dimension() == 3)
-    axes_ = convention == Convention::up_to_reflection ? std::array<SignMask, 3>{1, 2, 4}
-                                                       : std::array<SignMask, 3>{1, 3, 2};
+    axes_ = is_mirrored ? std::array<SignMask, 3>{1, 2, 4} : std::array<SignMask, 3>{1, 3, 2};
   else
-    axes_ = convention == Convention::up_to_reflection ? std::array<SignMask, 3>{1, 2, 0}
-                                                       : std::array<SignMask, 3>{1, 1, 0};
+    axes_ = is_mirrored ? std::array<SignMask, 3>{1, 2, 0} : std::array<SignMask, 3>{1, 1, 0};
 }
 
 bool SceneFrame::is_zero(int point, int axis) const {
@@ -113,47 +96,53 @@ bool SceneFrame::is_zero(int point, int axis) const {
   return point == reference_.plane && axis > 1;
 }
 
-Turnings::Turnings(const ProblemStatement& problem) {
+/// Planes with an angle between them are turned over together; one that has a side is not.
+std::vector<int> Turnings::turned_planes(const ProblemStatement& problem) {
   const int planes = static_cast<int>(problem.planes.size());
-  Sets plane_sets(planes);
+  Sets sets(planes);
   std::vector<bool> has_side(problem.planes.size());
-  for (int plane = 0; plane < planes; ++plane)
+  for (int plane = 0; plane < planes; ++plane) {
+    const int entity = problem.plane_entity(plane);
     has_side[static_cast<std::size_t>(plane)] =
-        problem.is_fixed(static_cast<int>(problem.points.size() + problem.lines.size()) + plane) ||
-        is_in_a_body(problem, static_cast<int>(problem.points.size() + problem.lines.size()) + plane);
-  std::vector<std::pair<int, int>> pairs;
+        problem.is_fixed(entity) || !bodies_with(problem, entity).empty();
+  }
+  for (const Relation& relation : problem.relations) {
+    if (is_angle_between(problem, relation, OperandKind::plane))
+      sets.join(problem.plane_of(relation.of[0].entity), problem.plane_of(relation.of[1].entity));
+    for (const Operand& of : relation.of)
+      if (kind_of(problem, of) == OperandKind::plane && has_sign(problem, relation))
+        has_side[static_cast<std::size_t>(problem.plane_of(of.entity))] = true;
+  }
+  return numbered(sets, has_side);
+}
+
+/// Likewise segments; one whose length is given is not.
+std::map<std::pair<int, int>, int> Turnings::turned_segments(const ProblemStatement& problem) {
+  std::map<std::pair<int, int>, int> segments;
   const auto number_of = [&](const Operand& segment) {
-    const auto pair = sorted(segment.entity, segment.end);
-    const auto found = std::find(pairs.begin(), pairs.end(), pair);
-    if (found != pairs.end()) return static_cast<int>(found - pairs.begin());
-    pairs.push_back(pair);
-    return static_cast<int>(pairs.size()) - 1;
+    return segments.emplace(sorted(segment.entity, segment.end), static_cast<int>(segments.size()))
+        .first->second;
   };
   std::vector<std::pair<int, int>> joined;
   for (const Relation& relation : problem.relations) {
-    if (is_between_planes(problem, relation) && relation.type == RelationType::angle)
-      plane_sets.join(problem.plane_of(relation.of[0].entity), problem.plane_of(relation.of[1].entity));
-    for (const Operand& of : relation.of) {
-      if (of.is_segment())
-        number_of(of);
-      else if (problem.is_plane(of.entity) && has_sign(problem, relation))
-        has_side[static_cast<std::size_t>(problem.plane_of(of.entity))] = true;
-    }
-    if (is_between_segments(relation) && relation.type == RelationType::angle)
+    for (const Operand& of : relation.of)
+      if (of.is_segment()) number_of(of);
+    if (is_angle_between(problem, relation, OperandKind::segment))
       joined.emplace_back(number_of(relation.of[0]), number_of(relation.of[1]));
   }
-  planes_ = numbered(plane_sets, has_side);
-
-  Sets segment_sets(static_cast<int>(pairs.size()));
-  for (const auto& [a, b] : joined) segment_sets.join(a, b);
-  std::vector<bool> has_length(pairs.size());
-  for (const DistanceConstraint& c : problem.constraints) {
-    const auto found = std::find(pairs.begin(), pairs.end(), sorted(c.between[0], c.between[1]));
-    if (found != pairs.end()) has_length[static_cast<std::size_t>(found - pairs.begin())] = !c.is_squared;
-  }
-  const std::vector<int> numbers = numbered(segment_sets, has_length);
-  for (std::size_t i = 0; i < pairs.size(); ++i) segments_[pairs[i]] = numbers[i];
+  Sets sets(static_cast<int>(segments.size()));
+  for (const auto& [a, b] : joined) sets.join(a, b);
+  std::vector<bool> has_length(segments.size());
+  for (const DistanceConstraint& c : problem.constraints)
+    if (const auto found = segments.find(sorted(c.between[0], c.between[1])); found != segments.end())
+      has_length[static_cast<std::size_t>(found->second)] = !c.is_squared;
+  const std::vector<int> numbers = numbered(sets, has_length);
+  for (auto& [pair, number] : segments) number = numbers[static_cast<std::size_t>(number)];
+  return segments;
 }
+
+Turnings::Turnings(const ProblemStatement& problem)
+    : planes_(turned_planes(problem)), segments_(turned_segments(problem)) {}
 
 int Turnings::of_segment(int a, int b) const { return segments_.at(sorted(a, b)); }
 

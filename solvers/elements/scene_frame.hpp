@@ -47,6 +47,9 @@ class Turnings {
   int of_segment(int a, int b) const;
 
  private:
+  static std::vector<int> turned_planes(const ProblemStatement& problem);
+  static std::map<std::pair<int, int>, int> turned_segments(const ProblemStatement& problem);
+
   std::vector<int> planes_;
   std::map<std::pair<int, int>, int> segments_;
 };

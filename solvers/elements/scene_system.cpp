@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "solvers/elements/constraint_kinds.hpp"
 #include "solvers/elements/element_kinds.hpp"
@@ -15,37 +16,27 @@ namespace {
 
 constexpr std::size_t most_turnings = 56;
 
-int times_in_bodies(const ProblemStatement& problem, int entity) {
-  int count = 0;
-  for (const RigidBody& body : problem.bodies)
-    for (const BodyElement& element : body.elements) count += element.entity == entity ? 1 : 0;
-  return count;
+/// Another body that shares more than one element with this one.
+const RigidBody* hinged_to(const ProblemStatement& problem, int number) {
+  std::map<int, int> shared;  // by body
+  for (const BodyElement& element : problem.bodies[static_cast<std::size_t>(number)].elements)
+    for (const int other : bodies_with(problem, element.entity))
+      if (other != number && ++shared[other] > 1) return &problem.bodies[static_cast<std::size_t>(other)];
+  return nullptr;
 }
 
 std::optional<std::string> why_no_bodies(const ProblemStatement& problem) {
-  for (const RigidBody& body : problem.bodies) {
+  for (int number = 0; number < static_cast<int>(problem.bodies.size()); ++number) {
+    const RigidBody& body = problem.bodies[static_cast<std::size_t>(number)];
     if (auto reason = why_no_pose(problem, body)) return reason;
-    int joints = 0;
-    for (const BodyElement& element : body.elements) {
-      if (!problem.is_point(element.entity) && times_in_bodies(problem, element.entity) > 1)
+    for (const BodyElement& element : body.elements)
+      if (!problem.is_point(element.entity) && bodies_with(problem, element.entity).size() > 1)
         return fmt::format(
             "'{}' is a line or a plane of several bodies, for which there are no equations yet",
             problem.name(element.entity));
-      joints += times_in_bodies(problem, element.entity) > 1 ? 1 : 0;
-    }
-    if (joints > 1 && problem.dimension == 3)
-      for (const RigidBody& other : problem.bodies) {
-        const auto shared =
-            std::count_if(body.elements.begin(), body.elements.end(), [&](const BodyElement& a) {
-              return &other != &body &&
-                     std::any_of(other.elements.begin(), other.elements.end(),
-                                 [&](const BodyElement& b) { return a.entity == b.entity; });
-            });
-        if (shared > 1)
-          return fmt::format(
-              "bodies '{}' and '{}' share more than a point, for which there are no equations yet", body.name,
-              other.name);
-      }
+    if (const RigidBody* other = hinged_to(problem, number); other && problem.dimension == 3)
+      return fmt::format("bodies '{}' and '{}' share more than a point, for which there are no equations yet",
+                         body.name, other->name);
   }
   return std::nullopt;
 }
@@ -110,6 +101,13 @@ std::optional<std::string> why_no_system(const Scene& scene) {
   return std::nullopt;
 }
 
+std::vector<int> SceneSystem::without_value() const {
+  std::vector<int> result;
+  for (std::size_t e = 0; e < value_of().size(); ++e)
+    if (value_of()[e] == no_value) result.push_back(static_cast<int>(e));
+  return result;
+}
+
 bool SceneSystem::moves(int entity, const Eigen::MatrixXcd& changes) const {
   const ProblemStatement& problem = builder_.problem();
   std::vector<VectorForm> forms;
@@ -169,7 +167,7 @@ double SceneSystem::farthest(const Figure& figure, const ComplexValues& x, const
   const double size = builder_.scene().size();
   for (int line = 0; line < static_cast<int>(problem.lines.size()); ++line) {
     const auto i = static_cast<std::size_t>(line);
-    const LineForms& forms = builder_.line(static_cast<int>(problem.points.size()) + line);
+    const LineForms& forms = builder_.line(problem.line_entity(line));
     const Eigen::Vector3cd &u = at.lines[i].direction, &v = at_x.lines[i].direction;
     largest =
         std::max({largest, apart(at.lines[i].point, at_x.lines[i].point) + foot_shift(forms, at_x.lines[i]),
@@ -177,8 +175,7 @@ double SceneSystem::farthest(const Figure& figure, const ComplexValues& x, const
   }
   for (int plane = 0; plane < static_cast<int>(problem.planes.size()); ++plane) {
     const auto i = static_cast<std::size_t>(plane);
-    const PlaneForms& forms =
-        builder_.plane(static_cast<int>(problem.points.size() + problem.lines.size()) + plane);
+    const PlaneForms& forms = builder_.plane(problem.plane_entity(plane));
     largest =
         std::max({largest, size * (apart(at.planes[i].normal, at_x.planes[i].normal) + shift(forms.normal)),
                   std::abs(at.planes[i].offset - at_x.planes[i].offset) + shift_of(forms.offset, offsets)});

@@ -22,6 +22,8 @@ class SceneSystem {
   const QuadraticSystem& equations() const { return builder_.system(); }
   /// Of each equation the value that it gives, or no_value.
   const std::vector<int>& value_of() const { return builder_.value_of(); }
+  /// The equations that give no value.
+  std::vector<int> without_value() const;
   /// Of each equation the constraint that it belongs to, numbered as values are, or no_value where it is an element's.
   const std::vector<int>& owner_of() const { return builder_.owner_of(); }
   /// Whether the entity's coordinates change with one of these changes of the unknowns, columns of length 1.

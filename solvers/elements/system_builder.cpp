@@ -47,6 +47,7 @@ void SystemBuilder::define(std::function<ComplexValues(const Placement&, const C
 }
 
 ExactNumber SystemBuilder::length(const Decimal& given) const {
+  if (given.value == 0) return {};
   ExactNumber number = exactly(given.value);
   number.decimal = given.text;
   number.exponent = -scene_.unit_exponent();

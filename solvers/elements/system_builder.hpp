@@ -123,7 +123,8 @@ class SystemBuilder {
   /// Whether the length of a segment, and thus a distance constraint, is one of its equations.
   bool is_stated_by_segment(int constraint) const;
 
-  // A number of the problem in the scene's unit, to the power of which it is a length.
+  // Lengths of the problem in the scene's unit, and squares of lengths. Precondition: decimals that are not 0 do not round
+  // to it.
   ExactNumber length(const Decimal& given) const;
   ExactNumber square(const Decimal& given, bool is_squared) const;
 
@@ -154,7 +155,7 @@ class SystemBuilder {
   std::map<std::pair<int, int>, SegmentForms> segments_;
 };
 
-/// The bilinear product and the vector product of forms at x.
+/// The forms at x.
 Eigen::Vector3cd vector_at(const VectorForm& forms, const ComplexValues& x);
 /// The components of a vector that a scene of that dimension has.
 ComplexValues components(const Eigen::Vector3cd& vector, int dimension);

@@ -33,6 +33,20 @@ bool ProblemStatement::is_anchored() const {
   return false;
 }
 
+OperandKind kind_of(const ProblemStatement& problem, const Operand& operand) {
+  if (operand.is_segment()) return OperandKind::segment;
+  if (problem.is_point(operand.entity)) return OperandKind::point;
+  return problem.is_line(operand.entity) ? OperandKind::line : OperandKind::plane;
+}
+
+std::vector<int> bodies_with(const ProblemStatement& problem, int entity) {
+  std::vector<int> bodies;
+  for (int body = 0; body < static_cast<int>(problem.bodies.size()); ++body)
+    for (const BodyElement& element : problem.bodies[static_cast<std::size_t>(body)].elements)
+      if (element.entity == entity) bodies.push_back(body);
+  return bodies;
+}
+
 std::vector<BentLength> bent_lengths(const ProblemStatement& problem) {
   const InterpolationChoice& choice = problem.interpolation;
   if (choice.bends) return *choice.bends;

@@ -172,6 +172,9 @@ struct ProblemStatement {
   bool is_line(int entity) const { return !is_point(entity) && !is_plane(entity); }
   int line_of(int entity) const { return entity - static_cast<int>(points.size()); }
   int plane_of(int entity) const { return entity - static_cast<int>(points.size() + lines.size()); }
+  /// The way back: the entity that a line, or a plane, is.
+  int line_entity(int line) const { return line + static_cast<int>(points.size()); }
+  int plane_entity(int plane) const { return plane + static_cast<int>(points.size() + lines.size()); }
   const std::string& name(int entity) const {
     if (is_point(entity)) return points[entity];
     return is_line(entity) ? lines[line_of(entity)] : planes[plane_of(entity)];
@@ -185,6 +188,13 @@ struct ProblemStatement {
   /// True when positions are given, so that no motion or reflection is divided out.
   bool is_anchored() const;
 };
+
+enum class OperandKind { point, line, plane, segment };
+
+OperandKind kind_of(const ProblemStatement& problem, const Operand& operand);
+
+/// The bodies that have an entity among their elements, by their numbers.
+std::vector<int> bodies_with(const ProblemStatement& problem, int entity);
 
 /// The constraints that are bent, however `interpolation` says so.
 std::vector<BentLength> bent_lengths(const ProblemStatement& problem);

@@ -1,16 +1,12 @@
 #pragma once
-/// Where an element of any kind is, and what that says of others.
+/// What the positions of elements of any kind say of each other.
 
-#include <variant>
 #include <vector>
 
-#include "solvers/problem/problem_statement.hpp"
+#include "solvers/elements/body_motion.hpp"
 #include "solvers/reading/json_cursor.hpp"
 
 namespace gcs {
-
-/// Of a point, a line or a plane.
-using ElementPosition = std::variant<Eigen::Vector3d, LinePosition, PlanePosition>;
 
 /// How many independent rigid motions of the plane or of space leave all elements where they are.
 int motions_left(const std::vector<ElementPosition>& elements, int dimension);

@@ -254,20 +254,6 @@ void check_fixed_bodies(const JsonCursor& fixed, const ProblemStatement& problem
   for (const NamedShape& shape : shapes) agreement.require(fixed, shape, given);
 }
 
-ElementPosition position_in_body(const ProblemStatement& problem, const BodyElement& element) {
-  const auto vector = [&](int first) {
-    Eigen::Vector3d result = Eigen::Vector3d::Zero();
-    for (int axis = 0; axis < problem.dimension; ++axis)
-      result[axis] = element.numbers[static_cast<std::size_t>(first + axis)].value;
-    return result;
-  };
-  if (problem.is_point(element.entity)) return vector(0);
-  if (problem.is_line(element.entity))
-    return LinePosition{vector(0), vector(problem.dimension).stableNormalized()};
-  const Eigen::Vector3d normal = vector(0);
-  return PlanePosition{normal.stableNormalized(), element.numbers[3].value / normal.stableNorm()};
-}
-
 int common_body(const ProblemStatement& problem, const std::vector<int>& entities) {
   const auto has_all = [&](const RigidBody& body) {
     return std::all_of(entities.begin(), entities.end(), [&](int entity) {

@@ -20,9 +20,6 @@ void read_bodies(const JsonCursor& bodies, ProblemStatement& problem);
 /// Elements of a body that are fixed in positions that disagree with it are refused.
 void check_fixed_bodies(const JsonCursor& fixed, const ProblemStatement& problem);
 
-/// Where the body has the element, in doubles.
-ElementPosition position_in_body(const ProblemStatement& problem, const BodyElement& element);
-
 /// The index of a body that has all these entities, or −1.
 int common_body(const ProblemStatement& problem, const std::vector<int>& entities);
 

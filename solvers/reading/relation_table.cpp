@@ -48,12 +48,6 @@ bool has_plane(const Pair& pair) { return pair.first == plane || pair.second == 
 
 }  // namespace
 
-OperandKind kind_of(const ProblemStatement& problem, const Operand& operand) {
-  if (operand.is_segment()) return segment;
-  if (problem.is_point(operand.entity)) return point;
-  return problem.is_line(operand.entity) ? line : plane;
-}
-
 std::optional<RelationType> relation_type(const std::string& name) {
   for (const TypeEntry& entry : table())
     if (entry.name == name) return entry.type;

@@ -10,10 +10,6 @@
 
 namespace gcs {
 
-enum class OperandKind { point, line, plane, segment };
-
-OperandKind kind_of(const ProblemStatement& problem, const Operand& operand);
-
 /// The type of that name in gcsbench-instance/2.
 std::optional<RelationType> relation_type(const std::string& name);
 std::string name_of(RelationType type);

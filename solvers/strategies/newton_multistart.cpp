@@ -34,6 +34,7 @@
 #include "solvers/model/distance_system.hpp"
 #include "solvers/numeric/digest.hpp"
 #include "solvers/running/run_on_threads.hpp"
+#include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
 namespace {
@@ -96,23 +97,16 @@ class DistanceEquations {
 class SceneFunction {
  public:
   explicit SceneFunction(const Scene& scene)
-      : scene_(scene), system_(scene), equations_(general_equations(system_)) {}
+      : scene_(scene), system_(scene), equations_(real_equations(system_.equations())) {}
 
-  int inputs() const { return equations_.system.unknowns; }
-  int values() const { return equations_.system.equations(); }
+  int inputs() const { return equations_.unknowns; }
+  int values() const { return static_cast<int>(equations_.count()); }
   int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& f) const {
-    f.setZero();
-    for_each_term([&](int e, double coefficient, Monomial m) {
-      f[e] += coefficient * factor(x, m.u) * factor(x, m.v);
-    });
+    f = equations_.sums(x) - equations_.given;
     return 0;
   }
   int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) const {
-    jacobian.setZero();
-    for_each_term([&](int e, double coefficient, Monomial m) {
-      if (m.u >= 0) jacobian(e, m.u) += coefficient * factor(x, m.v);
-      if (m.v >= 0) jacobian(e, m.v) += coefficient * factor(x, m.u);
-    });
+    equations_.jacobian(x, jacobian);
     return 0;
   }
 
@@ -146,18 +140,9 @@ class SceneFunction {
   }
 
  private:
-  static double factor(const Eigen::VectorXd& x, int unknown) { return unknown < 0 ? 1 : x[unknown]; }
-  template <class Visitor>
-  void for_each_term(const Visitor& visit) const {
-    const MonomialSystem& system = equations_.system;
-    for (int e = 0; e < system.equations(); ++e)
-      for (int j = system.first[e]; j < system.first[e + 1]; ++j)
-        visit(e, equations_.coefficients[j].real(), system.monomials[j]);
-  }
-
   const Scene& scene_;
   const SceneSystem system_;
-  const GeneralEquations equations_;
+  const RealEquations equations_;
 };
 
 /// What became of one start. The figure is a representative of its class.

@@ -1,87 +1,39 @@
 #include "solvers/tracking/sketched_unknowns.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 
+#include "solvers/elements/body_motion.hpp"
 #include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
 namespace {
 
-/// x ↦ turn·x + shift.
-struct Motion {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+/// The elements of a body that tell its pose, points and planes: where the file has them, in the scene's unit, and where a
+/// figure does.
+struct BodyElements {
+  std::vector<int> entities;
+  std::vector<ElementPosition> given, seen;
 
-  Eigen::Vector3d operator()(const Eigen::Vector3d& point) const { return turn * point + shift; }
-  PlanePosition operator()(const PlanePosition& plane) const {
-    const Eigen::Vector3d normal = turn * plane.normal;
-    return {normal, plane.offset + normal.dot(shift)};
-  }
-  Motion inverse() const { return {turn.transpose(), -(turn.transpose() * shift)}; }
-};
-
-/// A body as the file gives it, in the scene's unit: its points and planes, which tell its pose, by their entities.
-struct GivenBody {
-  std::vector<int> points, planes;
-  Eigen::Matrix3Xd places;
-  std::vector<PlanePosition> sides;
-};
-
-GivenBody given_body(const Scene& scene, const RigidBody& body) {
-  const ProblemStatement& problem = scene.problem();
-  GivenBody result;
-  for (const BodyElement& element : body.elements) {
-    const auto number = [&](std::size_t i) { return element.numbers[i].value; };
-    if (problem.is_point(element.entity)) {
-      result.points.push_back(element.entity);
-      result.places.conservativeResize(3, result.places.cols() + 1);
-      result.places.rightCols<1>().setZero();
-      for (int axis = 0; axis < scene.dimension(); ++axis)
-        result.places.rightCols<1>()[axis] =
-            std::ldexp(number(static_cast<std::size_t>(axis)), -scene.unit_exponent());
-    } else if (problem.is_plane(element.entity)) {
-      const Eigen::Vector3d normal(number(0), number(1), number(2));
-      const double offset = std::ldexp(number(3), -scene.unit_exponent());
-      result.planes.push_back(problem.plane_of(element.entity));
-      result.sides.push_back({normal.normalized(), offset / normal.norm()});
+  BodyElements(const Scene& scene, const RigidBody& body, const Figure& figure) {
+    for (const BodyElement& element : body.elements) {
+      if (scene.problem().is_line(element.entity)) continue;
+      entities.push_back(element.entity);
+      given.push_back(position_in_body(scene.problem(), element, -scene.unit_exponent()));
+      seen.push_back(position_of(scene.problem(), element.entity, figure));
     }
   }
-  return result;
-}
-
-/// The rigid motion that brings the body nearest to where the figure has it. Precondition: it has a point.
-Motion nearest_motion(const Scene& scene, const GivenBody& body, const Figure& figure) {
-  const Eigen::Matrix3Xd seen = figure.points(Eigen::all, body.points);
-  const Eigen::Vector3d from = body.places.rowwise().mean(), to = seen.rowwise().mean();
-  Eigen::Matrix3d product = (seen.colwise() - to) * (body.places.colwise() - from).transpose();
-  for (std::size_t i = 0; i < body.planes.size(); ++i)
-    product +=
-        figure.planes[static_cast<std::size_t>(body.planes[i])].normal * body.sides[i].normal.transpose();
-  if (scene.dimension() == 2) product(2, 2) += 1;
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0)
-    signs[scene.dimension() - 1] = -1;  // of the smallest singular value
-  Motion motion;
-  motion.turn = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  motion.shift = to - motion.turn * from;
-  return motion;
-}
+};
 
 /// With the bodies as the file gives them, near to where they are sketched.
 Figure with_rigid_bodies(const Scene& scene, const Figure& figure) {
   Figure result = figure;
   for (const RigidBody& body : scene.problem().bodies) {
-    const GivenBody given = given_body(scene, body);
-    const Motion motion = nearest_motion(scene, given, figure);
-    for (std::size_t i = 0; i < given.points.size(); ++i)
-      result.points.col(given.points[i]) = motion(given.places.col(static_cast<Eigen::Index>(i)));
-    for (std::size_t i = 0; i < given.planes.size(); ++i)
-      result.planes[static_cast<std::size_t>(given.planes[i])] = motion(given.sides[i]);
+    const BodyElements elements(scene, body, figure);
+    const BodyMotion motion = nearest_motion(elements.given, elements.seen, scene.dimension());
+    for (std::size_t i = 0; i < elements.entities.size(); ++i)
+      put(scene.problem(), elements.entities[i], motion(elements.given[i]), result);
   }
   return result;
 }
@@ -90,19 +42,12 @@ Figure with_rigid_bodies(const Scene& scene, const Figure& figure) {
 Figure with_body_at_rest(const Scene& scene, Figure figure) {
   const ProblemStatement& problem = scene.problem();
   if (problem.reference_body < 0 || scene.is_anchored()) return figure;
-  const RigidBody& body = problem.bodies[static_cast<std::size_t>(problem.reference_body)];
-  const Motion motion = nearest_motion(scene, given_body(scene, body), figure).inverse();
-  for (Eigen::Index i = 0; i < figure.points.cols(); ++i) figure.points.col(i) = motion(figure.points.col(i));
-  for (LinePosition& line : figure.lines) line = {motion(line.point), motion.turn * line.direction};
-  for (PlanePosition& plane : figure.planes) plane = motion(plane);
+  const BodyElements elements(scene, problem.bodies[static_cast<std::size_t>(problem.reference_body)],
+                              figure);
+  const BodyMotion motion = nearest_motion(elements.seen, elements.given, scene.dimension());
+  for (int entity = 0; entity < problem.entity_count(); ++entity)
+    put(problem, entity, motion(position_of(problem, entity, figure)), figure);
   return figure;
-}
-
-std::vector<Eigen::Index> without_value(const SceneSystem& system) {
-  std::vector<Eigen::Index> equations;
-  for (std::size_t e = 0; e < system.value_of().size(); ++e)
-    if (system.value_of()[e] == no_value) equations.push_back(static_cast<Eigen::Index>(e));
-  return equations;
 }
 
 }  // namespace
@@ -111,7 +56,7 @@ std::optional<SketchedUnknowns> sketched_unknowns(const Scene& scene, const Scen
   constexpr int most_steps = 60;
   constexpr double settled = 1e-14, settled_at_all = 1e-10;
   const RealEquations equations = real_equations(system.equations());
-  const std::vector<Eigen::Index> fixed = without_value(system);
+  const std::vector<int> fixed = system.without_value();
   const ComplexValues sketched =
       system.coordinates(with_body_at_rest(scene, with_rigid_bodies(scene, *scene.sketch())));
   Eigen::VectorXd x(equations.unknowns);

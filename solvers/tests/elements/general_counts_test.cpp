@@ -99,9 +99,7 @@ TEST_CASE("the equations of lines and planes of a body hold where it stands") {
   moved.elements.back().numbers.push_back({plane.offset, ""});
   problem.bodies = {fixed, moved};
   problem.reference_body = 0;
-  const Eigen::Quaterniond turn = Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1),
-                                                     random.uniform(-1, 1), random.uniform(-1, 1))
-                                      .normalized();
+  const Eigen::Quaterniond turn = samples::random_turn(3, random);
   const Eigen::Vector3d shift = random.point(3, 2);
   Figure figure;
   figure.points.resize(3, 5);

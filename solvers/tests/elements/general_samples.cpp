@@ -1,7 +1,5 @@
 #include "solvers/tests/elements/general_samples.hpp"
 
-#include <Eigen/Geometry>
-
 namespace gcs::samples {
 namespace {
 
@@ -18,6 +16,14 @@ RigidBody random_body(const std::string& name, int first_point, int count, int d
 
 }  // namespace
 
+Eigen::Quaterniond random_turn(int dimension, RandomNumbers& random) {
+  if (dimension == 2)
+    return Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-3, 3), Eigen::Vector3d::UnitZ()));
+  const double w = random.uniform(-1, 1);
+  const Eigen::Vector3d axis = random.point(3, 1);
+  return Eigen::Quaterniond(w, axis.x(), axis.y(), axis.z()).normalized();
+}
+
 ProblemStatement random_platform(int dimension, RandomNumbers& random) {
   const int legs = dimension == 3 ? 6 : 3;
   ProblemStatement problem;
@@ -26,11 +32,7 @@ ProblemStatement random_platform(int dimension, RandomNumbers& random) {
   for (const int body : {0, 1})
     problem.bodies.push_back(random_body("b" + std::to_string(body), body * legs, legs, dimension, random));
   problem.reference_body = 0;
-  const Eigen::Quaterniond turn =
-      dimension == 3 ? Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
-                                          random.uniform(-1, 1))
-                           .normalized()
-                     : Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-3, 3), Eigen::Vector3d::UnitZ()));
+  const Eigen::Quaterniond turn = random_turn(dimension, random);
   const Eigen::Vector3d shift = random.point(dimension, 2);
   const auto given = [&](int body, int i) {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();

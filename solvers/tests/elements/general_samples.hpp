@@ -1,10 +1,15 @@
 #pragma once
 /// Random general scenes whose numbers of solutions are known, without a sketch.
 
+#include <Eigen/Geometry>
+
 #include "solvers/problem/problem_statement.hpp"
 #include "solvers/tests/random_numbers.hpp"
 
 namespace gcs::samples {
+
+/// In the plane about the third axis.
+Eigen::Quaterniond random_turn(int dimension, RandomNumbers& random);
 
 /// Two random bodies, leg i between point i of each, as long as it is where the second body stands.
 ProblemStatement random_platform(int dimension, RandomNumbers& random);

@@ -33,12 +33,7 @@ Answer followed(const ProblemStatement& problem, const OptionMap& options = {}) 
 Figure random_posture(const ProblemStatement& platform, RandomNumbers& random) {
   Figure figure{Eigen::Matrix3Xd(3, 0), {}};
   for (const RigidBody& body : platform.bodies) {
-    const Eigen::Quaterniond turn =
-        platform.dimension == 3
-            ? Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
-                                 random.uniform(-1, 1))
-                  .normalized()
-            : Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(-3, 3), Eigen::Vector3d::UnitZ()));
+    const Eigen::Quaterniond turn = samples::random_turn(platform.dimension, random);
     const Eigen::Vector3d shift = random.point(platform.dimension, 1);
     Eigen::Matrix3Xd placed = (turn.toRotationMatrix() * points_of(body)).colwise() + shift;
     placed += random.points(platform.dimension, static_cast<int>(placed.cols()), 0.01);

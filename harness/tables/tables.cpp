@@ -205,7 +205,10 @@ Publications load_publications() {
 const std::vector<std::string>& sketched_instances() {
   static const std::vector<std::string> ids = [] {
     std::vector<std::string> all = measured_instances();
-    std::erase_if(all, [](const std::string& id) { return !load_instance(id).problem.sketch; });
+    std::erase_if(all, [](const std::string& id) {
+      const ProblemStatement problem = load_instance(id).problem;
+      return !problem.sketch || !problem.lines.empty();
+    });
     return all;
   }();
   return ids;

@@ -93,7 +93,7 @@ Table build_ratios(const RunFile& run, const Publication& paper);
 /// Steps, evaluations and eliminations without and with a plan.
 Table build_costs(const RunFile& run);
 
-/// Shipped instances that have a sketch.
+/// Shipped instances of points that have a sketch.
 const std::vector<std::string>& sketched_instances();
 std::vector<Variant> printed_variants();
 /// What the printed text of Algorithms 1 to 4 needs, deviation by deviation.

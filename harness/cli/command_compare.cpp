@@ -12,7 +12,7 @@
 
 #include "harness/cli/argument_checks.hpp"
 #include "harness/cli/commands.hpp"
-#include "harness/tables/table_compare.hpp"
+#include "harness/comparing/table_compare.hpp"
 #include "harness/tables/table_output.hpp"
 
 namespace gcs {

@@ -30,8 +30,6 @@ struct ReportArguments {
 
 constexpr const char *svg = "svg", *html = "html";
 
-constexpr const char* page_file = "report.html";
-
 std::vector<std::string> all_formats() {
   std::vector<std::string> names;
   for (const TableFormat& format : table_formats()) names.emplace_back(format.name);
@@ -42,10 +40,6 @@ std::vector<std::string> all_formats() {
 bool is_wanted(const ReportArguments& arguments, std::string_view format) {
   const auto& formats = arguments.formats;
   return formats.empty() || std::find(formats.begin(), formats.end(), format) != formats.end();
-}
-
-std::filesystem::path folder_of_run(const std::filesystem::path& run) {
-  return std::filesystem::is_directory(run) ? run : std::filesystem::absolute(run).parent_path();
 }
 
 /// Beside the run, unless the user names a folder.
@@ -60,19 +54,6 @@ std::vector<Drawing> drawings_of(const PageRun& run) {
   for (const auto& [id, scene] : run.scenes)
     for (Drawing& drawing : draw_scene(scene)) drawings.push_back(std::move(drawing));
   return drawings;
-}
-
-PageRun load_page_run(const std::filesystem::path& run, const Publications& publications) {
-  const std::filesystem::path folder = folder_of_run(run);
-  RunFile record = load_run_file(run);
-  TableSet tables = build_tables(record, publications);
-  PageRun page{std::filesystem::absolute(folder).lexically_normal().filename().string(),
-               std::move(record),
-               std::move(tables),
-               {}};
-  for (const InstanceSummary& instance : page.record.instances)
-    if (auto scene = load_scene(folder, instance.id)) page.scenes.emplace(instance.id, std::move(*scene));
-  return page;
 }
 
 /// Two runs of different instances by one name would be shown as if they were of one.
@@ -116,8 +97,7 @@ ExitCode report(const ReportArguments& arguments) {
     std::cout << shown_on_terminal(runs[i].tables);
   }
   if (is_wanted(arguments, html))
-    AtomicFile(folder_of(arguments.runs.front(), arguments) / page_file)
-        .commit(page_html(runs, publications));
+    write_page(runs, publications, folder_of(arguments.runs.front(), arguments));
   return ExitCode::done;
 }
 

@@ -80,7 +80,8 @@ std::string names_help() {
          "\nExamples:\n"
          "  gcsbench tables table1\n"
          "  gcsbench tables all --out results/runs/today\n"
-         "  gcsbench tables table2 --instances disulfide,k33 --repetitions 20\n";
+         "  gcsbench tables table2 --instances disulfide,k33 --repetitions 20\n"
+         "  gcsbench tables general --instances platform,./mine.json --strategies polyhedral --out page\n";
 }
 
 void add_options(CLI::App& command, TableRequest& request) {
@@ -91,7 +92,7 @@ void add_options(CLI::App& command, TableRequest& request) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("INSTANCE,...");
-  add_measuring_options(command, "the tables as Markdown, CSV and LaTeX, and what the page shows", request);
+  add_measuring_options(command, "the tables as Markdown, CSV and LaTeX", request);
   command.footer(names_help);
 }
 

@@ -9,6 +9,7 @@
 #include "harness/base/stop_conditions.hpp"
 #include "harness/cli/argument_checks.hpp"
 #include "harness/cli/progress_line.hpp"
+#include "harness/report/page.hpp"
 #include "harness/tables/table_output.hpp"
 
 namespace gcs {
@@ -26,7 +27,7 @@ void add_measuring_options(CLI::App& command, const char* files, TableRequest& r
       ->transform(whole_number(1, 1000000))
       ->type_name("N");
   command
-      .add_option("--out", request.out, fmt::format("Folder for run.json, all measurements, and {}", files))
+      .add_option("--out", request.out, fmt::format("Folder for run.json, all measurements, {}, and the page, report.html", files))
       ->check(place_name())
       ->type_name("DIR");
   command.add_flag("--full", request.full,
@@ -55,6 +56,7 @@ RunFile measure_and_show(TableRequest request, const Publications& publications,
   if (request.out) {
     write_tables(set, *request.out, table_formats());
     write_drawings(set.drawings, *request.out);
+    write_page({load_page_run(*request.out, publications)}, publications, *request.out);
   }
   std::cout << shown_on_terminal(set);
   return run;

@@ -17,15 +17,14 @@ using Layout = Eigen::Matrix2Xd;
 class Graph {
  public:
   explicit Graph(const ProblemStatement& problem)
-      : size(static_cast<Eigen::Index>(problem.points.size() + problem.lines.size())),
+      : size(problem.entity_count()),
         adjacent(Eigen::MatrixXi::Zero(size, size)) {
-    for (const DistanceConstraint& c : problem.constraints) add(c.between);
-    // Given positions are a rigid body, whose members are seen side by side.
+    for (const GraphEdge& edge : graph_edges(problem)) add(edge.between);
     std::vector<int> given;
     for (int e = 0; e < static_cast<int>(size); ++e)
       if (problem.is_fixed(e)) given.push_back(e);
-    for (std::size_t i = 0; i < given.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) adjacent(given[i], given[j]) = adjacent(given[j], given[i]) = 1;
+    put_side_by_side(given);
+    for (const RigidBody& body : problem.bodies) put_side_by_side(entities_of(body));
   }
 
   Eigen::Index size;
@@ -33,6 +32,13 @@ class Graph {
   std::vector<std::array<int, 2>> edges;
 
  private:
+  /// Members of what is rigid.
+  void put_side_by_side(const std::vector<int>& entities) {
+    for (const int a : entities)
+      for (const int b : entities)
+        if (a != b) adjacent(a, b) = 1;
+  }
+
   void add(const std::array<int, 2>& edge) {
     adjacent(edge[0], edge[1]) = adjacent(edge[1], edge[0]) = 1;
     edges.push_back(edge);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "harness/base/atomic_file.hpp"
 #include "harness/drawings/html_text.hpp"
 #include "harness/report/html_table.hpp"
 #include "harness/report/page_assets.hpp"
@@ -105,7 +106,8 @@ std::string standing_table(const std::vector<PageRun>& runs, const std::vector<P
   return "<section class=\"table\" id=\"standing\"><h2>What is proven</h2>\n"
          "<p>Numbers of solutions: what the papers print, and what this program proves, refutes or leaves "
          "open. Ours "
-         "count classes up to reflection (of lines beside given points: lines).</p>\n"
+         "count classes up to reflection; with given positions all figures, and of bodies that are no mirror image of "
+         "themselves solutions up to motion.</p>\n"
          "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Numbers of "
          "solutions\"><table>\n<thead><tr>"
          "<th class=\"stub\" scope=\"col\"></th><th scope=\"col\">published</th><th class=\"stub\" "
@@ -176,7 +178,8 @@ std::string instances_html(const std::vector<PageInstance>& instances) {
       "go to the "
       "given ones, at t = 1. Its figures are those of a polyline within the stated distance of S; solutions "
       "are "
-      "shown as listed. Of a family of instances the first member stands for all.</p>\n";
+      "shown as listed. Where S is not shown, figures move from solution to solution: bodies rigidly, lines and "
+      "planes with their directions, free points on segments; what is in between is no solution. Of a family of instances the first member stands for all.</p>\n";
   std::size_t number = 0;
   for (const PageInstance& instance : instances)
     text +=
@@ -193,6 +196,28 @@ std::vector<const StoredScene*> stored(const std::vector<PageInstance>& instance
 
 }  // namespace
 
+std::filesystem::path folder_of_run(const std::filesystem::path& run) {
+  return std::filesystem::is_directory(run) ? run : std::filesystem::absolute(run).parent_path();
+}
+
+PageRun load_page_run(const std::filesystem::path& run, const Publications& publications) {
+  const std::filesystem::path folder = folder_of_run(run);
+  RunFile record = load_run_file(run);
+  TableSet tables = build_tables(record, publications);
+  PageRun page{std::filesystem::absolute(folder).lexically_normal().filename().string(),
+               std::move(record),
+               std::move(tables),
+               {}};
+  for (const InstanceSummary& instance : page.record.instances)
+    if (auto scene = load_scene(folder, instance.id)) page.scenes.emplace(instance.id, std::move(*scene));
+  return page;
+}
+
+void write_page(const std::vector<PageRun>& runs, const Publications& publications,
+                const std::filesystem::path& folder) {
+  AtomicFile(folder / "report.html").commit(page_html(runs, publications));
+}
+
 std::string page_html(const std::vector<PageRun>& runs, const Publications& publications) {
   const std::vector<PageInstance> instances = instances_of(runs);
   std::string text = fmt::format(
@@ -200,14 +225,14 @@ std::string page_html(const std::vector<PageRun>& runs, const Publications& publ
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
       "script-src "
-      "'unsafe-inline'\">\n<title>gcsbench: solving distance "
+      "'unsafe-inline'\">\n<title>gcsbench: solving geometric "
       "constraints</title>\n<style>\n{}</style>\n</head>\n<body>\n",
       page_style);
   text +=
-      "<a class=\"skip\" href=\"#standing\">Skip the contents</a>\n<header><h1>Solving distance "
+      "<a class=\"skip\" href=\"#standing\">Skip the contents</a>\n<header><h1>Solving geometric "
       "constraints</h1>\n"
-      "<p>Points and lines placed so that given distances hold: what gcsbench measured, beside the published "
-      "figures.</p></header>\n";
+      "<p>Points, lines, planes and rigid bodies placed so that given distances and angles hold: what gcsbench "
+      "measured, beside the published figures.</p></header>\n";
   text += contents(runs, instances) + "<main>\n" + standing_table(runs, instances, publications);
   for (std::size_t r = 0; r < runs.size(); ++r) text += run_html(runs[r], r);
   text += instances_html(instances) + "</main>\n<script type=\"application/json\" id=\"page-data\">" +

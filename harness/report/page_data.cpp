@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "harness/drawings/graph_drawing.hpp"
 #include "harness/drawings/path_drawing.hpp"
+#include "solvers/elements/body_motion.hpp"
 #include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
@@ -18,18 +22,50 @@ JsonValue lines_value(const Figure& figure) {
   return json_array_of(figure.lines, [](const LinePosition& line) { return json_line_position(line, 3); });
 }
 
-JsonValue edge_value(const DistanceConstraint& c) {
-  const auto [a, b] = std::minmax(c.between[0], c.between[1]);
-  return json_object({{"a", json_number(a)},
-                      {"b", json_number(b)},
-                      {"label", json_text(c.id)},
-                      {"length", json_text((c.is_squared ? "√" : "") + c.given.text)}});
+JsonValue planes_value(const Figure& figure) { return json_array_of(figure.planes, json_plane_position); }
+
+JsonValue edge_value(const std::string& label, int a, int b, bool is_squared, const Decimal& given) {
+  return json_object({{"a", json_number(std::min(a, b))},
+                      {"b", json_number(std::max(a, b))},
+                      {"label", json_text(label)},
+                      {"length", json_text((is_squared ? "√" : "") + given.text)}});
 }
 
-JsonValue solution_value(const ShownSolution& solution) {
+/// All distances.
+JsonValue edges_value(const ProblemStatement& problem) {
+  std::vector<JsonValue> edges;
+  for (const DistanceConstraint& c : problem.constraints)
+    edges.push_back(edge_value(c.id, c.between[0], c.between[1], c.is_squared, c.given));
+  for (const Relation& relation : problem.relations)
+    if (relation.type == RelationType::distance)
+      edges.push_back(edge_value(relation.id, relation.of[0].entity, relation.of[1].entity,
+                                 relation.form == Relation::Form::squared, relation.given));
+  return json_array(std::move(edges));
+}
+
+JsonValue body_value(const RigidBody& body) {
+  return json_object(
+      {{"name", json_text(body.name)}, {"elements", json_array_of(entities_of(body), json_number)}});
+}
+
+/// Rows of the rotation from the file's position of the body to that in the figure.
+JsonValue turn_value(const ProblemStatement& problem, const RigidBody& body, const Figure& figure) {
+  std::vector<ElementPosition> from, to;
+  for (const BodyElement& element : body.elements) {
+    from.push_back(position_in_body(problem, element));
+    to.push_back(position_of(problem, element.entity, figure));
+  }
+  const Eigen::Matrix3d turn = nearest_motion(from, to, problem.dimension).turn;
+  return json_array_of(turn.rowwise(), [](const auto& row) { return json_coordinates(row.transpose(), 3); });
+}
+
+JsonValue solution_value(const ProblemStatement& problem, const ShownSolution& solution) {
+  const auto turn = [&](const RigidBody& body) { return turn_value(problem, body, solution.figure); };
   return json_object({{"multiplicity", json_number(solution.multiplicity)},
                       {"points", points_value(solution.figure)},
-                      {"lines", lines_value(solution.figure)}});
+                      {"lines", lines_value(solution.figure)},
+                      {"planes", planes_value(solution.figure)},
+                      {"turns", json_array_of(problem.bodies, turn)}});
 }
 
 JsonValue place_value(const PlanPlace& place) {
@@ -87,12 +123,16 @@ std::size_t first_coordinate(const StoredScene& scene) {
 
 JsonValue scene_value(const StoredScene& scene) {
   const Instance& instance = scene.record.instance;
+  const ProblemStatement& problem = instance.problem;
+  const auto solution = [&](const ShownSolution& shown) { return solution_value(problem, shown); };
   return json_object({{"id", json_text(instance.id)},
-                      {"dimension", json_number(instance.problem.dimension)},
-                      {"points", json_texts(instance.problem.points)},
-                      {"lines", json_texts(instance.problem.lines)},
-                      {"edges", json_array_of(instance.problem.constraints, edge_value)},
-                      {"solutions", json_array_of(scene.record.solutions, solution_value)},
+                      {"dimension", json_number(problem.dimension)},
+                      {"points", json_texts(problem.points)},
+                      {"lines", json_texts(problem.lines)},
+                      {"planes", json_texts(problem.planes)},
+                      {"bodies", json_array_of(problem.bodies, body_value)},
+                      {"edges", edges_value(problem)},
+                      {"solutions", json_array_of(scene.record.solutions, solution)},
                       {"trails", json_array_of(scene.record.trails, trail_value)},
                       {"coordinate", json_number(static_cast<double>(first_coordinate(scene)))},
                       {"path", path_value(scene)}});

@@ -8,8 +8,8 @@
 
 namespace gcs {
 
-/// {"scenes": […]} as JSON. Entities are numbered points first, then lines; vectors have three numbers, in
-/// the file's unit. `path.rows`: t, arc length and the moving coordinates of each corner. `coordinate`: the
+/// {"scenes": […]} as JSON. Entities are numbered points first, then lines, then planes; vectors have three numbers, in
+/// the file's unit. `edges`: distances. `turns` of a solution: of each body the rotation that it has there. `path.rows`: t, arc length and the moving coordinates of each corner. `coordinate`: the
 /// number of the one that a plot of S begins with, 0 being the arc length and the moving coordinates
 /// following.
 std::string page_data(const std::vector<const StoredScene*>& scenes);

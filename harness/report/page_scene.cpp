@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "harness/drawings/graph_drawing.hpp"
 #include "harness/drawings/html_text.hpp"
 #include "harness/drawings/path_drawing.hpp"
 #include "harness/drawings/reduced_path_drawing.hpp"
 #include "harness/drawings/tree_drawing.hpp"
+#include "solvers/reading/relation_table.hpp"
+#include "solvers/solving/answer.hpp"
 
 namespace gcs {
 namespace {
@@ -39,15 +43,41 @@ std::string path_fact(const StoredScene& scene) {
       scene.path->length, scene.path->crossings.size(), scene.path->within);
 }
 
+std::string entities_fact(const ProblemStatement& problem) {
+  std::string text = fmt::format("{} points", problem.points.size());
+  if (!problem.lines.empty()) text += fmt::format(", lines: {}", problem.lines.size());
+  if (!problem.planes.empty()) text += fmt::format(", planes: {}", problem.planes.size());
+  for (const RigidBody& body : problem.bodies) {
+    std::vector<std::string> names;
+    for (const int entity : entities_of(body)) names.push_back(problem.name(entity));
+    text += fmt::format("; body {}: {}", body.name, fmt::join(names, ", "));
+  }
+  return text;
+}
+
+/// "12 distances, angle: 3".
+std::string constraints_fact(const ProblemStatement& problem) {
+  std::size_t distances = problem.constraints.size();
+  std::map<std::string, int> others;
+  for (const Relation& relation : problem.relations) {
+    if (relation.type == RelationType::distance)
+      ++distances;
+    else
+      ++others[name_of(relation.type)];
+  }
+  std::string text = fmt::format("{} distances", distances);
+  for (const auto& [type, count] : others) text += fmt::format(", {}: {}", type, count);
+  return text;
+}
+
 std::string facts(const StoredScene& scene) {
   const Instance& instance = scene.record.instance;
   const ProblemStatement& problem = instance.problem;
   std::string text = "<dl class=\"facts\">\n";
   text += fact("dimension", std::to_string(problem.dimension));
-  text += fact("entities", problem.lines.empty() ? fmt::format("{} points", problem.points.size())
-                                                 : fmt::format("{} points, lines: {}", problem.points.size(),
-                                                               problem.lines.size()));
-  text += fact("constraints", fmt::format("{} distances", problem.constraints.size()));
+  text += fact("entities", entities_fact(problem));
+  text += fact("constraints", constraints_fact(problem));
+  if (problem.is_general()) text += fact("solutions count", std::string(word(convention_of(problem))));
   text += fact("real solutions", solutions_fact(scene.record));
   text += fact("path S", path_fact(scene));
   if (!instance.notes.empty()) text += fact("notes", instance.notes);
@@ -62,6 +92,8 @@ std::string graph_html(const StoredScene& scene) {
         most_drawn_entities);
   std::string caption = "Constraint graph. Black: what fixes the frame, or is given.";
   if (!instance.problem.lines.empty()) caption += " Squares: lines.";
+  if (!instance.problem.planes.empty()) caption += " Triangles: planes.";
+  if (!instance.problem.bodies.empty()) caption += " Grey lines: rigid bodies.";
   if (instance.problem.sketch) {
     const std::size_t bent = bent_lengths(instance.problem).size();
     if (bent == 1) caption += " Dashed: the constraint whose length is bent along S.";
@@ -74,9 +106,10 @@ constexpr std::string_view figure_part = R"(<div>
 <svg class="view" data-part="view" viewBox="0 0 320 320" tabindex="0" role="img" aria-label="{label}"></svg>
 <div class="controls" data-part="controls">
 <label>Show <select data-part="goal"></select></label>
-<div class="row" data-part="along"><label class="way">Along S <input type="range" data-part="slider" min="0" max="10000" step="any" value="10000" aria-label="place along S"></label>
-<button type="button" data-part="play">Move along S</button></div>
+<div class="row" data-part="along"><label class="way"><span data-part="way">Along S</span> <input type="range" data-part="slider" min="0" max="10000" step="any" value="10000" aria-label="place on the way"></label>
+<button type="button" data-part="play">Move</button></div>
 <p class="where" data-part="where"></p>
+<ul class="legend" data-part="legend"></ul>
 </div>
 </div>
 )";

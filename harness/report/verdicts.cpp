@@ -217,7 +217,8 @@ Table verdict_table(const RunFile& run, const std::map<std::string, StoredScene>
               .groups = {{"published", {""}}, {"is", {""}}, {"ours", {""}}, {"is", {""}}, {"why", {""}}},
               .rows = {},
               .footnotes = {},
-              .remarks = {"Ours count classes up to reflection; of lines beside given points, lines.",
+              .remarks = {"Ours count classes up to reflection; with given positions all figures, and of bodies that are no mirror image "
+                          "of themselves solutions up to motion.",
                           measured_with(run)}};
   for (const InstanceSummary& instance : run.instances) {
     const auto scene = scenes.find(instance.id);

@@ -32,7 +32,7 @@ struct CellTask {
 struct TimingLimits {
   double budget_s = 90;                        ///< for all repetitions of all cells together
   std::optional<double> cell_limit_s = 60;     ///< for one solve, not its proofs
-  std::optional<double> total_limit_s = 1500;  ///< for everything; cells that are left are not run
+  std::optional<double> total_limit_s = 1800;  ///< for everything; cells that are left are not run
   bool skips_variants = false;  ///< of a strategy whose default settings were too slow for the instance
 };
 

@@ -119,6 +119,7 @@ void visit_fields(RecordOf<InstanceSummary> auto& instance, const auto& visit) {
   visit.later("reference", instance.reference);
   visit.later("shipped", instance.is_shipped);
   visit.later("complex_limit", instance.limit);
+  visit.later("convention", instance.convention);
 }
 
 void visit_fields(RecordOf<RequestedTable> auto& table, const auto& visit) {

@@ -105,6 +105,7 @@ struct InstanceSummary {
   bool has_given_positions = false;         ///< so that no mirror images are divided out
   std::string reference = {};               ///< what errors are measured against; empty: they are not
   bool is_shipped = true;                   ///< the instance of that id that ships, unchanged
+  std::string convention = {};              ///< which figures are one solution; empty in older files
 };
 
 /// A table that was asked for, with the ids of its instances.

@@ -14,9 +14,11 @@ constexpr std::string_view format_name = "gcsbench-scene/1";
 // ---- writing
 
 JsonValue solution_value(const ProblemStatement& problem, const ShownSolution& solution) {
-  return json_object({{"multiplicity", json_number(solution.multiplicity)},
+  JsonMembers members{{"multiplicity", json_number(solution.multiplicity)},
                       {"points", json_points(problem, solution.figure)},
-                      {"lines", json_lines(problem, solution.figure)}});
+                      {"lines", json_lines(problem, solution.figure)}};
+  if (!problem.planes.empty()) members.emplace_back("planes", json_planes(problem, solution.figure));
+  return json_object(std::move(members));
 }
 
 JsonValue crossing_value(const std::optional<MetSolution>& met) {
@@ -59,10 +61,7 @@ int read_whole(const JsonCursor& cursor, int low, int high) {
 ShownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
   ShownSolution solution;
   solution.multiplicity = read_whole(cursor.required("multiplicity"), 1, 1 << 20);
-  const JsonCursor points = cursor.required("points"), lines = cursor.required("lines");
-  solution.figure.points = read_points(points, problem, true).real();
-  for (const std::string& name : problem.lines)
-    solution.figure.lines.push_back(lines.required(name).line_position(problem.dimension));
+  solution.figure = read_figure(cursor, problem, true);
   return solution;
 }
 

@@ -51,20 +51,24 @@ void take_proven(const ReferenceList& list, const Scene& scene, ShownScene& reco
   record.is_real_proven = list.is_real_proven && !is_cut;
 }
 
-/// The real solutions of the strategy that lists most of them.
+/// The real solutions of the first strategy that claims to list all of them, or else of the one that lists most;
+/// certified where certificates reach the scene.
 void take_listed(const Scene& scene, Monitor& progress, ShownScene& record) {
   RunLimits limits;
   limits.time_limit_s = limit_s;
   limits.max_solutions = most_solutions;
   limits.only_real = true;
+  limits.certify = true;
   for (const StrategyEntry& entry : all_strategies()) {
-    if (interrupted()) return;
+    if (interrupted() || record.has_all_real) return;
     const SolveRun run = run_strategy(entry, {}, scene, limits, {&progress, nullptr});
     if (run.solutions.size() <= record.solutions.size()) continue;
     record.solutions.clear();
     for (const AssessedSolution& solution : run.solutions)
       record.solutions.push_back({solution.placement(), solution.multiplicity});
-    record.source = "found by " + std::string(entry.name) + ", not proven";
+    record.are_proven = run.proofs && run.proofs->real == run.solutions.size();
+    record.source = fmt::format("found by {}{}", entry.name, record.are_proven ? "" : ", not proven");
+    record.is_real_proven = record.are_proven && run.proofs->decide_real();
     record.has_all_real = run.status == RunStatus::complete && run.claim != Claim::some_real &&
                           run.claim != Claim::on_path && run.claim != Claim::on_path_of_core;
   }
@@ -72,7 +76,7 @@ void take_listed(const Scene& scene, Monitor& progress, ShownScene& record) {
 
 void take_solutions(const Instance& instance, const Scene& scene, Monitor& progress, ShownScene& record) {
   std::optional<ReferenceList> list;
-  if (!why_not_certified(scene)) list = reference_for(instance, scene, limit_s, progress);
+  if (!instance.problem.is_general() && !why_not_certified(scene)) list = reference_for(instance, scene, limit_s, progress);
   if (list && (!list->solutions.empty() || list->is_real_proven))
     take_proven(*list, scene, record);
   else
@@ -165,6 +169,10 @@ void take_trails(const RunFile& run, const Scene& scene, const std::vector<Prove
 
 /// S and all that is known of places on it; or why it is not there.
 std::optional<std::string> take_path(const Scene& scene, const RunFile& run, ShownScene& record) {
+  if (scene.problem().is_general()) {
+    record.no_path = "S is proven for distances between points only yet";
+    return std::nullopt;
+  }
   if (const auto reason = why_not_proven(scene)) {
     record.no_path = *reason;
     return std::nullopt;
@@ -207,7 +215,7 @@ void put_solutions_on_path(StoredScene& scene) {
 }  // namespace
 
 bool can_be_drawn(const ProblemStatement& problem) {
-  return problem.points.size() + problem.lines.size() <= most_drawn_entities;
+  return static_cast<std::size_t>(problem.entity_count()) <= most_drawn_entities;
 }
 
 MadeScene make_scene(const Instance& instance, const Scene& scene, const RunFile& run, Monitor& progress) {

@@ -69,7 +69,7 @@ class Builder {
   void complex_limit(const std::string& label) {
     add_row(label, {label, ""}, [&](const InstanceSummary& instance, const PrintedFigure*) {
       if (!instance.limit) return std::pair{TableCell{"not known", {}}, empty_entry()};
-      const int note = table_.footnote(origin(*instance.limit));
+      const int note = table_.footnote(limit_origin(*instance.limit));
       return std::pair{TableCell{instance.limit->all_signs, {note}}, empty_entry()};
     });
   }
@@ -140,16 +140,6 @@ class Builder {
     return (of_real ? proofs->decides_real : proofs->is_complete)
                ? "proven: all certified, and no lengths have more complex ones"
                : "all certified; that there are no more is found, not proven";
-  }
-
-  static std::string origin(const RecordedLimit& limit) {
-    if (limit.is_exact) return "Exact at generic lengths: recursion over bigraphs, Capco et al. 2018.";
-    const auto& [reference, ring, parts, theorem] = limit.bound;
-    const std::string_view source = parts > 1 || !theorem.empty() ? "."
-                                    : !ring.empty()               ? "; given shapes close in at most 16 ways."
-                                    : !reference.empty()          ? ", Bartzos, Emiris, Schicho 2020."
-                                                                  : ", Macdonald, Pach, Theobald 2001.";
-    return bound_origin(limit.bound) + std::string(source);
   }
 
   static std::string label(const Variant& variant) { return label_of(variant.on("")); }

@@ -6,6 +6,7 @@
 
 #include "harness/base/time_left.hpp"
 #include "harness/results/exec_strategy.hpp"
+#include "harness/solving/counts_view.hpp"
 
 namespace gcs {
 namespace {
@@ -77,6 +78,16 @@ std::optional<double> finite_path_ends(const CellRecord* cell) {
   if (!all) return std::nullopt;
   return *all - static_cast<double>(cell->counts.at_infinity.value_or(0)) -
          static_cast<double>(cell->counts.failed_paths.value_or(0));
+}
+
+std::string limit_origin(const RecordedLimit& limit) {
+  if (limit.is_exact) return "Exact at generic lengths: recursion over bigraphs, Capco et al. 2018.";
+  const auto& [reference, ring, parts, theorem] = limit.bound;
+  const std::string_view source = parts > 1 || !theorem.empty() ? "."
+                                  : !ring.empty()               ? "; given shapes close in at most 16 ways."
+                                  : !reference.empty()          ? ", Bartzos, Emiris, Schicho 2020."
+                                                                : ", Macdonald, Pach, Theobald 2001.";
+  return bound_origin(limit.bound) + std::string(source);
 }
 
 TableCell printed_entry(Table& table, const PrintedFigure* figure) {

@@ -40,6 +40,9 @@ std::optional<double> tracked_paths(const CellRecord* cell);
 /// Of these, the ends that are finite, regular and singular ones together.
 std::optional<double> finite_path_ends(const CellRecord* cell);
 
+/// Where the number, or the bound, of complex solutions comes from: a sentence with its source.
+std::string limit_origin(const RecordedLimit& limit);
+
 /// A printed figure as the paper has it. A correction and a remark become footnotes.
 TableCell printed_entry(Table& table, const PrintedFigure* figure);
 

@@ -20,6 +20,7 @@
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/pyramid/pyramid_branches.hpp"
 #include "solvers/reading/nearest_name.hpp"
+#include "solvers/solving/answer.hpp"
 
 namespace gcs {
 namespace {
@@ -39,16 +40,36 @@ struct LoadedInstances {
   const Scene& scene(const std::string& id) const { return scenes[number(id)]; }
 };
 
-LoadedInstances load_all(const std::vector<std::string>& arguments, Instance (*load)(const std::string&)) {
+const TableKind& table_named(const std::string& name) {
+  const TableKind* kind = find_table(name);
+  if (kind == nullptr) throw UsageError(fmt::format("there is no table '{}'", name));
+  return *kind;
+}
+
+/// The arguments for load_instance: what was asked for, or what the tables show, each once.
+std::vector<std::string> instances_to_load(const TableRequest& request) {
+  if (!request.instances.empty()) return request.instances;
+  std::vector<std::string> ids;
+  for (const std::string& name : request.tables)
+    for (const std::string& id : table_named(name).instances())
+      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  return ids;
+}
+
+void require_known(const TableRequest& request, const Instance& instance) {
+  const auto knows = [](const std::string& name) { return table_named(name).knows_general; };
+  if (instance.problem.is_general() && std::ranges::none_of(request.tables, knows))
+    throw UsageError(
+        fmt::format("'{}' has elements or constraints that {} does not know, but for points, lines in space and "
+                    "distances alone; `gcsbench solve` and `gcsbench tables general` know it",
+                    instance.id, quoted_list(request.tables)));
+}
+
+LoadedInstances load_all(const TableRequest& request) {
   LoadedInstances loaded{};
-  for (const std::string& argument : arguments) {
-    Instance instance = load(argument);
-    if (instance.problem.is_general())
-      throw UsageError(
-          fmt::format("'{}' has elements or constraints that measurements do not know: they are of points, "
-                      "lines in space "
-                      "and distances alone; `gcsbench solve` knows it",
-                      instance.id));
+  for (const std::string& argument : instances_to_load(request)) {
+    Instance instance = table_named(request.tables.front()).load(argument);
+    require_known(request, instance);
     const bool again = std::any_of(loaded.instances.begin(), loaded.instances.end(),
                                    [&](const Instance& other) { return other.id == instance.id; });
     if (again) throw UsageError(fmt::format("instance '{}' is given twice", instance.id));
@@ -68,32 +89,17 @@ void add_judges(const TableRequest& request, LoadedInstances& loaded) {
     loaded.judges.emplace_back(loaded.instances[i], loaded.scenes[i]);
 }
 
-const TableKind& table_named(const std::string& name) {
-  const TableKind* kind = find_table(name);
-  if (kind == nullptr) throw UsageError(fmt::format("there is no table '{}'", name));
-  return *kind;
-}
-
 /// What a table shows: its own instances, or those that were asked for.
 std::vector<std::string> ids_for(const TableKind& kind, const TableRequest& request,
                                  const LoadedInstances& loaded) {
   if (request.instances.empty()) return kind.instances();
   std::vector<std::string> ids;
   for (const Instance& instance : loaded.instances) {
+    if (instance.problem.is_general() && !kind.knows_general) continue;
     const auto& own = kind.instances();
     if (kind.has_free_columns || std::find(own.begin(), own.end(), instance.id) != own.end())
       ids.push_back(instance.id);
   }
-  return ids;
-}
-
-/// The arguments for load_instance: what was asked for, or what the tables show, each once.
-std::vector<std::string> instances_to_load(const TableRequest& request) {
-  if (!request.instances.empty()) return request.instances;
-  std::vector<std::string> ids;
-  for (const std::string& name : request.tables)
-    for (const std::string& id : table_named(name).instances())
-      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
   return ids;
 }
 
@@ -252,12 +258,13 @@ InstanceSummary summary_of(const Instance& instance, const Scene& scene) {
   InstanceSummary record{instance.id,
                          instance.origin,
                          fingerprint(instance.document),
-                         static_cast<int>(problem.constraints.size()),
+                         static_cast<int>(problem.constraints.size() + problem.relations.size()),
                          problem.dimension,
                          given_lengths(problem),
                          complex_limit(problem),
                          scene.is_anchored()};
   record.is_shipped = is_shipped(instance);
+  record.convention = word(convention_of(problem));
   return record;
 }
 
@@ -351,7 +358,7 @@ RunFile run_tables(const TableRequest& request, const Publications& publications
   if (request.resume && !request.out)
     throw UsageError("--resume needs --out: the folder of the run to go on with");
   const std::deque<StrategyEntry> programs = programs_of(request);
-  LoadedInstances loaded = load_all(instances_to_load(request), table_named(request.tables.front()).load);
+  LoadedInstances loaded = load_all(request);
   add_judges(request, loaded);
   const std::vector<CellTask> tasks = tasks_of(request, loaded, programs);
   require_tasks(request, tasks);

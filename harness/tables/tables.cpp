@@ -13,11 +13,13 @@ namespace {
 
 constexpr std::string_view imbach = "imbach-mathis-schreck-2016";
 constexpr std::string_view hoffmann = "hoffmann-yuan-2000";
+constexpr std::string_view general_scenes = "general-scenes";
 
 constexpr bool free_columns = true;
 constexpr bool shows_solutions = true;
 constexpr bool measures_accuracy = true;
 constexpr bool shows_times = true;
+constexpr bool knows_general = true;
 constexpr std::vector<Drawing> (*no_drawing)(const RunFile&) = nullptr;
 
 /// The run as far as one table speaks of it.
@@ -140,6 +142,9 @@ std::span<const TableKind> table_kinds() {
                 build_subdivision},
       TableKind{"ablation", "one option of a strategy changed at a time, and what is left out", imbach,
                 ablation_instances, free_columns, !shows_solutions, ablation_variants, build_ablation},
+      TableKind{"general", "scenes of lines, planes, bodies and angles: what is known, found and proven",
+                general_scenes, general_instances, free_columns, !shows_solutions, general_variants,
+                build_general, no_drawing, !measures_accuracy, load_instance, shows_times, knows_general},
   };
   return kinds;
 }

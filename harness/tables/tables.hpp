@@ -42,7 +42,8 @@ struct TableKind {
   std::vector<Drawing> (*draw)(const RunFile& run) = nullptr;  ///< null: no figure
   bool measures_accuracy = false;  ///< answers are held against references, and not certified
   Instance (*load)(const std::string& argument) = load_instance;
-  bool shows_times = true;  ///< otherwise its cells are solved once
+  bool shows_times = true;     ///< otherwise its cells are solved once
+  bool knows_general = false;  ///< speaks of scenes of more than points, lines in space and distances too
 };
 
 /// All tables of `gcsbench tables`, in the order of `all`.
@@ -156,6 +157,12 @@ std::vector<Table> build_scan(const RunFile& run, const Publication& paper);
 const std::vector<std::string>& subdivision_instances();
 std::vector<Variant> subdivision_variants();
 std::vector<Table> build_subdivision(const RunFile& run, const Publication& paper);
+
+/// The shipped scenes of the format gcsbench-instance/2.
+const std::vector<std::string>& general_instances();
+std::vector<Variant> general_variants();
+/// What is known of general scenes, and what each strategy finds and proves.
+std::vector<Table> build_general(const RunFile& run, const Publication& paper);
 
 /// Every cell of the run with its repetitions, whatever the tables show of it.
 Table build_measurements(const RunFile& run);

@@ -1,8 +1,10 @@
 "use strict";
 
-/** The interactive part of one instance: figure, slider along S, plot of S, solutions, coordinates. */
+/** The interactive part of one instance: figure, slider along S or between solutions, plot of S, solutions, coordinates. */
 class ScenePanel {
   static mostThumbnails = 24;
+  static secondsOfPath = 6;
+  static secondsOfWalk = 2;  // from one solution to the next
 
   constructor(root, scene) {
     this.root = root;
@@ -10,7 +12,8 @@ class ScenePanel {
     this.path = scene.path ? new ScenePath(scene.path) : null;
     this.trail = scene.trails.find((trail) => trail.places.length > 0) || null;
     this.find = (name) => root.querySelector(`[data-part="${name}"]`);
-    this.view = new FigureView(this.find("view"), scene, this.radius());
+    this.size = this.radius();
+    this.view = new FigureView(this.find("view"), scene, this.size);
     this.view.makeTurnable();
     this.views = this.makeThumbnails();
     this.view.onturn = (rotation) => this.views.forEach((view) => {
@@ -18,8 +21,9 @@ class ScenePanel {
       view.draw();
     });
     this.fillGoals();
+    this.fillLegend();
     if (this.path) this.makePlot();
-    else this.find("along").hidden = true;
+    this.find("along").hidden = !this.goals.some((goal) => ScenePanel.moves(goal));
     this.find("goal").addEventListener("change", () => this.choose());
     this.find("slider").addEventListener("input", () => this.move());
     this.find("play").addEventListener("click", () => this.play());
@@ -28,12 +32,18 @@ class ScenePanel {
 
   /** Of balls around the solutions; the sketch stands in for them. */
   radius() {
-    const figures = this.scene.solutions.map((solution) => solution.points);
-    if (figures.length === 0 && this.path) figures.push(this.path.atRow(0).points);
-    return Math.max(...figures.map((points) => FigureView.reach(points)));
+    const figures = this.scene.solutions.slice();
+    if (figures.length === 0 && this.path) figures.push(ScenePanel.ofPoints(this.path.atRow(0).points));
+    return Math.max(...figures.map((figure) => FigureView.reach(figure)));
   }
 
-  /** What can be shown: once around S, from the sketch to each crossing, and the solutions that are not on S. */
+  static ofPoints(points) { return { points, lines: [], planes: [] }; }
+
+  /** Whether there is a way to the goal: along S, or from another solution. */
+  static moves(goal) { return goal.row !== null || goal.stops.length > 1; }
+
+  /** What can be shown: once around S, from the sketch to each crossing, each solution that is not on S from the one before
+      it, and all of those one after another. `stops`: the solutions on the way. */
   fillGoals() {
     this.goals = [];
     const met = new Set();
@@ -43,16 +53,21 @@ class ScenePanel {
         const image = stop.signs.includes(-1) ? ", mirrored" : "";
         const name = stop.solution === null ? "" : `: solution ${stop.solution + 1}${image}`;
         this.goals.push({ group: "from the sketch along S to", text: `crossing ${i + 1}${name}`,
-                          row: stop.row, solution: stop.solution });
+                          row: stop.row, solution: stop.solution, stops: [] });
         met.add(stop.solution);
       });
-      this.goals.push({ group: "all of S", text: "once around, back to the sketch", row: last, solution: null });
+      this.goals.push({ group: "all of S", text: "once around, back to the sketch", row: last, solution: null,
+                        stops: [] });
     }
-    this.scene.solutions.forEach((_, i) => {
-      if (!met.has(i))
-        this.goals.push({ group: this.path ? "solutions that are not on S" : "solutions",
-                          text: `solution ${i + 1}`, row: null, solution: i });
+    const others = this.scene.solutions.map((_, i) => i).filter((i) => !met.has(i));
+    const group = this.path ? "solutions that are not on S" : "solutions";
+    others.forEach((solution, k) => {
+      const stops = others.length > 1 ? [others.at(k - 1), solution] : [solution];
+      this.goals.push({ group, text: `solution ${solution + 1}`, row: null, solution, stops });
     });
+    if (others.length > 1)
+      this.goals.push({ group: "all of them", text: "one after another, back to the first", row: null, solution: null,
+                        stops: [...others, others[0]] });
     const groups = new Map();
     this.goals.forEach((goal, i) => {
       if (!groups.has(goal.group)) groups.set(goal.group, new OptionGroup(goal.group));
@@ -62,31 +77,64 @@ class ScenePanel {
     if (this.goals.length === 0) this.find("controls").hidden = true;
   }
 
+  /** Which colour is which body, and which side of a plane is which. */
+  fillLegend() {
+    const entries = this.scene.bodies.map(({ name }, k) => [`body${FigureView.colourClass(k)}`, name]);
+    if (this.scene.planes.length > 0)
+      entries.push(["plane front", "plane, seen from its normal's side"], ["plane back", "seen from behind"]);
+    const legend = this.find("legend");
+    legend.hidden = entries.length === 0;
+    legend.replaceChildren(...entries.map(([kind, text]) => {
+      const entry = document.createElement("li");
+      const svg = Drawing.element("svg", { viewBox: "0 0 16 12", "aria-hidden": true }, entry);
+      Drawing.element("rect", { class: kind, x: 2, y: 1, width: 12, height: 10 }, svg);
+      entry.append(text);
+      return entry;
+    }));
+  }
+
   get goal() { return this.goals[Number(this.find("goal").value)]; }
 
   choose() {
     this.stop();
     if (this.goals.length === 0) return;
-    const moves = this.goal.row !== null;
+    const moves = ScenePanel.moves(this.goal);
+    this.find("way").textContent = this.goal.row === null && moves ? "From solution to solution" : "Along S";
     this.find("slider").disabled = this.find("play").disabled = !moves;
     this.find("slider").value = this.find("slider").max;
     this.move();
   }
 
-  /** Shows the place of the slider, or the solution where there is no way to it. */
+  /** Shows the place of the slider. */
   move() {
+    if (this.goal.row === null) this.moveBetweenSolutions();
+    else this.moveAlongPath();
+  }
+
+  moveBetweenSolutions() {
+    const { stops } = this.goal;
+    const slider = this.find("slider");
+    const place = (stops.length - 1) * Number(slider.value) / Number(slider.max);
+    const k = Math.min(Math.floor(place), Math.max(0, stops.length - 2));
+    const [a, b] = [stops[k], stops[Math.min(k + 1, stops.length - 1)]];
+    const part = place - k;
+    const { solutions } = this.scene;
+    this.shown = part === 0 ? a : part === 1 ? b : null;
+    this.display(FigureWalk.at(this.scene, solutions[a], solutions[b], part), null);
+    const words = this.shown === null ? `between solutions ${a + 1} and ${b + 1}: moved from one to the other, no solution`
+      : `solution ${this.shown + 1}${this.path ? ", not on S" : ""}`;
+    slider.setAttribute("aria-valuetext", words);
+    this.find("where").textContent = words;
+  }
+
+  moveAlongPath() {
     const { row, solution } = this.goal;
     const slider = this.find("slider");
-    if (row === null) {
-      this.display(this.scene.solutions[solution], null);
-      slider.setAttribute("aria-valuetext", "not on S");
-      this.find("where").textContent = this.path ? "This solution is not on S." : "";
-      return;
-    }
     const end = this.path.rows[row][1];
-    const place = Number(slider.value) === Number(slider.max)
-      ? this.path.atRow(row) : this.path.at(end * Number(slider.value) / Number(slider.max));
-    this.display({ points: place.points, lines: [] }, place);
+    const isThere = Number(slider.value) === Number(slider.max);
+    const place = isThere ? this.path.atRow(row) : this.path.at(end * Number(slider.value) / Number(slider.max));
+    this.shown = solution;
+    this.display(ScenePanel.ofPoints(place.points), place);
     const words = `t = ${Drawing.number(place.t, 4)}, arc length ${Drawing.number(place.s, 4)} of `
       + Drawing.number(end, 4);
     slider.setAttribute("aria-valuetext", words);
@@ -111,28 +159,34 @@ class ScenePanel {
     if (place) this.plot.moveTo(place);
     else if (this.plot) this.plot.here.removeAttribute("cx");
     this.fillCoordinates(figure);
-    this.views.forEach((view, i) => view.svg.parentElement.setAttribute("aria-pressed", i === this.goal.solution));
+    this.views.forEach((view, i) => view.svg.parentElement.setAttribute("aria-pressed", i === this.shown));
   }
 
   /** The coordinates of what is shown, beside those of the solution as it is listed. */
   fillCoordinates(figure) {
     const axes = this.scene.dimension === 2 ? [0, 1] : [0, 1, 2];
-    const { solution } = this.goal;
-    const size = this.radius();
+    const size = this.size;
     const numbers = (v) => axes.map((axis) => Drawing.coordinate(v[axis], size));
-    const listed = solution === null ? null : this.listedImage(solution);
+    const listed = this.shown === null ? null : this.listedImage(this.shown);
     const rows = this.scene.points.map((name, i) => [name, numbers(figure.points[i]), listed && numbers(listed[i])]);
-    (figure.lines || []).forEach((line, i) => {
+    const then = this.goal.row === null && this.shown !== null ? this.scene.solutions[this.shown] : null;
+    figure.lines.forEach((line, i) => {
       const name = this.scene.lines[i];
-      rows.push([`${name}, a point`, numbers(line.point), null]);
-      rows.push([`${name}, direction`, numbers(line.direction), null]);
+      rows.push([`${name}, a point`, numbers(line.point), then && numbers(then.lines[i].point)]);
+      rows.push([`${name}, direction`, numbers(line.direction), then && numbers(then.lines[i].direction)]);
     });
-    this.find("coordinates").replaceChildren(...rows.map(([name, now, then]) => {
+    figure.planes.forEach((plane, i) => {
+      const name = this.scene.planes[i];
+      const offset = ({ offset }) => [Drawing.coordinate(offset, size), "–", "–"];
+      rows.push([`${name}, normal`, numbers(plane.normal), then && numbers(then.planes[i].normal)]);
+      rows.push([`${name}, offset`, offset(plane), then && offset(then.planes[i])]);
+    });
+    this.find("coordinates").replaceChildren(...rows.map(([name, now, listedNumbers]) => {
       const row = document.createElement("tr");
       const heading = document.createElement("th");
       heading.scope = "row";
       heading.textContent = name;
-      row.append(heading, ...now.concat(then || axes.map(() => "–")).map((text) => {
+      row.append(heading, ...now.concat(listedNumbers || axes.map(() => "–")).map((text) => {
         const cell = document.createElement("td");
         cell.textContent = text;
         return cell;
@@ -162,7 +216,7 @@ class ScenePanel {
       button.append(svg, caption);
       button.addEventListener("click", () => this.goTo(i));
       gallery.append(button);
-      const view = new FigureView(svg, this.scene, this.radius());
+      const view = new FigureView(svg, this.scene, this.size);
       view.show(solution);
       return view;
     });
@@ -240,7 +294,8 @@ class ScenePanel {
     }
     const slider = this.find("slider");
     const max = Number(slider.max);
-    const seconds = 6;
+    const seconds = this.goal.row === null ? ScenePanel.secondsOfWalk * (this.goal.stops.length - 1)
+      : ScenePanel.secondsOfPath;
     let from = Number(slider.value) === max ? 0 : Number(slider.value);
     let start = null;
     const step = (now) => {
@@ -257,7 +312,7 @@ class ScenePanel {
   stop() {
     cancelAnimationFrame(this.timer);
     this.timer = null;
-    this.find("play").textContent = "Move along S";
+    this.find("play").textContent = "Move";
   }
 }
 

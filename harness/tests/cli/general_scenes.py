@@ -13,6 +13,18 @@ PLATFORM = {
     "constraints": distances(("a1", "b1", 2.223209804508), ("a2", "b2", 1.592107444111), ("a3", "b3", 2.792751828304)),
 }
 
+# A line and a plane in a body, and a body that is held to both: every kind of element.
+HELD = {
+    "format": "gcsbench-instance/2", "id": "held-body", "dimension": 3, "points": [],
+    "bodies": {"base": {"a1": [0, 0, 0], "a2": [1.7, 0.1, 0.2], "a3": [0.4, 1.5, -0.3],
+                        "K": {"point": [0.3, 0.2, 1.1], "direction": [1, 0.3, 0.2]},
+                        "E": {"normal": [0.2, -0.1, 1], "offset": -0.6}},
+               "platform": {"b1": [0, 0, 0], "b2": [1.2, 0.3, 0], "b3": [0.5, 1.1, 0.4]}},
+    "constraints": distances(("a1", "b1", 1.374772708487), ("a2", "b2", 2.08742624143), ("a3", "b3", 2.481024083889),
+                             ("a1", "b3", 2.158923830744), ("b1", "E", 1.951800145897), ("b2", "K", 0.889508559965)),
+}
+
+
 def planes(unit=1):
     """Three points and three planes, all pairs constrained but three: eight classes (Hoffmann, Yuan). Lengths are so
     many units of the file."""

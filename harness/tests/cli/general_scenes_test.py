@@ -121,7 +121,7 @@ class GeneralScenes(command_line.CommandLine):
         for command in [["precision", instance], ["tables", "table1", "--instances", instance]]:
             done = run(*command)
             self.assertEqual(done.returncode, BAD_INPUT)
-            self.assertIn("measurements do not know", done.stderr)
+            self.assertIn("does not know", done.stderr)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ from pathlib import Path
 import command_line
 import devtools
 from command_line import DONE
+from general_scenes import HELD, PLATFORM, planes
 
 BROWSER = devtools.find_browser()
 
@@ -44,6 +45,70 @@ def length(constraint):
     return constraint["length"] if "length" in constraint else math.sqrt(constraint["squared"])
 
 
+class View:
+    """What the page should show of a figure at first: the ball of the largest solution, turned and in perspective."""
+
+    HALF, EYE, WIDTH = 160, 5, 0.86
+
+    def __init__(self, scene):
+        self.dimension = scene["instance"]["dimension"]
+        figure = scene["solutions"][0]
+        points = self.points(figure)
+        self.centre = [sum(c) / len(points) for c in zip(*points)]
+        self.radius = max(self.reach(solution) for solution in scene["solutions"])
+
+    def points(self, figure):
+        return [(*p, 0)[:3] for p in figure["points"].values()]
+
+    def reach(self, figure):
+        points = self.points(figure)
+        centre = [sum(c) / len(points) for c in zip(*points)]
+        feet = [foot_on_line(line, centre) for line in figure["lines"].values()]
+        feet += [foot_on_plane(plane, centre) for plane in figure.get("planes", {}).values()]
+        return max(math.dist(p, centre) for p in points + feet)
+
+    def seen(self, vector):
+        """A direction as the eye sees it: turned about the z-axis and then about the x-axis."""
+        if self.dimension == 2:
+            return vector
+        x, y, z = vector
+        (c, s), (d, t) = [(math.cos(a), math.sin(a)) for a in (-0.5, -1.2)]
+        x, y = c * x - s * y, s * x + c * y
+        return x, d * y - t * z, t * y + d * z
+
+    def place(self, point):
+        return self.seen([(p - c) / self.radius for p, c in zip(point, self.centre)])
+
+    def on_page(self, point):
+        x, y, z = self.place(point)
+        scale = self.WIDTH * self.HALF * (1 if self.dimension == 2 else self.EYE / (self.EYE - z))
+        return self.HALF + scale * x, self.HALF - scale * y
+
+    def on_plane(self, plane, corner):
+        """The place on the plane that is seen at that corner of the page."""
+        normal = self.seen(plane["normal"])
+        offset = (plane["offset"] - dot(plane["normal"], self.centre)) / self.radius
+        x, y = (corner[0] - self.HALF) / self.WIDTH / self.HALF, (self.HALF - corner[1]) / self.WIDTH / self.HALF
+        # (x·(1 − z/eye), y·(1 − z/eye), z) lies on it.
+        flat = normal[0] * x + normal[1] * y
+        z = (offset - flat) / (normal[2] - flat / self.EYE)
+        return x * (1 - z / self.EYE), y * (1 - z / self.EYE), z
+
+
+def dot(a, b):
+    return sum(p * q for p, q in zip(a, b))
+
+
+def foot_on_line(line, point):
+    along = dot([p - q for p, q in zip(point, line["point"])], line["direction"])
+    return [p + along * d for p, d in zip((*line["point"], 0)[:3], (*line["direction"], 0)[:3])]
+
+
+def foot_on_plane(plane, point):
+    away = plane["offset"] - dot(plane["normal"], point)
+    return [p + away * n for p, n in zip(point, plane["normal"])]
+
+
 class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -55,13 +120,18 @@ class Page(unittest.TestCase):
         run("tables", "table1", "--instances", f"octahedron,k33,{hostile}", "--strategies", "full-space,rcp",
             "--repetitions", 3, "--out", cls.folder / "run")
         run("tables", "tangents", "--repetitions", 3, "--out", cls.folder / "lines")
-        run("report", cls.folder / "run", cls.folder / "lines", "--format", "html")
+        general = [cls.folder / f"{scene['id']}.json" for scene in (PLATFORM, HELD, planes())]
+        for path, scene in zip(general, (PLATFORM, HELD, planes())):
+            path.write_text(json.dumps(scene))
+        run("tables", "general", "--instances", ",".join(map(str, general)), "--strategies", "newton-multistart",
+            "--repetitions", 1, "--out", cls.folder / "general")
+        run("report", *(cls.folder / name for name in ("run", "lines", "general")), "--format", "html")
         cls.page = cls.folder / "run" / "report.html"
         cls.browser = devtools.Browser(BROWSER)
         cls.addClassCleanup(cls.browser.close)
         cls.browser.open(cls.page.as_uri())
         cls.instances = {}
-        for file in [*cls.folder.glob("run/scenes/*.json"), *cls.folder.glob("lines/scenes/*.json")]:
+        for file in cls.folder.glob("*/scenes/*.json"):
             cls.instances[file.stem] = json.loads(file.read_text())
 
     def part(self, instance, name):
@@ -122,13 +192,103 @@ class Page(unittest.TestCase):
         for name, scene in self.instances.items():
             with self.subTest(name):
                 instance = scene["instance"]
-                self.assertEqual(len(self.drawn_points(name)), len(instance["points"]))
-                lines = self.evaluate(f"[...{self.part(name, 'view')}.querySelectorAll('line')]"
-                                      ".map(line => line.classList[0])")
-                self.assertEqual(lines.count("edge"), len(instance["constraints"]))
-                self.assertEqual(lines.count("line"), len(instance.get("lines", [])))
+                figure = scene["solutions"][0]
+                self.assertEqual(len(self.drawn_points(name)), len(figure["points"]))
+                kinds = self.evaluate(f"[...{self.part(name, 'view')}.querySelectorAll('line, polygon')]"
+                                      ".map(element => element.classList[0])")
+                self.assertEqual(kinds.count("edge"),
+                                 sum(constraint["type"] == "distance" for constraint in instance["constraints"]))
+                self.assertEqual(kinds.count("line"), len(figure["lines"]))
+                for kind in ("plane", "normal", "normal-head"):
+                    self.assertEqual(kinds.count(kind), len(figure.get("planes", {})))
+                self.assertEqual(kinds.count("body"), len(instance.get("bodies", {})))
                 thumbnails = self.evaluate(f"{self.part(name, 'gallery')}.querySelectorAll('button').length")
                 self.assertEqual(thumbnails, len(scene["solutions"]))
+
+    def shapes(self, name, kind):
+        """{title: corners} of what is drawn of that kind."""
+        read = ("s => [s.querySelector('title').textContent, s.points ? [...s.points].map(p => [p.x, p.y])"
+                " : ['1', '2'].map(i => [Number(s.getAttribute('x' + i)), Number(s.getAttribute('y' + i))])]")
+        return dict(self.evaluate(f"[...{self.part(name, 'view')}.querySelectorAll('.{kind}')].map({read})"))
+
+    def test_elements_are_drawn_where_the_solution_has_them(self):
+        for name in ("planar-platform", "held-body", "three-planes"):
+            with self.subTest(name):
+                scene = self.opened(name)
+                figure, view = scene["solutions"][0], View(scene)
+                for a, b in zip(sorted(self.drawn_points(name)), sorted(map(view.on_page, view.points(figure)))):
+                    self.assertLess(math.dist(a, b), 0.02)
+                self.assert_lines_drawn(name, figure, view)
+                self.assert_planes_drawn(name, figure, view)
+                self.assert_bodies_drawn(name, scene, view)
+
+    def opened(self, name):
+        """The scene, with its first solution shown as it is seen first."""
+        self.browser.open(self.page.as_uri())
+        return self.instances[name]
+
+    def assert_lines_drawn(self, name, figure, view):
+        drawn = self.shapes(name, "line")
+        self.assertEqual(set(drawn), set(figure["lines"]))
+        for line, (a, b) in drawn.items():
+            for along in (-0.5, 0, 0.5):
+                position = figure["lines"][line]
+                point = [p + along * d for p, d in zip(position["point"], position["direction"])]
+                x, y = view.on_page(point)
+                turn = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])
+                self.assertLess(abs(turn) / math.dist(a, b), 0.05)
+
+    def assert_planes_drawn(self, name, figure, view):
+        drawn, normals = self.shapes(name, "plane"), self.shapes(name, "normal")
+        planes_there = figure.get("planes", {})
+        self.assertEqual(set(drawn), set(planes_there))
+        for plane, corners in drawn.items():
+            position = planes_there[plane]
+            foot = foot_on_plane(position, view.centre)
+            distance = math.dist(foot, view.centre) / view.radius
+            expected = math.sqrt(max(0.15, 1 - distance ** 2))
+            for corner in corners:
+                self.assertAlmostEqual(math.dist(view.on_plane(position, corner), view.place(foot)), expected, delta=0.01)
+            tip = [p + 0.3 * view.radius * n for p, n in zip(foot, position["normal"])]
+            start, end = normals[f"normal of {plane}"]
+            self.assertLess(math.dist(start, view.on_page(foot)), 0.02)
+            self.assertLess(math.dist(end, view.on_page(tip)), 0.02)
+
+    def assert_bodies_drawn(self, name, scene, view):
+        points = scene["solutions"][0]["points"]
+        bodies = scene["instance"].get("bodies", {})
+        drawn = self.shapes(name, "body")
+        self.assertEqual(set(drawn), set(bodies))
+        for body, corners in drawn.items():
+            places = [view.on_page((*points[p], 0)[:3]) for p in bodies[body] if p in points]
+            self.assertEqual(len(corners), 3, "of three points")
+            for place in places:
+                self.assertLess(min(math.dist(place, corner) for corner in corners), 0.02)
+
+    def test_bodies_stay_rigid_from_solution_to_solution(self):
+        for name in ("planar-platform", "held-body"):
+            with self.subTest(name):
+                scene = self.opened(name)
+                bodies = [[p for p in body if p in scene["solutions"][0]["points"]]
+                          for body in scene["instance"]["bodies"].values()]
+                self.choose(name, "goal", 1)
+                places = []
+                for value in (0, 3000, 6000, 10000):
+                    self.evaluate(f"(s => {{ s.value = {value}; s.dispatchEvent(new Event('input')); return 0; }})"
+                                  f"({self.part(name, 'slider')})")
+                    rows = self.evaluate(f"[...{self.part(name, 'coordinates')}.rows]"
+                                         ".map(row => [...row.cells].map(cell => cell.textContent.replace('−', '-')))")
+                    dimension = scene["instance"]["dimension"]
+                    places.append({row[0]: [float(x) for x in row[1:1 + dimension]] for row in rows
+                                   if row[0] in scene["solutions"][0]["points"]})
+                for solution, there in ((0, places[0]), (1, places[-1])):
+                    for point, listed in scene["solutions"][solution]["points"].items():
+                        self.assertLess(math.dist(there[point], listed), 1e-5)
+                for before, after in itertools.pairwise(places):
+                    self.assertGreater(max(math.dist(before[p], after[p]) for p in before), 1e-2, "it moves")
+                    for body in bodies:
+                        for p, q in itertools.combinations(body, 2):
+                            self.assertAlmostEqual(math.dist(before[p], before[q]), math.dist(after[p], after[q]), delta=1e-5)
 
     def test_dragging_and_arrow_keys_turn_the_figure(self):
         for name in self.instances:

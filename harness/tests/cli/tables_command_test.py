@@ -38,7 +38,7 @@ class Tables(WithFolder):
         self.assertIn("72 [1]", done.stdout)
         self.assertRegex(done.stdout, r"complex, at most +\| +– \| +64 \[2\]")
         self.assertIn("not measured", done.stdout, "the strategy that was not selected")
-        self.assertEqual({path.name for path in self.folder.iterdir()}, TABLE_FILES | {"run.json"} | SCENE_FOLDERS)
+        self.assertEqual({path.name for path in self.folder.iterdir()}, TABLE_FILES | {"run.json", "report.html"} | SCENE_FOLDERS)
         for folder in SCENE_FOLDERS:
             self.assertEqual([path.name for path in (self.folder / folder).iterdir()], ["octahedron.json"])
         record = json.loads((self.folder / "run.json").read_text())
@@ -138,6 +138,19 @@ class Tables(WithFolder):
         done = run("tables", "table1", "--instances", "tangents-durand", "--strategies", "full-space,rcp")
         self.assertEqual(done.returncode, NOT_SOLVED)
         self.assertIn("unsupported", done.stdout)
+
+    def test_general_scenes_are_in_their_table_alone(self):
+        done = run("tables", "table1", "general", "--instances", "octahedron,planar-platform", "--strategies",
+                   "monodromy,full-space", "--repetitions", 1, "--out", self.folder)
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        record = json.loads((self.folder / "run.json").read_text())
+        shown = {table["name"]: table["instances"] for table in record["tables"]}
+        self.assertEqual(shown, {"table1": ["octahedron"], "general": ["octahedron", "planar-platform"]})
+        rows = (self.folder / "general.md").read_text().split("planar-platform, up to motion")[1].splitlines()
+        self.assertRegex(rows[1], r"^\| known +\| +6 \[\d+\] \| +– \|")
+        self.assertRegex(rows[2], r"^\| monodromy +\| +6 \| +4 \| +6 \| +4 \| +proven \[\d+\] \|")
+        self.assertRegex(rows[3], r"^\| full-space +\| +– \| +2 \| +2 \| +2 \| +those on S \|")
+        self.assertIn('id="scene-planar-platform"', (self.folder / "report.html").read_text())
 
     def test_lines_beside_given_points_have_no_mirror_images(self):
         done = run("tables", "table1", "--instances", "tangents-durand", "--strategies", "monodromy",

@@ -5,6 +5,7 @@
 
 #include "harness/drawings/html_text.hpp"
 #include "harness/report/html_table.hpp"
+#include "harness/report/page_data.hpp"
 #include "harness/report/page_scene.hpp"
 #include "harness/report/verdicts.hpp"
 #include "harness/tables/table_writer.hpp"
@@ -99,6 +100,30 @@ TEST_CASE("a page shows every instance of every run once, and needs nothing else
   CHECK(scene["path"]["rows"].size() == stored.path->corners.size());
   CHECK(scene["path"]["stops"].size() == 4);
   for (const auto& row : scene["path"]["rows"]) REQUIRE(row.size() == 2 + scene["path"]["moving"].size());
+}
+
+TEST_CASE("scripts get planes, bodies and how these are turned") {
+  const auto data_of_scene = [](const std::string& id) {
+    const StoredScene scene = stored_scene(load_instance(id));
+    return nlohmann::json::parse(page_data({&scene}))["scenes"][0];
+  };
+  const nlohmann::json planes = data_of_scene("octahedral-3p3h");
+  CHECK(planes["planes"].size() == 3);
+  CHECK(planes["edges"].size() == 9);
+  CHECK(planes["solutions"][0]["planes"].size() == 3);
+
+  const nlohmann::json platform = data_of_scene("planar-platform");
+  REQUIRE(platform["bodies"].size() == 2);
+  CHECK(platform["bodies"][1]["elements"] == std::vector<int>{3, 4, 5});
+  // The base stands as the file has it; the platform is turned as its points are, b2 from b1 at (−0.975807, 1.429743).
+  for (const auto& solution : platform["solutions"]) {
+    CHECK(solution["turns"][0][0][0].get<double>() == Approx(1));
+    const auto& turn = solution["turns"][1];
+    const auto& points = solution["points"];
+    for (int axis = 0; axis < 2; ++axis)
+      CHECK(turn[axis][0].get<double>() * -0.975807 + turn[axis][1].get<double>() * 1.429743 ==
+            Approx(points[4][axis].get<double>() - points[3][axis].get<double>()).margin(1e-9));
+  }
 }
 
 TEST_CASE("figures of a scene are its graph, its interpretation tree and its path") {

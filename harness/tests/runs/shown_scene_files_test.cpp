@@ -126,6 +126,17 @@ TEST_CASE("scenes without a path say why, and list their real solutions") {
   CHECK(found.record.solutions.size() == 1);
 }
 
+TEST_CASE("solutions of general scenes are certified, and their number proven where a bound is met") {
+  const StoredScene platform = stored_scene(load_instance("planar-platform"));
+  CHECK(platform.record.are_proven);
+  CHECK(platform.record.is_real_proven);
+  CHECK_FALSE(platform.path);
+  const StoredScene planes = stored_scene(load_instance("octahedral-4p2h"));
+  CHECK(planes.record.are_proven);
+  CHECK(planes.record.has_all_real);
+  CHECK_FALSE(planes.record.is_real_proven);
+}
+
 TEST_CASE("of a scene that is too large to draw only the instance is stored") {
   const StoredScene large = stored_scene(load_instance("octahedron-hung@1000"));
   CHECK(large.record.solutions.empty());
@@ -135,8 +146,10 @@ TEST_CASE("of a scene that is too large to draw only the instance is stored") {
 }
 
 TEST_CASE("a stored scene is written as it was read") {
-  for (const std::string id : {"k33", "hoffmann-yuan"}) {
+  for (const std::string id : {"k33", "hoffmann-yuan", "octahedral-3p3h"}) {
     const StoredScene scene = stored_scene(load_instance(id));
+    REQUIRE_FALSE(scene.record.solutions.empty());
+    CHECK(scene.record.solutions.front().figure.planes.size() == scene.record.instance.problem.planes.size());
     const std::string text = to_json_text(scene.record);
     CHECK(to_json_text(parse_shown_scene(text, "scene.json")) == text);
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/tables/compare.hpp"
+#include "harness/comparing/compare.hpp"
 #include "harness/tables/table.hpp"
 
 namespace gcs {

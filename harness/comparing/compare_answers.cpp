@@ -1,4 +1,4 @@
-#include "harness/tables/compare_answers.hpp"
+#include "harness/comparing/compare_answers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "harness/tables/compare.hpp"
+#include "harness/comparing/compare.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "harness/base/record_fields.hpp"
-#include "harness/tables/compare_answers.hpp"
+#include "harness/comparing/compare_answers.hpp"
 #include "harness/tables/table_entries.hpp"
 
 namespace gcs {

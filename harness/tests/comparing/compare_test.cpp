@@ -1,4 +1,4 @@
-#include "harness/tables/compare.hpp"
+#include "harness/comparing/compare.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "harness/tables/table_compare.hpp"
+#include "harness/comparing/table_compare.hpp"
 #include "harness/tables/table_writer.hpp"
 #include "harness/tests/approved.hpp"
 #include "harness/tests/runs/toy_run.hpp"

@@ -7,7 +7,7 @@
 
 #include "harness/results/median_interval.hpp"
 #include "harness/runs/run_file.hpp"
-#include "harness/tables/compare_answers.hpp"
+#include "harness/comparing/compare_answers.hpp"
 
 namespace gcs {
 

@@ -1,4 +1,4 @@
-#include "harness/tables/table_compare.hpp"
+#include "harness/comparing/table_compare.hpp"
 
 #include <fmt/format.h>
 

@@ -27,7 +27,8 @@ void add_measuring_options(CLI::App& command, const char* files, TableRequest& r
       ->transform(whole_number(1, 1000000))
       ->type_name("N");
   command
-      .add_option("--out", request.out, fmt::format("Folder for run.json, all measurements, {}, and the page, report.html", files))
+      .add_option("--out", request.out,
+                  fmt::format("Folder for run.json, all measurements, {}, and the page, report.html", files))
       ->check(place_name())
       ->type_name("DIR");
   command.add_flag("--full", request.full,

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/comparing/compare_answers.hpp"
 #include "harness/results/median_interval.hpp"
 #include "harness/runs/run_file.hpp"
-#include "harness/comparing/compare_answers.hpp"
 
 namespace gcs {
 

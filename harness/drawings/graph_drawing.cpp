@@ -59,16 +59,16 @@ void add_row(const Relation& relation, std::vector<GraphEdge>& edges) {
 }
 
 /// Between all elements of bodies.
-std::string bodies_svg(const ProblemStatement& problem,
-                       const std::function<Eigen::Vector2d(int)>& place) {
+std::string bodies_svg(const ProblemStatement& problem, const std::function<Eigen::Vector2d(int)>& place) {
   std::string text;
   for (const RigidBody& body : problem.bodies)
     for (const int a : entities_of(body))
       for (const int b : entities_of(body)) {
         if (a >= b) continue;
         const Eigen::Vector2d p = place(a), q = place(b);
-        text += fmt::format("<line class=\"body\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n",
-                            p.x(), p.y(), q.x(), q.y());
+        text +=
+            fmt::format("<line class=\"body\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n",
+                        p.x(), p.y(), q.x(), q.y());
       }
   return text.empty() ? "" : "<g stroke=\"#BBBBBB\" stroke-width=\"0.6\">\n" + text + "</g>\n";
 }
@@ -92,7 +92,8 @@ std::string node_name(const Eigen::Vector2d& p, const std::string& name) {
 std::string node_svg(const Eigen::Vector2d& p, OperandKind kind, bool is_held) {
   const std::string fill = is_held ? "#000000" : "#0072B2";
   if (kind == OperandKind::plane)
-    return fmt::format("<path class=\"node\" d=\"M{:.1f} {:.1f}l5 9h-10z\" fill=\"{}\"/>\n", p.x(), p.y() - 5, fill);
+    return fmt::format("<path class=\"node\" d=\"M{:.1f} {:.1f}l5 9h-10z\" fill=\"{}\"/>\n", p.x(), p.y() - 5,
+                       fill);
   if (kind == OperandKind::line)
     return fmt::format(
         "<rect class=\"node\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"8\" fill=\"{}\"/>\n", p.x() - 4,
@@ -151,7 +152,8 @@ std::string graph_svg(const ProblemStatement& problem, const std::string& title)
       text += edge_name(place(edge.between[0]), place(edge.between[1]), edge.name);
   const std::set<int> dark = held(problem);
   for (int e = 0; e < problem.entity_count(); ++e)
-    text += node_svg(place(e), kind_of(problem, {e}), dark.count(e) > 0) + node_name(place(e), problem.name(e));
+    text +=
+        node_svg(place(e), kind_of(problem, {e}), dark.count(e) > 0) + node_name(place(e), problem.name(e));
   return text + "</svg>\n";
 }
 

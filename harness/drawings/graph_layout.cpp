@@ -17,8 +17,7 @@ using Layout = Eigen::Matrix2Xd;
 class Graph {
  public:
   explicit Graph(const ProblemStatement& problem)
-      : size(problem.entity_count()),
-        adjacent(Eigen::MatrixXi::Zero(size, size)) {
+      : size(problem.entity_count()), adjacent(Eigen::MatrixXi::Zero(size, size)) {
     for (const GraphEdge& edge : graph_edges(problem)) add(edge.between);
     std::vector<int> given;
     for (int e = 0; e < static_cast<int>(size); ++e)

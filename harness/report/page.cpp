@@ -106,7 +106,8 @@ std::string standing_table(const std::vector<PageRun>& runs, const std::vector<P
   return "<section class=\"table\" id=\"standing\"><h2>What is proven</h2>\n"
          "<p>Numbers of solutions: what the papers print, and what this program proves, refutes or leaves "
          "open. Ours "
-         "count classes up to reflection; with given positions all figures, and of bodies that are no mirror image of "
+         "count classes up to reflection; with given positions all figures, and of bodies that are no mirror "
+         "image of "
          "themselves solutions up to motion.</p>\n"
          "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Numbers of "
          "solutions\"><table>\n<thead><tr>"
@@ -178,8 +179,10 @@ std::string instances_html(const std::vector<PageInstance>& instances) {
       "go to the "
       "given ones, at t = 1. Its figures are those of a polyline within the stated distance of S; solutions "
       "are "
-      "shown as listed. Where S is not shown, figures move from solution to solution: bodies rigidly, lines and "
-      "planes with their directions, free points on segments; what is in between is no solution. Of a family of instances the first member stands for all.</p>\n";
+      "shown as listed. Where S is not shown, figures move from solution to solution: bodies rigidly, lines "
+      "and "
+      "planes with their directions, free points on segments; what is in between is no solution. Of a family "
+      "of instances the first member stands for all.</p>\n";
   std::size_t number = 0;
   for (const PageInstance& instance : instances)
     text +=
@@ -231,7 +234,8 @@ std::string page_html(const std::vector<PageRun>& runs, const Publications& publ
   text +=
       "<a class=\"skip\" href=\"#standing\">Skip the contents</a>\n<header><h1>Solving geometric "
       "constraints</h1>\n"
-      "<p>Points, lines, planes and rigid bodies placed so that given distances and angles hold: what gcsbench "
+      "<p>Points, lines, planes and rigid bodies placed so that given distances and angles hold: what "
+      "gcsbench "
       "measured, beside the published figures.</p></header>\n";
   text += contents(runs, instances) + "<main>\n" + standing_table(runs, instances, publications);
   for (std::size_t r = 0; r < runs.size(); ++r) text += run_html(runs[r], r);

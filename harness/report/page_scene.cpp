@@ -77,7 +77,7 @@ std::string facts(const StoredScene& scene) {
   text += fact("dimension", std::to_string(problem.dimension));
   text += fact("entities", entities_fact(problem));
   text += fact("constraints", constraints_fact(problem));
-  if (problem.is_general()) text += fact("solutions count", std::string(word(convention_of(problem))));
+  if (problem.is_general()) text += fact("counted", std::string(word(convention_of(problem))));
   text += fact("real solutions", solutions_fact(scene.record));
   text += fact("path S", path_fact(scene));
   if (!instance.notes.empty()) text += fact("notes", instance.notes);

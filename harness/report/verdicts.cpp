@@ -145,6 +145,7 @@ std::optional<int> per_class(const PrintedFigure& figure, const InstanceSummary&
                              const StoredScene* scene) {
   if (figure.convention == "all signs")
     return sign_patterns(instance.has_given_positions, instance.dimension);
+  if (figure.convention == instance.convention) return 1;
   if (figure.convention == "up to reflection" || figure.convention == "lines") return 1;
   if (figure.convention == "fixed frame" && scene != nullptr)
     return frame_images(scene->record.instance.problem).in_frame;
@@ -217,7 +218,8 @@ Table verdict_table(const RunFile& run, const std::map<std::string, StoredScene>
               .groups = {{"published", {""}}, {"is", {""}}, {"ours", {""}}, {"is", {""}}, {"why", {""}}},
               .rows = {},
               .footnotes = {},
-              .remarks = {"Ours count classes up to reflection; with given positions all figures, and of bodies that are no mirror image "
+              .remarks = {"Ours count classes up to reflection; with given positions all figures, and of "
+                          "bodies that are no mirror image "
                           "of themselves solutions up to motion.",
                           measured_with(run)}};
   for (const InstanceSummary& instance : run.instances) {

@@ -51,6 +51,11 @@ void take_proven(const ReferenceList& list, const Scene& scene, ShownScene& reco
   record.is_real_proven = list.is_real_proven && !is_cut;
 }
 
+bool claims_all_real(const SolveRun& run) {
+  return run.status == RunStatus::complete &&
+         (run.claim == Claim::all_real || run.claim == Claim::all_complex);
+}
+
 /// The real solutions of the first strategy that claims to list all of them, or else of the one that lists most;
 /// certified where certificates reach the scene.
 void take_listed(const Scene& scene, Monitor& progress, ShownScene& record) {
@@ -62,21 +67,21 @@ void take_listed(const Scene& scene, Monitor& progress, ShownScene& record) {
   for (const StrategyEntry& entry : all_strategies()) {
     if (interrupted() || record.has_all_real) return;
     const SolveRun run = run_strategy(entry, {}, scene, limits, {&progress, nullptr});
-    if (run.solutions.size() <= record.solutions.size()) continue;
+    if (run.solutions.size() < record.solutions.size() + (claims_all_real(run) ? 0 : 1)) continue;
     record.solutions.clear();
     for (const AssessedSolution& solution : run.solutions)
       record.solutions.push_back({solution.placement(), solution.multiplicity});
     record.are_proven = run.proofs && run.proofs->real == run.solutions.size();
     record.source = fmt::format("found by {}{}", entry.name, record.are_proven ? "" : ", not proven");
     record.is_real_proven = record.are_proven && run.proofs->decide_real();
-    record.has_all_real = run.status == RunStatus::complete && run.claim != Claim::some_real &&
-                          run.claim != Claim::on_path && run.claim != Claim::on_path_of_core;
+    record.has_all_real = claims_all_real(run);
   }
 }
 
 void take_solutions(const Instance& instance, const Scene& scene, Monitor& progress, ShownScene& record) {
   std::optional<ReferenceList> list;
-  if (!instance.problem.is_general() && !why_not_certified(scene)) list = reference_for(instance, scene, limit_s, progress);
+  if (!instance.problem.is_general() && !why_not_certified(scene))
+    list = reference_for(instance, scene, limit_s, progress);
   if (list && (!list->solutions.empty() || list->is_real_proven))
     take_proven(*list, scene, record);
   else

@@ -35,15 +35,15 @@ TableCell certified_entry(const CellRecord& cell, std::uint64_t RecordedProofs::
   return cell.proofs ? TableCell{number_text(static_cast<double>((*cell.proofs).*count)), {}} : empty_entry();
 }
 
-/// Whether the list is all there is, and what proves it.
+/// Which solutions they are, and what proves that they are all.
 TableCell standing_entry(Table& table, const InstanceSummary& instance, const CellRecord& cell) {
   if (!cell.is_right() || !cell.claim) return empty_entry();
   if (cell.proofs && cell.proofs->is_complete && instance.limit)
-    return {"proven", {table.footnote("No values have more: " + limit_origin(*instance.limit))}};
+    return {"all, proven", {table.footnote("No values have more: " + limit_origin(*instance.limit))}};
   switch (*cell.claim) {
     case Claim::all_complex:
     case Claim::all_real:
-      return {"found", {}};
+      return {"all, found", {}};
     case Claim::on_path:
     case Claim::on_path_of_core:
       return {"those on S", {}};
@@ -93,9 +93,8 @@ std::vector<Table> build_general(const RunFile& run, const Publication& known) {
   Table table;
   table.name = "general";
   table.caption = "Scenes of lines, planes, bodies and angles: solutions known, found and proven";
-  table.groups = {{"solutions", {"complex", "real"}},
-                  {"certified", {"all", "real"}},
-                  {"", {"that is all", "time"}}};
+  table.groups = {
+      {"solutions", {"complex", "real"}}, {"certified", {"all", "real"}}, {"", {"which", "time"}}};
   for (const InstanceSummary& instance : run.instances) {
     table.rows.push_back({fmt::format("{}, {}", instance.id, instance.convention), {}, {}});
     table.rows.push_back(known_row(table, known, instance.id));
@@ -106,11 +105,16 @@ std::vector<Table> build_general(const RunFile& run, const Publication& known) {
     }
   }
   table.remarks = {
-      "Beside each scene stands which figures are one solution. A strategy that is not listed there cannot do the "
+      "Beside each scene stands which figures are one solution. A strategy that is not listed there cannot "
+      "do the "
       "scene.",
-      "certified: so many certificates prove to exist, each in a class of its own, and so many of them to be real. "
-      "that is all: proven, where a bound is met; found, where the strategy claims all solutions and no bound is met.",
-      fmt::format("Times: preparing and solving on one thread, without proofs, median of interleaved repetitions; {}. "
+      "certified: so many certificates prove to exist, each in a class of its own, and so many of them to be "
+      "real. "
+      "all, proven: a bound is met. all, found: the strategy claims all solutions, and that there are no "
+      "more is not "
+      "proven.",
+      fmt::format("Times: preparing and solving on one thread, without proofs, median of interleaved "
+                  "repetitions; {}. "
                   "Ours: {}.",
                   spread_remark, run.environment.cpu)};
   return {table};

@@ -59,10 +59,10 @@ std::vector<std::string> instances_to_load(const TableRequest& request) {
 void require_known(const TableRequest& request, const Instance& instance) {
   const auto knows = [](const std::string& name) { return table_named(name).knows_general; };
   if (instance.problem.is_general() && std::ranges::none_of(request.tables, knows))
-    throw UsageError(
-        fmt::format("'{}' has elements or constraints that {} does not know, but for points, lines in space and "
-                    "distances alone; `gcsbench solve` and `gcsbench tables general` know it",
-                    instance.id, quoted_list(request.tables)));
+    throw UsageError(fmt::format(
+        "'{}' has elements or constraints that {} does not know, but for points, lines in space and "
+        "distances alone; `gcsbench solve` and `gcsbench tables general` know it",
+        instance.id, quoted_list(request.tables)));
 }
 
 LoadedInstances load_all(const TableRequest& request) {

@@ -20,12 +20,24 @@ class FigureView {
   static colours = 6;  // of bodies, in page.css
   static mostJoined = 8;
 
-  /** The distance from the centre of what is furthest: a point, or the foot of the centre on a line or a plane. */
-  static reach({ points, lines, planes }) {
-    const centre = Geometry.centre(points);
-    const feet = lines.map((line) => Geometry.foot(line, centre))
-      .concat(planes.map((plane) => Geometry.footOnPlane(plane, centre)));
-    return Math.max(...points.concat(feet).map((p) => Geometry.distance(p, centre)), Number.MIN_VALUE);
+  /** The distance from the centre of what is furthest: a point, an end of a distance, or the foot of the centre on a line
+      or a plane. */
+  static reach(scene, figure) {
+    const centre = Geometry.centre(figure.points);
+    const feet = figure.lines.map((line) => Geometry.foot(line, centre))
+      .concat(figure.planes.map((plane) => Geometry.footOnPlane(plane, centre)));
+    const ends = scene.edges.flatMap((edge) => FigureView.ends(figure, edge, centre));
+    return Math.max(...figure.points.concat(feet, ends).map((p) => Geometry.distance(p, centre)), Number.MIN_VALUE);
+  }
+
+  /** Both ends of a distance in space. Entities are points, then lines, then planes; a comes first. */
+  static ends({ points, lines, planes }, { a, b }, centre) {
+    const [p, q] = [points.length, points.length + lines.length];
+    const footOn = (entity, from) => (entity < p ? points[entity]
+      : entity < q ? Geometry.foot(lines[entity - p], from) : Geometry.footOnPlane(planes[entity - q], from));
+    if (a >= p && b < q) return Geometry.perpendicular(lines[a - p], lines[b - p], centre);
+    const end = footOn(a, centre);
+    return [end, footOn(b, end)];
   }
 
   /** The class of an element that belongs to one body alone, for its colour. */
@@ -41,7 +53,7 @@ class FigureView {
     this.figure = figure;
     this.removed = removed;
     this.centre = Geometry.centre(figure.points);
-    this.radius = Math.max(this.least, FigureView.reach(figure));
+    this.radius = Math.max(this.least, FigureView.reach(this.scene, figure));
     this.draw();
   }
 
@@ -94,23 +106,12 @@ class FigureView {
     return this.radius * Math.sqrt(Math.max(0.15, 1 - distance * distance));
   }
 
-  /** Both ends of a distance in space. Entities are points, then lines, then planes; a comes first. */
-  ends({ a, b }) {
-    const { points, lines, planes } = this.figure;
-    const [p, q] = [points.length, points.length + lines.length];
-    const footOn = (entity, from) => (entity < p ? points[entity]
-      : entity < q ? Geometry.foot(lines[entity - p], from) : Geometry.footOnPlane(planes[entity - q], from));
-    if (a >= p && b < q) return Geometry.perpendicular(lines[a - p], lines[b - p], this.centre);
-    const end = footOn(a, this.centre);
-    return [end, footOn(b, end)];
-  }
-
   /** What is drawn, each with its depth: {depth, draw(group)}. */
   parts() {
     const parts = [];
     this.scene.bodies.forEach((body, k) => parts.push(...this.bodyParts(body, k)));
     for (const edge of this.scene.edges) {
-      const [p, q] = this.ends(edge).map((end) => this.project(end));
+      const [p, q] = FigureView.ends(this.figure, edge, this.centre).map((end) => this.project(end));
       const kind = this.removed.has(edge.label) ? "edge removed" : "edge";
       parts.push(this.segment(p, q, kind, edge.length ? `${edge.label} = ${edge.length}` : edge.label));
     }
@@ -131,12 +132,15 @@ class FigureView {
     }];
   }
 
+  /** As far as is seen: away from the eye that is further. Names are at either end in turn. */
   lineParts(line, i) {
     const foot = Geometry.foot(line, this.centre);
-    const [p, q] = [-2, 2].map((k) => this.project(Geometry.along(foot, line.direction, k * this.radius)));
-    const named = this.project(Geometry.along(foot, line.direction, 0.9 * this.halfChord(foot)));
+    const at = (k) => this.project(Geometry.along(foot, line.direction, k * this.radius));
+    const towardsEye = Geometry.apply(this.rotation, line.direction)[2];
+    const [p, q] = [-2, 2].map((k) => at(k * towardsEye < 0 ? 4 * k : k));
+    const named = at((i % 2 === 0 ? 0.9 : -0.9) * this.halfChord(foot) / this.radius);
     const own = FigureView.bodyClass(this.scene, this.scene.points.length + i);
-    return [this.segment(p, q, `line${own}`, this.scene.lines[i]), this.label(named, this.scene.lines[i])];
+    return [this.segment(p, q, `line${own}`, this.scene.lines[i], at(0)[2]), this.label(named, this.scene.lines[i])];
   }
 
   /** The disc in which the plane meets the ball that is shown, and an arrow to the side of its normal. */
@@ -193,8 +197,7 @@ class FigureView {
     };
   }
 
-  segment(p, q, kind, title) {
-    const depth = (p[2] + q[2]) / 2;
+  segment(p, q, kind, title, depth = (p[2] + q[2]) / 2) {
     const opacity = this.scene.dimension === 2 ? 1 : 0.62 + 0.38 * Math.max(-1, Math.min(1, depth));
     return {
       depth,

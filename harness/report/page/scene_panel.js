@@ -34,7 +34,7 @@ class ScenePanel {
   radius() {
     const figures = this.scene.solutions.slice();
     if (figures.length === 0 && this.path) figures.push(ScenePanel.ofPoints(this.path.atRow(0).points));
-    return Math.max(...figures.map((figure) => FigureView.reach(figure)));
+    return Math.max(...figures.map((figure) => FigureView.reach(this.scene, figure)));
   }
 
   static ofPoints(points) { return { points, lines: [], planes: [] }; }
@@ -99,7 +99,7 @@ class ScenePanel {
     this.stop();
     if (this.goals.length === 0) return;
     const moves = ScenePanel.moves(this.goal);
-    this.find("way").textContent = this.goal.row === null && moves ? "From solution to solution" : "Along S";
+    this.find("way").textContent = this.goal.row === null && moves ? "Between solutions" : "Along S";
     this.find("slider").disabled = this.find("play").disabled = !moves;
     this.find("slider").value = this.find("slider").max;
     this.move();

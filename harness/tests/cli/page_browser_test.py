@@ -52,6 +52,8 @@ class View:
 
     def __init__(self, scene):
         self.dimension = scene["instance"]["dimension"]
+        self.distances = [constraint["between"] for constraint in scene["instance"]["constraints"]
+                          if constraint["type"] == "distance"]
         figure = scene["solutions"][0]
         points = self.points(figure)
         self.centre = [sum(c) / len(points) for c in zip(*points)]
@@ -65,6 +67,11 @@ class View:
         centre = [sum(c) / len(points) for c in zip(*points)]
         feet = [foot_on_line(line, centre) for line in figure["lines"].values()]
         feet += [foot_on_plane(plane, centre) for plane in figure.get("planes", {}).values()]
+        for point, other in self.distances:
+            if other in figure["lines"]:
+                feet.append(foot_on_line(figure["lines"][other], figure["points"][point]))
+            if other in figure.get("planes", {}):
+                feet.append(foot_on_plane(figure["planes"][other], figure["points"][point]))
         return max(math.dist(p, centre) for p in points + feet)
 
     def seen(self, vector):

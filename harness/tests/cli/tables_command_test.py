@@ -148,7 +148,7 @@ class Tables(WithFolder):
         self.assertEqual(shown, {"table1": ["octahedron"], "general": ["octahedron", "planar-platform"]})
         rows = (self.folder / "general.md").read_text().split("planar-platform, up to motion")[1].splitlines()
         self.assertRegex(rows[1], r"^\| known +\| +6 \[\d+\] \| +– \|")
-        self.assertRegex(rows[2], r"^\| monodromy +\| +6 \| +4 \| +6 \| +4 \| +proven \[\d+\] \|")
+        self.assertRegex(rows[2], r"^\| monodromy +\| +6 \| +4 \| +6 \| +4 \| +all, proven \[\d+\] \|")
         self.assertRegex(rows[3], r"^\| full-space +\| +– \| +2 \| +2 \| +2 \| +those on S \|")
         self.assertIn('id="scene-planar-platform"', (self.folder / "report.html").read_text())
 

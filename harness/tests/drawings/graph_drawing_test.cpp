@@ -45,7 +45,8 @@ TEST_CASE("a constraint graph shows every entity and every constraint") {
     CHECK(occurrences(svg, "<path class=\"node\"") == problem.planes.size());
     CHECK(occurrences(svg, "<line class=\"edge\"") == problem.constraints.size() + problem.relations.size());
     std::size_t joined = 0;
-    for (const RigidBody& body : problem.bodies) joined += body.elements.size() * (body.elements.size() - 1) / 2;
+    for (const RigidBody& body : problem.bodies)
+      joined += body.elements.size() * (body.elements.size() - 1) / 2;
     CHECK(occurrences(svg, "<line class=\"body\"") == joined);
     CHECK(occurrences(svg, "stroke-dasharray") == (problem.sketch ? 1 : 0));
     CHECK(svg.find("<title>a &lt; b</title>") != std::string::npos);
@@ -56,8 +57,9 @@ TEST_CASE("a graph has an edge for each entity that an operand names, and none o
   const ProblemStatement problem = parse_statement(R"({
     "format": "gcsbench-instance/2", "id": "mixed", "dimension": 3, "points": ["a", "b", "c", "d"], "planes": ["E"],
     "constraints": [{"id": "u", "type": "perpendicular", "between": [["a", "b"], "E"]},
-                    {"id": "v", "type": "collinear", "of": ["a", "b", "c"]},
-                    {"id": "w", "type": "orientation", "of": ["a", "b", "c", "d"], "sign": 1}]})").problem;
+                    {"id": "v", "type": "collinear", "between": ["a", "b", "c"]},
+                    {"id": "w", "type": "orientation", "of": ["a", "b", "c", "d"], "sign": 1}]})")
+                                       .problem;
   std::vector<std::string> edges;
   for (const GraphEdge& edge : graph_edges(problem))
     edges.push_back(edge.name + ": " + problem.name(edge.between[0]) + problem.name(edge.between[1]));

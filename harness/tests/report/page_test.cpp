@@ -176,6 +176,20 @@ TEST_CASE("a cell whose path is proven to close proves what is on S, where no sc
   CHECK(on_path().our_standing == Standing::open);
 }
 
+TEST_CASE("a number in the convention of its scene is held against ours as it is") {
+  RunFile run = toy::run_record();
+  InstanceSummary& platform = run.instances[0];
+  platform.id = "platform";
+  run.cells = {toy::with_all(toy::cell({"platform", "monodromy", {}}, 0, 0, 1), 2, 40)};
+  run.cells[0].proofs = RecordedProofs{40, 2, true, true};
+  const auto printed = [&] {
+    return verdict_on(verdicts(run, platform, nullptr, load_publications()), "complex").printed_standing;
+  };
+  CHECK(printed() == Standing::open);
+  platform.convention = "up to motion";
+  CHECK(printed() == Standing::proven);
+}
+
 TEST_CASE("what an instance was chosen for proves nothing of the paper's") {
   RunFile run = toy::run_record();
   for (CellRecord& cell : run.cells)

@@ -97,9 +97,13 @@ class Browser:
         return json.loads(message)
 
     def open(self, url):
+        before = self.loads()
         self.send("Page.navigate", url=url)
-        while not any(event.get("method") == "Page.loadEventFired" for event in self.events):
+        while self.loads() == before:
             self.events.append(self.receive())
+
+    def loads(self):
+        return sum(event.get("method") == "Page.loadEventFired" for event in self.events)
 
     def evaluate(self, expression):
         """The value of an expression of JavaScript, as JSON."""

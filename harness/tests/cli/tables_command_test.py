@@ -96,7 +96,7 @@ class Tables(WithFolder):
         self.assertEqual(done.returncode, DONE, done.stderr)
         tables = ("lengths", "solutions", "scans", "6p")
         files = {f"hoffmann-yuan-{name}.{ext}" for name in tables for ext in ("md", "csv", "tex")}
-        files |= {"hoffmann-yuan-curve.svg", "run.json"} | SCENE_FOLDERS | {f"measurements.{ext}" for ext in ("md", "csv", "tex")}
+        files |= {"hoffmann-yuan-curve.svg", "run.json", "report.html"} | SCENE_FOLDERS | {f"measurements.{ext}" for ext in ("md", "csv", "tex")}
         self.assertEqual({path.name for path in self.folder.iterdir()}, files)
         scans = (self.folder / "hoffmann-yuan-scans.csv").read_text()
         self.assertIn("108,108,20,20", scans)

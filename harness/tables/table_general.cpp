@@ -106,16 +106,14 @@ std::vector<Table> build_general(const RunFile& run, const Publication& known) {
   }
   table.remarks = {
       "Beside each scene stands which figures are one solution. A strategy that is not listed there cannot "
-      "do the "
-      "scene.",
+      "do "
+      "the scene.",
       "certified: so many certificates prove to exist, each in a class of its own, and so many of them to be "
-      "real. "
-      "all, proven: a bound is met. all, found: the strategy claims all solutions, and that there are no "
-      "more is not "
-      "proven.",
+      "real. all, proven: a bound is met. all, found: the strategy claims all solutions, and that there are "
+      "no "
+      "more is not proven.",
       fmt::format("Times: preparing and solving on one thread, without proofs, median of interleaved "
-                  "repetitions; {}. "
-                  "Ours: {}.",
+                  "repetitions; {}. Ours: {}.",
                   spread_remark, run.environment.cpu)};
   return {table};
 }

@@ -179,10 +179,10 @@ std::string instances_html(const std::vector<PageInstance>& instances) {
       "go to the "
       "given ones, at t = 1. Its figures are those of a polyline within the stated distance of S; solutions "
       "are "
-      "shown as listed. Where S is not shown, figures move from solution to solution: bodies rigidly, lines "
-      "and "
-      "planes with their directions, free points on segments; what is in between is no solution. Of a family "
-      "of instances the first member stands for all.</p>\n";
+      "shown as listed. Where S is not shown, figures move from solution to solution: bodies rigidly, with "
+      "what two bodies share the first of them, lines and planes with their directions, free points on "
+      "segments; what is in between is no solution. Of a family of instances the first member stands for "
+      "all.</p>\n";
   std::size_t number = 0;
   for (const PageInstance& instance : instances)
     text +=

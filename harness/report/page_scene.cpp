@@ -65,7 +65,7 @@ std::string constraints_fact(const ProblemStatement& problem) {
     else
       ++others[name_of(relation.type)];
   }
-  std::string text = fmt::format("{} distances", distances);
+  std::string text = fmt::format("{} {}", distances, distances == 1 ? "distance" : "distances");
   for (const auto& [type, count] : others) text += fmt::format(", {}: {}", type, count);
   return text;
 }

@@ -32,7 +32,9 @@ std::optional<double> real_found(const CellRecord& cell) {
 }
 
 TableCell certified_entry(const CellRecord& cell, std::uint64_t RecordedProofs::*count) {
-  return cell.proofs ? TableCell{number_text(static_cast<double>((*cell.proofs).*count)), {}} : empty_entry();
+  return cell.proofs && cell.is_right()
+             ? TableCell{number_text(static_cast<double>((*cell.proofs).*count)), {}}
+             : empty_entry();
 }
 
 /// Which solutions they are, and what proves that they are all.

@@ -280,7 +280,7 @@ class Page(unittest.TestCase):
                           for body in scene["instance"]["bodies"].values()]
                 self.choose(name, "goal", 1)
                 places = []
-                for value in (0, 3000, 6000, 10000):
+                for value in (1, 3000, 6000, 9999):
                     self.evaluate(f"(s => {{ s.value = {value}; s.dispatchEvent(new Event('input')); return 0; }})"
                                   f"({self.part(name, 'slider')})")
                     rows = self.evaluate(f"[...{self.part(name, 'coordinates')}.rows]"
@@ -290,7 +290,7 @@ class Page(unittest.TestCase):
                                    if row[0] in scene["solutions"][0]["points"]})
                 for solution, there in ((0, places[0]), (1, places[-1])):
                     for point, listed in scene["solutions"][solution]["points"].items():
-                        self.assertLess(math.dist(there[point], listed), 1e-5)
+                        self.assertLess(math.dist(there[point], listed), 5e-3, "a ten thousandth of the way from it")
                 for before, after in itertools.pairwise(places):
                     self.assertGreater(max(math.dist(before[p], after[p]) for p in before), 1e-2, "it moves")
                     for body in bodies:

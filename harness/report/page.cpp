@@ -61,7 +61,7 @@ std::string contents(const std::vector<PageRun>& runs, const std::vector<PageIns
 
 // ---- what is proven
 
-std::string standing_html(std::optional<Standing> standing) {
+std::string standing_html(std::optional<VerdictStanding> standing) {
   if (!standing) return "<td>–</td>";
   return fmt::format("<td class=\"verdict {0}\">{0}</td>", word(*standing));
 }

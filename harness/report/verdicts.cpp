@@ -153,11 +153,13 @@ std::optional<int> per_class(const PrintedFigure& figure, const InstanceSummary&
 }
 
 /// Of an instance that was chosen to agree with the paper, agreement proves nothing.
-Standing standing_of(const PrintedFigure& figure, const std::optional<Known>& ours,
-                     std::optional<int> factor) {
-  if (figure.correction) return figure.correction->is_proof ? Standing::refuted : Standing::open;
-  if (!ours || !ours->is_proven || !factor || !figure.chosen.empty()) return Standing::open;
-  return figure.value == static_cast<double>(ours->classes) * *factor ? Standing::proven : Standing::refuted;
+VerdictStanding standing_of(const PrintedFigure& figure, const std::optional<Known>& ours,
+                            std::optional<int> factor) {
+  if (figure.correction)
+    return figure.correction->is_proof ? VerdictStanding::refuted : VerdictStanding::open;
+  if (!ours || !ours->is_proven || !factor || !figure.chosen.empty()) return VerdictStanding::open;
+  return figure.value == static_cast<double>(ours->classes) * *factor ? VerdictStanding::proven
+                                                                      : VerdictStanding::refuted;
 }
 
 std::optional<Verdict> verdict(const std::string& quantity, const std::string& row,
@@ -167,7 +169,7 @@ std::optional<Verdict> verdict(const std::string& quantity, const std::string& r
       instance.is_shipped ? printed_figure(publications, row, instance.id) : nullptr;
   if (!ours && figure == nullptr) return std::nullopt;
   Verdict result{quantity, "", std::nullopt, ours ? std::to_string(ours->classes) : "not measured",
-                 Standing::open};
+                 VerdictStanding::open};
   if (figure != nullptr) {
     result.printed = figure->printed + " (" + figure->convention + ")";
     result.printed_standing = standing_of(*figure, ours, per_class(*figure, instance, scene));
@@ -176,20 +178,20 @@ std::optional<Verdict> verdict(const std::string& quantity, const std::string& r
     if (!figure->chosen.empty()) result.reason = "Printed: " + figure->chosen + " ";
   }
   if (!ours) return result;
-  result.our_standing = ours->is_proven ? Standing::proven : Standing::open;
+  result.our_standing = ours->is_proven ? VerdictStanding::proven : VerdictStanding::open;
   result.reason += "Ours: " + ours->reason + ".";
   return result;
 }
 
 }  // namespace
 
-std::string_view word(Standing standing) {
+std::string_view word(VerdictStanding standing) {
   switch (standing) {
-    case Standing::proven:
+    case VerdictStanding::proven:
       return "proven";
-    case Standing::refuted:
+    case VerdictStanding::refuted:
       return "refuted";
-    case Standing::open:
+    case VerdictStanding::open:
       break;
   }
   return "open";

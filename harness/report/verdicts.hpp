@@ -10,18 +10,18 @@
 
 namespace gcs {
 
-enum class Standing { proven, refuted, open };
+enum class VerdictStanding { proven, refuted, open };
 
 /// "proven", "refuted" or "open".
-std::string_view word(Standing standing);
+std::string_view word(VerdictStanding standing);
 
 /// One number of one instance, as printed and as found.
 struct Verdict {
-  std::string quantity;                        ///< "complex solutions"
-  std::string printed;                         ///< the published number with its convention; empty: none
-  std::optional<Standing> printed_standing{};  ///< empty: nothing is printed
-  std::string ours;                            ///< up to reflection, unless it says otherwise
-  Standing our_standing = Standing::open;
+  std::string quantity;  ///< "complex solutions"
+  std::string printed;   ///< the published number with its convention; empty: none
+  std::optional<VerdictStanding> printed_standing{};  ///< empty: nothing is printed
+  std::string ours;                                   ///< up to reflection, unless it says otherwise
+  VerdictStanding our_standing = VerdictStanding::open;
   std::string reason{};  ///< of both
 };
 

@@ -142,25 +142,27 @@ TEST_CASE("a printed number is refuted, proven or open as ours is") {
     for (PrintedFigure& figure : paper.figures) figure.chosen.clear();
   const InstanceSummary& octahedron = run.instances[0];
   auto all = verdicts(run, octahedron, nullptr, papers);
-  CHECK(verdict_on(all, "complex").printed_standing == Standing::refuted);
-  CHECK(verdict_on(all, "complex").our_standing == Standing::open);
-  CHECK(verdict_on(all, "real").printed_standing == Standing::open);
-  CHECK(verdict_on(all, "on S").our_standing == Standing::open);
+  CHECK(verdict_on(all, "complex").printed_standing == VerdictStanding::refuted);
+  CHECK(verdict_on(all, "complex").our_standing == VerdictStanding::open);
+  CHECK(verdict_on(all, "real").printed_standing == VerdictStanding::open);
+  CHECK(verdict_on(all, "on S").our_standing == VerdictStanding::open);
 
   for (CellRecord& cell : run.cells)
     if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{8, 4, true, true};
   all = verdicts(run, octahedron, nullptr, papers);
-  CHECK(verdict_on(all, "complex").our_standing == Standing::proven);
-  CHECK(verdict_on(all, "real").printed_standing == Standing::proven);
+  CHECK(verdict_on(all, "complex").our_standing == VerdictStanding::proven);
+  CHECK(verdict_on(all, "real").printed_standing == VerdictStanding::proven);
   for (CellRecord& cell : run.cells) {
     if (!cell.proofs) continue;
     cell.proofs->real = 3;
     cell.counts.real_up_to_reflection = Natural(3);
   }
-  CHECK(verdict_on(verdicts(run, octahedron, nullptr, papers), "real").printed_standing == Standing::refuted);
+  CHECK(verdict_on(verdicts(run, octahedron, nullptr, papers), "real").printed_standing ==
+        VerdictStanding::refuted);
 
   const StoredScene scene = stored_scene(load_instance("octahedron"));
-  CHECK(verdict_on(verdicts(run, octahedron, &scene, papers), "on S").printed_standing == Standing::proven);
+  CHECK(verdict_on(verdicts(run, octahedron, &scene, papers), "on S").printed_standing ==
+        VerdictStanding::proven);
 }
 
 TEST_CASE("a cell whose path is proven to close proves what is on S, where no scene is stored") {
@@ -168,12 +170,12 @@ TEST_CASE("a cell whose path is proven to close proves what is on S, where no sc
   const auto on_path = [&] {
     return verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "on S");
   };
-  CHECK(on_path().our_standing == Standing::open);
+  CHECK(on_path().our_standing == VerdictStanding::open);
   run.cells[1].is_path_proven = true;
-  CHECK(on_path().our_standing == Standing::proven);
+  CHECK(on_path().our_standing == VerdictStanding::proven);
   CHECK(on_path().reason.find("(full-space mode=paper)") != std::string::npos);
   run.cells[1].difference = "It is wrong.";
-  CHECK(on_path().our_standing == Standing::open);
+  CHECK(on_path().our_standing == VerdictStanding::open);
 }
 
 TEST_CASE("a number in the convention of its scene is held against ours as it is") {
@@ -195,8 +197,8 @@ TEST_CASE("what an instance was chosen for proves nothing of the paper's") {
   for (CellRecord& cell : run.cells)
     if (cell.spec.strategy == "cayley-menger") cell.proofs = RecordedProofs{8, 4, true, true};
   const Verdict real = verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "real");
-  CHECK(real.our_standing == Standing::proven);
-  CHECK(real.printed_standing == Standing::open);
+  CHECK(real.our_standing == VerdictStanding::proven);
+  CHECK(real.printed_standing == VerdictStanding::open);
   CHECK(real.reason.find("chosen") != std::string::npos);
 }
 
@@ -205,7 +207,7 @@ TEST_CASE("a number that does not come out is open, and not refuted") {
   InstanceSummary icosahedron = run.instances[0];
   icosahedron.id = "icosahedron";
   const Verdict on_path = verdict_on(verdicts(run, icosahedron, nullptr, load_publications()), "on S");
-  CHECK(on_path.printed_standing == Standing::open);
+  CHECK(on_path.printed_standing == VerdictStanding::open);
   CHECK(on_path.reason.find("none with the graph of the icosahedron") != std::string::npos);
 }
 
@@ -221,9 +223,9 @@ TEST_CASE("a scan of ours proves that no real solution is missing, and a program
   const auto standing = [&] {
     return verdict_on(verdicts(run, run.instances[0], nullptr, {}), "real").our_standing;
   };
-  CHECK(standing() == Standing::proven);
+  CHECK(standing() == VerdictStanding::proven);
   cell.spec.strategy = "exec:scan";
-  CHECK(standing() == Standing::open);
+  CHECK(standing() == VerdictStanding::open);
 }
 
 TEST_CASE("solutions in clusters are all with multiplicities, and their number is not proven") {
@@ -233,7 +235,7 @@ TEST_CASE("solutions in clusters are all with multiplicities, and their number i
   const Verdict complex =
       verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "complex");
   CHECK(complex.ours == "8");
-  CHECK(complex.our_standing == Standing::open);
+  CHECK(complex.our_standing == VerdictStanding::open);
   CHECK(complex.reason.find("clusters") != std::string::npos);
 }
 

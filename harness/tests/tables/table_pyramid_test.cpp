@@ -250,6 +250,6 @@ TEST_CASE("what is measured proves that the 24 solutions of the paper are all") 
   REQUIRE(real != all.end());
   CHECK(real->printed == "24 (fixed frame)");
   CHECK(real->ours == "6");
-  CHECK(real->our_standing == Standing::proven);
-  CHECK(real->printed_standing == Standing::proven);
+  CHECK(real->our_standing == VerdictStanding::proven);
+  CHECK(real->printed_standing == VerdictStanding::proven);
 }

@@ -3,7 +3,8 @@
 /// an infinite number; a count above 2^53 is a text.
 ///
 /// A list is a function visit_fields(record, visit) in namespace gcs, which calls for every member
-/// visit(name, member), visit.later(name, member) where files of earlier versions have none, and
+/// visit(name, member), visit.later(name, member) where files of earlier versions have none,
+/// visit.where_it_applies(name, member) for an optional one that is left out where it is empty, and
 /// visit.named(name, member, all) for an enumeration, or an optional one, with a word for each of `all`.
 
 #include <algorithm>
@@ -58,6 +59,10 @@ class RecordWriter {
   template <typename T>
   void later(const std::string& name, const T& value) const {
     (*this)(name, value);
+  }
+  template <typename T>
+  void where_it_applies(const std::string& name, const std::optional<T>& value) const {
+    if (value) (*this)(name, value);
   }
   template <typename Named, typename All>
   void named(const std::string& name, const std::optional<Named>& value, const All&) const {
@@ -153,6 +158,10 @@ class RecordReader {
   template <typename T>
   void later(const std::string& name, T& value) const {
     if (const auto member = object_.optional(name)) read_json(*member, value);
+  }
+  template <typename T>
+  void where_it_applies(const std::string& name, std::optional<T>& value) const {
+    later(name, value);
   }
   template <typename Named, typename All>
   void named(const std::string& name, Named& value, const All& all) const {

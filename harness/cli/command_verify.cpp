@@ -11,6 +11,7 @@
 #include "harness/cli/certificates_view.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/progress_line.hpp"
+#include "harness/cli/standing_view.hpp"
 #include "harness/results/verify.hpp"
 #include "solvers/certificates/scene_equations.hpp"
 
@@ -29,7 +30,8 @@ std::string summary(const StoredResult& result, const Verification& verification
                                   : fmt::format("{} mismatches", verification.mismatches.size());
   return fmt::format("{}, {}: {}\n", result.instance.id, result.strategy, verdict) +
          certificates_text(verification.proofs, result.listed.solutions.size(),
-                           result.claim == Claim::all_complex);
+                           result.claim == Claim::all_complex) +
+         standings_text(result.scene.problem(), result.listed);
 }
 
 ExitCode verify(const VerifyArguments& arguments, bool quiet) {

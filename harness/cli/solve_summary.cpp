@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "harness/cli/certificates_view.hpp"
+#include "harness/cli/standing_view.hpp"
 #include "harness/cli/summary_line.hpp"
 #include "harness/results/exec_strategy.hpp"
 #include "harness/solving/counts_view.hpp"
@@ -233,7 +234,8 @@ std::string proofs_text(const Assessment& assessment) {
 std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run;
   return headline(instance, run) + foreign_claim(run) +
-         solution_counts(instance.problem, assessment.counts, run.claim) + path_counts(assessment.counts) +
+         solution_counts(instance.problem, assessment.counts, run.claim) +
+         standings_text(instance.problem, assessment) + path_counts(assessment.counts) +
          proofs_text(assessment) + growths(assessment.ends) + path_proofs(assessment.ends) +
          crossings_table(assessment) + condition_and_residual(assessment.solutions) +
          particulars(run.particulars) + work(run) + time(run) + failed_checks(assessment.failed_checks);

@@ -26,6 +26,8 @@ void visit_result_counts(Record& stated, Visit visit) {
   visit.later("real", stated.real);
   visit.later("complex", stated.complex);
   visit_counts(stated.counts, visit);
+  visit.where_it_applies("not_as_stated", stated.counts.not_as_stated);
+  visit.where_it_applies("undecided", stated.counts.undecided);
 }
 
 }  // namespace gcs

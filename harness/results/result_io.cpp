@@ -12,6 +12,17 @@ namespace gcs {
 
 namespace {
 
+/// Null of a complex solution.
+void write_signs(const ProblemStatement& problem, const AssessedSolution& solution,
+                 const RecordWriter& write) {
+  std::vector<std::string> ids;
+  for (const int number : solution.signs.relations)
+    ids.push_back(problem.relations[static_cast<std::size_t>(number)].id);
+  const auto of_real = [&](auto value) { return solution.is_real() ? std::optional(value) : std::nullopt; };
+  write.named("standing", of_real(solution.signs.standing), all_standings);
+  write("against", of_real(ids));
+}
+
 JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution& solution) {
   const Figure placement = solution.placement();
   JsonMembers members{{"points", json_points(problem, placement)}, {"lines", json_lines(problem, placement)}};
@@ -23,6 +34,7 @@ JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution
   write("condition", solution.condition);
   write("error_bound", solution.error());
   write("certified", solution.certified);
+  if (!stated_signs(problem).empty()) write_signs(problem, solution, write);
   return json_object(std::move(members));
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -29,6 +30,24 @@ bool has_real_coordinates(const JsonCursor& solution, const ProblemStatement& pr
   return coordinates.empty() || coordinates.front().value().kind != JsonValue::Kind::array;
 }
 
+/// Without "standing" it is as stated.
+SignVerdict read_signs(const JsonCursor& solution, const ProblemStatement& problem) {
+  SignVerdict signs;
+  std::optional<Standing> standing;
+  RecordReader(solution).named("standing", standing, all_standings);
+  signs.standing = standing.value_or(Standing::as_stated);
+  const auto against = solution.optional("against");
+  if (!against || against->is_null()) return signs;
+  for (const JsonCursor& id : against->elements()) {
+    const auto found = std::ranges::find(problem.relations, id.text(), &Relation::id);
+    if (found == problem.relations.end())
+      id.fail("there is no constraint '" + id.text() + "' without a length",
+              "give the id of an orientation or an angle");
+    signs.relations.push_back(static_cast<int>(found - problem.relations.begin()));
+  }
+  return signs;
+}
+
 AssessedSolution read_solution(const JsonCursor& cursor, const Scene& scene) {
   AssessedSolution solution;
   const auto real = cursor.optional("real");
@@ -41,6 +60,7 @@ AssessedSolution read_solution(const JsonCursor& cursor, const Scene& scene) {
   read.later("error_bound", solution.error_bound);
   if (solution.error_bound) solution.error_bound = std::ldexp(*solution.error_bound, -scene.unit_exponent());
   read.later("certified", solution.certified);
+  if (is_real) solution.signs = read_signs(cursor, scene.problem());
   return solution;
 }
 

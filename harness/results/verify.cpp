@@ -27,6 +27,7 @@ class Verifier {
       : result_(result), scene_(result.scene), equations_(scene_) {
     for (const AssessedSolution& solution : result.listed.solutions) figures_.push_back(solution.figure);
     proofs_ = prove_solutions(equations_, figures_, threads, monitor);
+    standings_.assign(proofs_.size(), Standing::as_stated);
   }
 
   Verification run() {
@@ -59,7 +60,18 @@ class Verifier {
       mismatch("class",
                fmt::format("solution {} is {} class as solution {}", i,
                            proof.is_proven_same ? "the same" : "not proven to be another", proof.same_as));
-    if (certificate.is_proven) check_realness(i);
+    if (!certificate.is_proven) return;
+    check_realness(i);
+    if (certificate.realness == Certificate::Realness::real && !signs_.empty()) check_signs(i);
+  }
+
+  /// Where the proof leaves the signs undecided that constraints state, any standing may be listed.
+  void check_signs(std::size_t i) {
+    const Standing listed = result_.listed.solutions[i].signs.standing;
+    standings_[i] = proven_signs(equations_, signs_, figures_[i], proofs_[i].certificate).standing;
+    if (standings_[i] != Standing::undecided && standings_[i] != listed)
+      mismatch("standing", fmt::format("solution {} is listed as '{}' and proven to be '{}'", i, word(listed),
+                                       word(standings_[i])));
   }
 
   void check_multiplicity(std::size_t i) {
@@ -139,6 +151,13 @@ class Verifier {
     });
     if (result_.stated.real) check_count("real", result_.stated.real, expected.real);
     if (result_.stated.complex) check_count("complex", result_.stated.complex, expected.complex);
+    if (!signs_.empty()) {
+      const Counts& stated = result_.stated.counts;
+      check_count("not_as_stated", std::optional<Natural>(stated.not_as_stated),
+                  std::optional<Natural>(expected.counts.not_as_stated));
+      check_count("undecided", std::optional<Natural>(stated.undecided),
+                  std::optional<Natural>(expected.counts.undecided));
+    }
     check_convention(*expected.convention);
   }
 
@@ -198,7 +217,9 @@ class Verifier {
       const Certificate& certificate = proofs_[i].certificate;
       if (!certificate.is_proven || proofs_[i].same_as >= 0) continue;
       ++proofs.classes;
-      proofs.real += certificate.realness == Certificate::Realness::real ? 1 : 0;
+      const bool is_real = certificate.realness == Certificate::Realness::real;
+      proofs.real += is_real && standings_[i] == Standing::as_stated ? 1 : 0;
+      proofs.undecided += is_real && standings_[i] == Standing::undecided ? 1 : 0;
       proofs.most_bits = std::max(proofs.most_bits, certificate.bits);
     }
     count_clusters(proofs_, proofs);
@@ -208,8 +229,10 @@ class Verifier {
   const StoredResult& result_;
   const Scene& scene_;
   const SceneEquations equations_;
+  const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
   std::vector<Figure> figures_;
   std::vector<SolutionProof> proofs_;
+  std::vector<Standing> standings_;  ///< proven, of each solution
   Verification verification_;
 };
 

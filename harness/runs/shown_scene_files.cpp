@@ -38,9 +38,12 @@ constexpr double same_place = 1e-5;
 // ---- solutions
 
 void take_proven(const ReferenceList& list, const Scene& scene, ShownScene& record) {
+  const std::vector<StatedSign> signs = stated_signs(scene.problem());
   bool is_cut = false;
   for (const KnownSolution& known : list.solutions) {
-    if (!known.figure.is_real()) continue;
+    const double error = std::ldexp(known.exact.error, -scene.unit_exponent());
+    if (!known.figure.is_real() || verdict_on(signs, known.figure, error).standing != Standing::as_stated)
+      continue;
     is_cut = record.solutions.size() == most_solutions;
     if (is_cut) break;
     record.solutions.push_back({scene.in_file_unit(known.figure), 1});
@@ -66,7 +69,8 @@ void take_listed(const Scene& scene, Monitor& progress, ShownScene& record) {
   limits.certify = true;
   for (const StrategyEntry& entry : all_strategies()) {
     if (interrupted() || record.has_all_real) return;
-    const SolveRun run = run_strategy(entry, {}, scene, limits, {&progress, nullptr});
+    SolveRun run = run_strategy(entry, {}, scene, limits, {&progress, nullptr});
+    std::erase_if(run.solutions, [](const AssessedSolution& solution) { return !solution.is_as_stated(); });
     if (run.solutions.size() < record.solutions.size() + (claims_all_real(run) ? 0 : 1)) continue;
     record.solutions.clear();
     for (const AssessedSolution& solution : run.solutions)

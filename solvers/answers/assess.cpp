@@ -32,6 +32,7 @@ struct Judged {
   double condition = 0;
   int multiplicity = 1;
   double error = 0;  ///< that of the candidate
+  SignVerdict signs{};
 };
 
 bool is_finite(const LinePosition& line) { return line.point.allFinite() && line.direction.allFinite(); }
@@ -102,11 +103,20 @@ void append_cut(const Scene& scene, const Figure& figure, double grain, std::vec
     }
 }
 
-/// What solutions are sorted by, real ones first; the finer cut tells neighbours apart.
-std::vector<double> order_key(const Scene& scene, const Figure& figure) {
-  std::vector<double> key{figure.is_real() ? 0.0 : 1.0};
+/// What solutions are sorted by, real ones first, as they stand to what is stated; the finer cut tells neighbours apart.
+std::vector<double> order_key(const Scene& scene, const Judged& judged) {
+  const Figure& figure = judged.representative;
+  std::vector<double> key{figure.is_real() ? 0.0 : 1.0, static_cast<double>(judged.signs.standing)};
   for (const double grain : {1e-7, 1e-10}) append_cut(scene, figure, grain, key);
   return key;
+}
+
+/// Of a real figure, whose coordinates are as good as merging takes them to be, or as is proven.
+SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, const Judged& judged) {
+  if (signs.empty() || !judged.figure.is_real()) return {};
+  const double reach = std::max(scene.size(), extent(judged.representative));
+  const double error = std::min(judged.error, merging_tolerance(judged.condition) * reach);
+  return verdict_on(signs, judged.representative, error);
 }
 
 /// Multiplicity of a class: the largest that was reported for a member.
@@ -118,6 +128,7 @@ AssessedSolution solution_of_class(const Scene& scene, const Judged& first, int 
   solution.multiplicity = multiplicity;
   solution.residual = relative_residual(scene, first.representative);
   solution.condition = first.condition;
+  solution.signs = first.signs;
   return solution;
 }
 
@@ -132,7 +143,7 @@ std::vector<int> list_solutions(const Scene& scene, const std::vector<Judged>& j
     multiplicity[class_of[i]] = std::max(multiplicity[class_of[i]], judged[i].multiplicity);
   }
   std::vector<std::pair<std::vector<double>, int>> order;
-  for (const int i : first) order.emplace_back(order_key(scene, judged[i].representative), i);
+  for (const int i : first) order.emplace_back(order_key(scene, judged[i]), i);
   std::sort(order.begin(), order.end());
 
   const auto terms = file_terms(scene);
@@ -190,6 +201,7 @@ class Assessor {
       Judged judged{scene_.in_frame(candidate.figure), scene_.representative(candidate.figure), 0,
                     candidate.multiplicity, candidate.error};
       judged.condition = jacobian_condition(scene_, judged.representative);
+      judged.signs = signs_of(scene_, signs_, judged);
       judged_.push_back(std::move(judged));
     }
   }
@@ -284,6 +296,7 @@ class Assessor {
 
   const Scene& scene_;
   const SolveReport& report_;
+  const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
   Assessment assessment_;
   std::vector<Judged> judged_;
   std::vector<int> judged_index_;  // by candidate: index in judged_, or −1
@@ -303,6 +316,7 @@ void Assessor::count() {
   if (claim == Claim::on_path || claim == Claim::on_path_of_core) counts.on_path = 0;
   if (claim == Claim::all_real || claim == Claim::all_complex) counts.real_up_to_reflection = 0;
   if (claim == Claim::all_complex) counts.complex_up_to_reflection = 0;
+  if (!signs_.empty()) counts.not_as_stated = counts.undecided = 0;
   counts.generic = report_.generic;
   assessment_.totals = report_.totals;
   if (report_.totals) check_totals();
@@ -326,9 +340,14 @@ Assessment assess(const Scene& scene, const SolveReport& report) { return Assess
 void recount(Assessment& assessment) {
   Counts& counts = assessment.counts;
   const auto& solutions = assessment.solutions;
-  if (counts.real_up_to_reflection)
-    counts.real_up_to_reflection = std::count_if(
-        solutions.begin(), solutions.end(), [](const AssessedSolution& s) { return s.figure.is_real(); });
+  const auto count_standing = [&](Standing standing) {
+    return std::count_if(solutions.begin(), solutions.end(), [=](const AssessedSolution& s) {
+      return s.is_real() && s.signs.standing == standing;
+    });
+  };
+  if (counts.real_up_to_reflection) counts.real_up_to_reflection = count_standing(Standing::as_stated);
+  if (counts.not_as_stated) counts.not_as_stated = count_standing(Standing::not_as_stated);
+  if (counts.undecided) counts.undecided = count_standing(Standing::undecided);
   if (counts.complex_up_to_reflection) counts.complex_up_to_reflection = solutions.size();
   if (assessment.totals) {
     counts.real_up_to_reflection = assessment.totals->real;
@@ -342,7 +361,8 @@ void recount(Assessment& assessment) {
   if (counts.on_path) {
     std::set<int> met;
     for (const AssessedCrossing& crossing : assessment.crossings)
-      if (crossing.solution) met.insert(*crossing.solution);
+      if (crossing.solution && solutions[static_cast<std::size_t>(*crossing.solution)].is_as_stated())
+        met.insert(*crossing.solution);
     counts.on_path = met.size();
   }
 }

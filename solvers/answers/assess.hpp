@@ -33,6 +33,9 @@ struct Counts {
   std::optional<std::uint64_t> singular;
   std::optional<std::uint64_t> failed_paths;
   std::optional<std::uint64_t> certified;
+  /// Real solutions of the equations that are listed and not counted as real; empty where no sign is stated.
+  std::optional<std::uint64_t> not_as_stated;
+  std::optional<std::uint64_t> undecided;
 
   bool operator==(const Counts&) const = default;
 };
@@ -48,10 +51,11 @@ struct FailedCheck {
 struct Proofs {
   std::optional<std::string> why_none;  ///< why certificates do not reach the scene, in a sentence
   std::uint64_t classes = 0;            ///< solutions that are proven to exist, in different classes
-  std::uint64_t real = 0;               ///< those of them that are proven to be real
-  std::uint64_t clusters = 0;           ///< solutions that are proven to stand for several (ball_cluster.hpp)
-  std::uint64_t in_clusters = 0;        ///< so many, with multiplicities
-  int most_bits = 0;                    ///< the highest precision that a proof took
+  std::uint64_t real = 0;               ///< those of them that are proven to be real, and as stated
+  std::uint64_t undecided = 0;    ///< those of them that are real, and not known to be as stated or not to be
+  std::uint64_t clusters = 0;     ///< solutions that are proven to stand for several (ball_cluster.hpp)
+  std::uint64_t in_clusters = 0;  ///< so many, with multiplicities
+  int most_bits = 0;              ///< the highest precision that a proof took
   /// Solutions proven in the same way at the strategy's generic lengths.
   std::optional<std::uint64_t> generic;
   std::optional<Natural> limit;  ///< no lengths have more isolated solutions; empty: not known
@@ -62,13 +66,14 @@ struct Proofs {
   /// Those that the list stands for are.
   bool are_complete() const { return meets_limit(classes + in_clusters); }
   /// So many of them are real, and no more: of those in clusters it is not known.
-  bool decide_real() const { return meets_limit(classes); }
+  bool decide_real() const { return meets_limit(classes) && undecided == 0; }
 };
 
 struct Assessment {
   /// Of a scene that was taken apart: so many there are, however many are listed.
   std::optional<SolutionTotals> totals;
-  std::vector<AssessedSolution> solutions;  ///< real ones first, then in a fixed order
+  /// Real ones first, those that doubles find as stated before the others, then in a fixed order.
+  std::vector<AssessedSolution> solutions;
   std::vector<AssessedCrossing> crossings;  ///< in the order met
   Counts counts;
   std::vector<PathEnds> ends;  ///< of all paths
@@ -83,7 +88,7 @@ Assessment assess(const Scene& scene, const SolveReport& report);
 /// Brings the counts that are determined in line with the list.
 void recount(Assessment& assessment);
 
-/// Keeps the real solutions, which come first. How many complex ones there are is not determined then.
+/// Keeps the real solutions, as stated or not, which come first. How many complex ones there are is not determined then.
 void keep_real(Assessment& assessment);
 
 /// Keeps the first `limit` solutions. Counts of solutions follow the list; crossings keep their place.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solvers/elements/stated_signs.hpp"
 #include "solvers/model/scene.hpp"
 
 namespace gcs {
@@ -31,9 +32,14 @@ struct AssessedSolution {
   double condition = 0;               ///< jacobian_condition; infinity at a singular solution
   std::optional<double> error_bound;  ///< rigorous; empty: not certified
   bool certified = false;
+  /// Of a real solution of the equations; of a certified one by its enclosure.
+  SignVerdict signs;
   std::shared_ptr<const FileTerms> terms = std::make_shared<const FileTerms>();
 
   bool is_real() const { return figure.is_real(); }
+  /// Whether it is real and satisfies all constraints as stated, orientations and senses of angles included: one of those
+  /// that are counted as real.
+  bool is_as_stated() const { return is_real() && signs.standing == Standing::as_stated; }
   /// Where everything is.
   Figure placement() const { return figure.scaled(terms->unit_exponent); }
   /// How far from the exact solution that is at most, for every point; empty: not certified. Where the unit

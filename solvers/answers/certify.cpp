@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "solvers/certificates/coincidences.hpp"
+#include "solvers/certificates/enclosed_point.hpp"
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
@@ -103,10 +104,21 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
   return "";
 }
 
+bool proves_real(const Certificate& certificate) {
+  return certificate.is_proven && certificate.realness == Certificate::Realness::real;
+}
+
 std::uint64_t proven_real(const Assessment& assessment) {
   return static_cast<std::uint64_t>(
       std::count_if(assessment.solutions.begin(), assessment.solutions.end(),
-                    [](const AssessedSolution& s) { return s.certified && s.figure.is_real(); }));
+                    [](const AssessedSolution& s) { return s.certified && s.is_as_stated(); }));
+}
+
+std::uint64_t proven_undecided(const Assessment& assessment) {
+  return static_cast<std::uint64_t>(
+      std::count_if(assessment.solutions.begin(), assessment.solutions.end(), [](const AssessedSolution& s) {
+        return s.certified && s.is_real() && s.signs.standing == Standing::undecided;
+      }));
 }
 
 }  // namespace
@@ -138,6 +150,20 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
   return proofs;
 }
 
+SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
+                         const Figure& figure, const Certificate& certificate) {
+  constexpr int precise_bits = 128;  // of which the enclosure's doubles keep 53
+  const SystemBuilder& elements = equations.general()->elements();
+  const auto verdict = [&](const Enclosure& enclosure) {
+    return verdict_on(signs, [&](int point) { return enclosed_point(elements.point(point), enclosure); });
+  };
+  const SignVerdict first = verdict(certificate.enclosure);
+  if (first.standing != Standing::undecided) return first;
+  const Certificate precise =
+      Certifier(equations.system()).certify(equations.coordinates(figure), precise_bits);
+  return precise.is_proven ? verdict(precise.enclosure) : first;
+}
+
 void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs) {
   for (const SolutionProof& solution : solutions) {
     proofs.clusters += solution.cluster > 0 ? 1 : 0;
@@ -155,6 +181,7 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   const SceneEquations equations(scene);
   std::vector<Figure> figures;
   for (const AssessedSolution& solution : assessment.solutions) figures.push_back(solution.figure);
+  const std::vector<StatedSign> signs = stated_signs(scene.problem());
   const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads, monitor, stop);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!all[i].certificate.is_tried()) continue;
@@ -169,13 +196,17 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
           {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
     }
     if (all[i].certificate.is_proven) solution.error_bound = all[i].distance;
+    if (!signs.empty() && proves_real(all[i].certificate) && solution.is_real())
+      solution.signs = proven_signs(equations, signs, solution.figure, all[i].certificate);
     solution.certified = what.empty();
     proofs.classes += solution.certified ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
   }
   count_clusters(all, proofs);
   proofs.real = proven_real(assessment);
+  proofs.undecided = proven_undecided(assessment);
   assessment.counts.certified = proofs.classes;
+  if (!signs.empty()) recount(assessment);
   if (generic)
     proofs.generic = proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions,
                                     threads, monitor, stop);

@@ -39,13 +39,18 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
                                            const std::vector<Figure>& figures, int threads, Monitor* monitor,
                                            const std::stop_token& stop = {});
 
+/// What signs say of the real solution that is proven next to a figure: of its enclosure or, where that is too wide, of
+/// one in a higher precision. Preconditions: the scene is general, the certificate is the figure's and proves it real.
+SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
+                         const Figure& figure, const Certificate& certificate);
+
 /// Sets what no list is longer than.
 void set_limit(const TheoreticalCounts& limits, Proofs& proofs);
 
-/// Fills in `certified`, `error_bound`, counts.certified and `proofs` of an assessment; what cannot be proven
-/// becomes a failed check by the name of "certificate", or "singular" where it is listed as multiple. Where
-/// certificates do not reach the scene proofs.why_none says why. Stopped, it leaves the rest uncertified.
-/// `monitor` may be null.
+/// Fills in `certified`, `error_bound`, `signs`, counts.certified and `proofs` of an assessment, and brings the
+/// counts in line with `signs`. What cannot be proven becomes a failed check by the name of "certificate", or
+/// "singular" where it is listed as multiple. Where certificates do not reach the scene proofs.why_none says why.
+/// Stopped, it leaves the rest uncertified. `monitor` may be null.
 void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
              int threads, Monitor* monitor, Assessment& assessment, const std::stop_token& stop = {});
 

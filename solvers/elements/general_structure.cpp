@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "solvers/elements/dense_equations.hpp"
+#include "solvers/elements/stated_signs.hpp"
 #include "solvers/numeric/svd.hpp"
 #include "solvers/running/errors.hpp"
 #include "solvers/running/words.hpp"
@@ -117,11 +119,33 @@ Structure analyse_general_structure(const Scene& scene) {
   return structure;
 }
 
+std::vector<int> flat_orientations(const Scene& scene) {
+  const std::vector<StatedSign> signs = stated_signs(scene.problem());
+  const bool is_any = std::ranges::any_of(signs, [](const StatedSign& one) { return one.is_determinant; });
+  if (!is_any || why_no_system(scene)) return {};
+  const SceneSystem system(scene);
+  std::mt19937_64 random(1);
+  const auto figure = random_zero(system.equations(), system.without_value(), random);
+  return figure ? flat_orientations(signs, system.elements().placement(*figure).points) : std::vector<int>();
+}
+
 void require_general_well_posed(const ProblemStatement& problem, const std::string& file) {
-  const Structure structure = analyse_general_structure(Scene::unchecked(problem));
-  if (structure.well_posed()) return;
-  const StructureDefect& defect = structure.defects.front();
-  throw InputError(file, "/constraints", defect.what, defect.remedy);
+  const Scene scene = Scene::unchecked(problem);
+  const Structure structure = analyse_general_structure(scene);
+  if (!structure.well_posed()) {
+    const StructureDefect& defect = structure.defects.front();
+    throw InputError(file, "/constraints", defect.what, defect.remedy);
+  }
+  for (const int number : flat_orientations(scene)) {
+    const Relation& flat = problem.relations[static_cast<std::size_t>(number)];
+    std::vector<std::string> points;
+    for (const Operand& of : flat.of) points.push_back(problem.name(of.entity));
+    throw InputError(
+        file, "/constraints",
+        fmt::format("the points of orientation '{}', {}, lie {} whatever the values are: it has no sign",
+                    flat.id, enumeration(points), problem.dimension == 2 ? "on a line" : "in a plane"),
+        "leave it out or name other points");
+  }
 }
 
 }  // namespace gcs

@@ -2,6 +2,7 @@
 /// What is loose in a general scene, and what redundant, before any solving.
 
 #include <string>
+#include <vector>
 
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/structure/structure.hpp"
@@ -15,7 +16,11 @@ namespace gcs {
 /// 1e-9 of the largest counts as 0).
 Structure analyse_general_structure(const Scene& scene);
 
-/// Throws InputError with the first defect, as of a file of that name.
+/// The orientations, by their numbers among the relations, whose points lie on a line, or in a plane, in a figure at random
+/// that meets the constraints without a value, and hence in all; none where there is no such figure.
+std::vector<int> flat_orientations(const Scene& scene);
+
+/// Throws InputError with the first defect, or the first flat orientation, as of a file of that name.
 void require_general_well_posed(const ProblemStatement& problem, const std::string& file);
 
 }  // namespace gcs

@@ -1,6 +1,7 @@
 #pragma once
 /// Where elements are, as complex numbers with the bilinear form p·q = Σ p_i q_i.
 
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Placement {
   ComplexPoints points;
   std::vector<ComplexLine> lines;
   std::vector<ComplexPlane> planes;
+  /// Segments, the smaller number of a point first, whose directions point from their ends to their starts.
+  std::vector<std::array<int, 2>> turned_segments{};
 };
 
 /// The elements of a figure, real or not, its lines normalised.

@@ -10,6 +10,7 @@
 #include "solvers/elements/constraint_kinds.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/elements/scene_elements.hpp"
+#include "solvers/elements/stated_signs.hpp"
 
 namespace gcs {
 namespace {
@@ -95,7 +96,9 @@ std::optional<std::string> why_no_system(const Scene& scene) {
   if (auto reason = why_no_bodies(problem)) return reason;
   if (auto reason = why_no_positions(problem)) return reason;
   if (auto reason = why_no_relation(problem)) return reason;
-  if (problem.lines.size() + problem.planes.size() + 2 * problem.relations.size() > most_turnings)
+  const auto turned = static_cast<std::size_t>(std::ranges::count_if(
+      problem.relations, [](const Relation& r) { return r.type != RelationType::orientation; }));
+  if (problem.lines.size() + problem.planes.size() + 2 * turned > most_turnings)
     return fmt::format("there are more than {} lines, planes and constraints that may be turned over",
                        most_turnings);
   return std::nullopt;
@@ -131,6 +134,12 @@ SceneSystem::SceneSystem(const Scene& scene) : builder_(scene) {
 }
 
 ComplexValues SceneSystem::coordinates(const Figure& figure) const {
+  Placement placement = placement_of(figure);
+  placement.turned_segments = turned_segments(builder_.problem(), placement.points);
+  return builder_.values(placement);
+}
+
+ComplexValues SceneSystem::coordinates_as_drawn(const Figure& figure) const {
   return builder_.values(placement_of(figure));
 }
 

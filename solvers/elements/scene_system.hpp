@@ -30,8 +30,11 @@ class SceneSystem {
   bool moves(int entity, const Eigen::MatrixXcd& changes) const;
   /// Where the points, lines and planes of the scene are, as forms in the unknowns.
   const SystemBuilder& elements() const { return builder_; }
-  /// The unknowns at a figure that is in the scene's frame.
+  /// The unknowns at a solution, or near one, in the scene's frame: lengths of segments have the signs with which the
+  /// equations of angles hold.
   ComplexValues coordinates(const Figure& figure) const;
+  /// The unknowns at any figure in the scene's frame: lengths of segments are positive.
+  ComplexValues coordinates_as_drawn(const Figure& figure) const;
   /// At most so far are points, and lines and planes as SceneEquations::distance says, from where the unknowns put them
   /// that are off from x by these amounts. `x`: coordinates(figure).
   double distance(const Figure& figure, const ComplexValues& x, const std::vector<double>& offsets) const;

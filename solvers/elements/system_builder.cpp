@@ -82,7 +82,9 @@ SegmentForms SystemBuilder::segment(const Operand& segment) {
     SegmentForms forms{unknown(turning), vector(turning), turning};
     define([a = a, b = b, d = dimension()](const Placement& at, const ComplexValues&) {
       const Eigen::Vector3cd way = at.points.col(b) - at.points.col(a);
-      const std::complex<double> length = std::sqrt(bilinear_product(way, way));
+      std::complex<double> length = std::sqrt(bilinear_product(way, way));
+      if (std::ranges::find(at.turned_segments, std::array{a, b}) != at.turned_segments.end())
+        length = -length;
       ComplexValues values{length};
       const ComplexValues direction = components(way / length, d);
       values.insert(values.end(), direction.begin(), direction.end());

@@ -20,4 +20,10 @@ std::string_view word(Convention convention) {
   return words[static_cast<std::size_t>(convention)];
 }
 
+std::string_view word(Standing standing) {
+  constexpr std::array<std::string_view, all_standings.size()> words{"as stated", "undecided",
+                                                                     "not as stated"};
+  return words[static_cast<std::size_t>(standing)];
+}
+
 }  // namespace gcs

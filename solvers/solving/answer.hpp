@@ -27,6 +27,9 @@ std::string_view word(Claim claim);
 /// The word of gcsbench-result/1: "in the given frame", "up to motion", "up to reflection".
 std::string_view word(Convention convention);
 
+/// The word of gcsbench-result/1: "as stated", "undecided", "not as stated".
+std::string_view word(Standing standing);
+
 inline constexpr std::array all_statuses{RunStatus::complete,    RunStatus::partial,  RunStatus::infinite,
                                          RunStatus::unsupported, RunStatus::gave_up,  RunStatus::stopped,
                                          RunStatus::interrupted, RunStatus::timed_out};
@@ -34,6 +37,7 @@ inline constexpr std::array all_claims{Claim::some_real, Claim::on_path, Claim::
                                        Claim::all_real, Claim::all_complex};
 inline constexpr std::array all_conventions{Convention::in_the_given_frame, Convention::up_to_motion,
                                             Convention::up_to_reflection};
+inline constexpr std::array all_standings{Standing::as_stated, Standing::undecided, Standing::not_as_stated};
 
 /// How a solve was asked for, how it ended and what it took.
 struct SolveOutcome {

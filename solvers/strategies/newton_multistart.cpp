@@ -13,7 +13,8 @@
 /// whose basin hardly a start lies is missed, however small it is.
 ///
 /// Of a general scene (elements/scene_system.hpp) points start in the box too, directions and rotations are random, and the
-/// last steps are taken in doubles.
+/// last steps are taken in doubles. What an orientation leaves out has basins like the rest, and is counted among the
+/// classes.
 ///
 /// Hence it claims some real solutions. It fails, and says so, where no start ends at a solution, which does
 /// not prove that there is none, and at multiple solutions and scenes that move, whose ends it counts only.
@@ -111,7 +112,7 @@ class SceneFunction {
   }
 
   Eigen::VectorXd random_start(double reach, std::mt19937_64& random) const {
-    const ComplexValues values = system_.coordinates(random_figure(scene_, reach, random));
+    const ComplexValues values = system_.coordinates_as_drawn(random_figure(scene_, reach, random));
     return Eigen::VectorXd::NullaryExpr(
         inputs(), [&](Eigen::Index i) { return values[static_cast<std::size_t>(i)].real(); });
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/figures/general_figures.hpp"
+#include "solvers/elements/stated_signs.hpp"
 #include "solvers/tracking/general_curve.hpp"
 #include "solvers/tracking/path_report.hpp"
 #include "solvers/tracking/sketched_unknowns.hpp"
@@ -21,8 +21,8 @@ constexpr double infinite_coordinate = 1e6;
 
 class TargetValues final : public TargetEquations {
  public:
-  TargetValues(const Scene& scene, const SceneSystem& system)
-      : scene_(scene), system_(system), equations_(real_equations(system.equations())) {}
+  explicit TargetValues(const SceneSystem& system)
+      : system_(system), equations_(real_equations(system.equations())) {}
 
   Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const override {
     return point.head(equations_.unknowns);
@@ -39,15 +39,9 @@ class TargetValues final : public TargetEquations {
   Figure figure(const Eigen::VectorXd& x) const override {
     return system_.figure(ComplexValues(x.begin(), x.end()), true);
   }
-  /// A segment that was turned over as its length went through 0 has another angle than it is to have.
-  bool meets_constraints(const Figure& figure) const override {
-    constexpr double other_angle = 1e-6;
-    return general_residual(scene_, figure) <= other_angle;
-  }
   double proven_error(const Figure&) const override { return std::numeric_limits<double>::infinity(); }
 
  private:
-  const Scene& scene_;
   const SceneSystem& system_;
   RealEquations equations_;
 };
@@ -127,18 +121,44 @@ class GeneralPath {
       : scene_(scene), system_(system), sketched_(sketched), context_(context) {}
 
   TrackedPath follow(SeriesTrackerOptions options) const {
+    if (options.stops_at_first) return follow_to_first(options);
     TrackedPath path = follow_half(options);
     if (path.end != TrackedPath::End::at_infinity) return path;
-    if (options.stops_at_first) {
-      path.end = TrackedPath::End::failed;
-      path.cause = "S goes to infinity and meets no solution on the way";
-      return path;
-    }
     options.orientation = -options.orientation;
     return joined(std::move(path), follow_half(options));
   }
 
  private:
+  /// The tracker does not know signs: where it stops at a solution that is not as stated, S is followed to its end and cut
+  /// at the first one that is.
+  TrackedPath follow_to_first(SeriesTrackerOptions options) const {
+    TrackedPath path = follow_half(options);
+    if (path.end == TrackedPath::End::reached && first_as_stated(path) == path.crossings.end()) {
+      options.stops_at_first = false;
+      path = follow_half(options);
+      if (const auto first = first_as_stated(path); first != path.crossings.end()) {
+        std::erase_if(path.touches, [&](const PathTouch& touch) { return touch.at > first->at; });
+        path.crossings.erase(first + 1, path.crossings.end());
+        path.end = TrackedPath::End::reached;
+      }
+    }
+    if (path.end == TrackedPath::End::at_infinity) {
+      path.end = TrackedPath::End::failed;
+      path.cause = "S goes to infinity and meets no solution on the way";
+    }
+    return path;
+  }
+
+  std::vector<PathCrossing>::iterator first_as_stated(TrackedPath& path) const {
+    constexpr double found_to = 1e-6;  // of the scene's size: what a tracker's crossing is good to
+    const std::vector<StatedSign> signs = stated_signs(scene_.problem());
+    return std::ranges::find_if(path.crossings, [&](const PathCrossing& crossing) {
+      const Eigen::VectorXd& y = crossing.point;
+      const Figure figure = system_.figure(ComplexValues(y.begin(), y.end() - 1), true);
+      return verdict_on(signs, figure, found_to * scene_.size()).standing == Standing::as_stated;
+    });
+  }
+
   TrackedPath follow_half(SeriesTrackerOptions options) const {
     GeneralFamily family(scene_, system_, sketched_, options.order);
     options.far = times_far_away(bounding_lengths(family.values()));
@@ -160,7 +180,7 @@ SolveReport follow_general_path(const Scene& scene, SeriesTrackerOptions options
   const SceneSystem system(scene);
   const auto sketched = sketched_unknowns(scene, system);
   if (!sketched) return given_up(too_far);
-  const TargetValues target(scene, system);
+  const TargetValues target(system);
   const GeneralPath path(scene, system, sketched->x, context);
   SolveReport report = report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
     return path_report(scene, path.follow(refined), target);
@@ -174,7 +194,7 @@ SolveReport newton_from_general_sketch(const Scene& scene) {
   const SceneSystem system(scene);
   const auto sketched = sketched_unknowns(scene, system);
   if (!sketched) return report_of_newton(given_up(too_far));
-  const TargetValues target(scene, system);
+  const TargetValues target(system);
   Eigen::VectorXd x = sketched->x;
   const Refinement refinement = target.refine(x, most_iterations);
   TrackedPath path;

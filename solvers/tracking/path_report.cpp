@@ -102,10 +102,6 @@ class PathReporter {
     record.proven = path.proven;
     for (const MetSolution& met : met_on(path)) {
       Candidate candidate = candidate_of(met);
-      if (!equations_.meets_constraints(candidate.figure)) {
-        leave_out();
-        continue;
-      }
       record.crossings.push_back({static_cast<int>(report_.candidates.size()), met.direction});
       report_.candidates.push_back(std::move(candidate));
     }
@@ -117,12 +113,6 @@ class PathReporter {
   void falls_short(const char* reason) {
     if (report_.status == SolveStatus::complete) report_.status = SolveStatus::partial;
     if (report_.reason.empty()) report_.reason = reason;
-  }
-
-  /// Without all of its crossings the path proves nothing.
-  void leave_out() {
-    falls_short("S meets t = 1 where the equations hold, but not the constraints as they are stated");
-    report_.claim = Claim::some_real;
   }
 
   /// In path order. Next to an extremum of t near 1 the exact lengths decide, not what the tracker took for
@@ -167,8 +157,7 @@ class PathReporter {
     report_.work.newton_iterations += refinement.iterations;
     Candidate candidate{equations_.figure(x), 1};
     if (!refinement.converged || (x - met.x).norm() > largest_refinement * scene_.size() ||
-        (equations_.meets_constraints(candidate.figure) &&
-         relative_residual(scene_, candidate.figure) > largest_residual))
+        relative_residual(scene_, candidate.figure) > largest_residual)
       falls_short("a crossing of t = 1 did not refine to a solution");
     candidate.error = equations_.proven_error(candidate.figure);
     if (met.has_neighbour && !std::isfinite(candidate.error) && is_stiff(scene_, candidate.figure))

@@ -26,8 +26,6 @@ class TargetEquations {
   /// As solutions_at_fold says.
   virtual std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const = 0;
   virtual Figure figure(const Eigen::VectorXd& x) const = 0;
-  /// Whether the figure of a zero meets the constraints, too, where these say more than the equations.
-  virtual bool meets_constraints(const Figure&) const { return true; }
   /// A proven bound on the error of a figure, or infinity.
   virtual double proven_error(const Figure& figure) const = 0;
 };

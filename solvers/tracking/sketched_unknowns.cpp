@@ -58,7 +58,7 @@ std::optional<SketchedUnknowns> sketched_unknowns(const Scene& scene, const Scen
   const RealEquations equations = real_equations(system.equations());
   const std::vector<int> fixed = system.without_value();
   const ComplexValues sketched =
-      system.coordinates(with_body_at_rest(scene, with_rigid_bodies(scene, *scene.sketch())));
+      system.coordinates_as_drawn(with_body_at_rest(scene, with_rigid_bodies(scene, *scene.sketch())));
   Eigen::VectorXd x(equations.unknowns);
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = sketched[static_cast<std::size_t>(i)].real();
   const Eigen::VectorXd start = x;

@@ -24,6 +24,13 @@ HELD = {
                              ("a1", "b3", 2.158923830744), ("b1", "E", 1.951800145897), ("b2", "K", 0.889508559965)),
 }
 
+# A triangle with a right angle at a, and the side that c is on.
+TRIANGLE = {
+    "format": "gcsbench-instance/2", "id": "right-triangle", "dimension": 2, "points": ["a", "b", "c"],
+    "constraints": [*distances(("a", "b", 3), ("a", "c", 4), ("b", "c", 5)),
+                    {"id": "side", "type": "orientation", "of": ["a", "b", "c"], "sign": -1}],
+}
+
 
 def planes(unit=1):
     """Three points and three planes, all pairs constrained but three: eight classes (Hoffmann, Yuan). Lengths are so

@@ -8,7 +8,7 @@ import json
 
 import command_line
 from command_line import BAD_INPUT, CHECK_FAILED, DONE, NOT_SOLVED, run
-from general_scenes import PLATFORM, planes
+from general_scenes import PLATFORM, TRIANGLE, planes
 
 
 class GeneralScenes(command_line.CommandLine):
@@ -107,6 +107,34 @@ class GeneralScenes(command_line.CommandLine):
             del solutions[0]["planes"]["e4"]
 
         self.assert_one_message(self.verified(change(drop)), BAD_INPUT, "/solutions/0/planes", "e4")
+
+    def test_an_orientation_selects_and_loses_nothing(self):
+        out = self.solved(TRIANGLE)
+        result = json.loads(out.read_text())
+        counts = {name: result["counts"][name] for name in ["convention", "real", "complex", "not_as_stated", "undecided"]}
+        self.assertEqual(counts, {"convention": "up to motion", "real": 1, "complex": 2, "not_as_stated": 1, "undecided": 0})
+        self.assertEqual(result["proofs"]["real"], 1)
+        solutions = [(s["standing"], s["against"], round(s["points"]["c"][1], 9)) for s in result["solutions"]]
+        self.assertEqual(solutions, [("as stated", [], -4), ("not as stated", ["side"], 4)])
+
+        summary = run("solve", self.instance(TRIANGLE), "--strategy", "monodromy").stdout
+        verified = run("--quiet", "verify", out)
+        self.assertEqual((verified.returncode, verified.stderr), (DONE, ""))
+        for text in [summary, verified.stdout]:
+            self.assertRegex(text, "not as stated +1 more real solution of the equations: 1 against 'side'")
+        self.assertRegex(summary, "real +1 solution, up to motion")
+
+        listed = result["solutions"]
+        for standing, word in [("as stated", "proven to be 'not as stated'"), ("undecided", "not_as_stated")]:
+            self.assert_mismatch({**result, "solutions": [listed[0], {**listed[1], "standing": standing}]}, word)
+        self.assert_mismatch({**result, "counts": {**result["counts"], "real": 2}}, "the count real is 2")
+        self.assert_one_message(self.verified({**result, "solutions": [{**listed[0], "against": ["edge"]}, listed[1]]}),
+                                BAD_INPUT, "/solutions/0/against/0", "edge")
+
+    def test_without_an_orientation_nothing_is_said_of_it(self):
+        result = json.loads(self.solved(PLATFORM).read_text())
+        self.assertEqual({"not_as_stated", "undecided"} & set(result["counts"]), set())
+        self.assertEqual({"standing", "against"} & set(result["solutions"][0]), set())
 
     def test_a_body_that_is_bent_or_moved_is_caught(self):
         result = json.loads(self.solved(PLATFORM).read_text())

@@ -257,6 +257,26 @@ TEST_CASE("a flat solution has no side, and says so") {
   CHECK(answer.counts.not_as_stated == 0U);
 }
 
+TEST_CASE("a certificate tells a side that doubles leave undecided") {
+  // a = (0, 0), b = (2, 0), c = (0, 1) and d = (1, 1e-11) or (-1, 1e-11), and mirror images.
+  Problem problem(2);
+  problem.points("a", "b", "c", "d").distance("a", "b", 2).distance("a", "c", 1);
+  problem.squared_distance("b", "c", 5).squared_distance("a", "d", "1.0000000000000000000001");
+  problem.squared_distance("c", "d", "1.9999999999800000000001").orientation({"a", "b", "d"}, 1);
+  const Answer found = solve(Scene(problem), "monodromy");
+  CHECK(found.counts.undecided == 4U);
+  CHECK(found.counts.real_up_to_reflection == 0U);
+  const Answer proven = solve(Scene(problem), "monodromy", {}, {.certify = true});
+  CHECK(proven.failed_checks.empty());
+  CHECK(proven.counts.undecided == 0U);
+  CHECK(proven.counts.real_up_to_reflection == 2U);
+  CHECK(proven.counts.not_as_stated == 2U);
+  REQUIRE(proven.proofs);
+  CHECK(proven.proofs->real == 2);
+  for (const AssessedSolution& solution : proven.solutions)
+    CHECK(solution.is_as_stated() == (solution.point("c").y() > 0));
+}
+
 TEST_CASE("a segment of free length that points the other way is at another angle than is stated") {
   // c is at 50 degrees from a as seen from o, and 1.2 from a, which o is nearer to: on the ray, or on the opposite one.
   ProblemStatement problem;

@@ -1,9 +1,9 @@
 #include "solvers/elements/dense_equations.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 
 namespace gcs {
-
 EquationResiduals residuals_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x) {
   const auto n = static_cast<Eigen::Index>(system.equations.size());
   EquationResiduals result{Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n)};
@@ -35,30 +35,60 @@ Eigen::MatrixXcd jacobian_at(const QuadraticSystem& system, const std::vector<st
   return result;
 }
 
+namespace {
+
+/// The Gauss–Newton method from a start at random. Nothing where it does not settle, or so far off that rounding would
+/// count.
+std::optional<std::vector<std::complex<double>>> zero_from_random_start(const QuadraticSystem& system,
+                                                                        const std::vector<int>& equations,
+                                                                        std::mt19937_64& random) {
+  constexpr int most_iterations = 60;
+  constexpr double settled = 1e-14, far = 1e3;
+  std::normal_distribution<double> normal;
+  std::vector<std::complex<double>> x;
+  for (int i = 0; i < system.unknowns; ++i) {
+    const double re = normal(random), im = normal(random);
+    x.emplace_back(re, im);
+  }
+  Eigen::Map<Eigen::VectorXcd> point(x.data(), system.unknowns);
+  for (int i = 0; i < most_iterations && point.allFinite(); ++i) {
+    const EquationResiduals here = residuals_at(system, x);
+    if ((here.value(equations).cwiseAbs().array() <= settled * (1 + here.size(equations).array())).all())
+      return point.cwiseAbs().maxCoeff() <= far ? std::optional(x) : std::nullopt;
+    const Eigen::MatrixXcd jacobian = jacobian_at(system, x)(equations, Eigen::all);
+    point -= jacobian.completeOrthogonalDecomposition().solve(Eigen::VectorXcd(here.value(equations)));
+  }
+  return std::nullopt;
+}
+
+Eigen::Index rank_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x) {
+  constexpr double tolerance = 1e-9;  // of rows of length 1
+  Eigen::MatrixXcd jacobian = jacobian_at(system, x);
+  jacobian.rowwise().normalize();
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(jacobian);
+  factors.setThreshold(tolerance);
+  return factors.rank();
+}
+
+}  // namespace
+
 std::optional<std::vector<std::complex<double>>> random_zero(const QuadraticSystem& system,
                                                              const std::vector<int>& equations,
                                                              std::mt19937_64& random) {
-  constexpr int most_starts = 20, most_iterations = 60;
-  constexpr double settled = 1e-14, far = 1e3;  // far off, rounding would count
-  std::normal_distribution<double> normal;
-  for (int start = 0; start < most_starts; ++start) {
-    std::vector<std::complex<double>> x;
-    for (int i = 0; i < system.unknowns; ++i) {
-      const double re = normal(random), im = normal(random);
-      x.emplace_back(re, im);
-    }
-    Eigen::Map<Eigen::VectorXcd> point(x.data(), system.unknowns);
-    for (int i = 0; i < most_iterations && point.allFinite(); ++i) {
-      const EquationResiduals here = residuals_at(system, x);
-      if ((here.value(equations).cwiseAbs().array() <= settled * (1 + here.size(equations).array())).all()) {
-        if (point.cwiseAbs().maxCoeff() <= far) return x;
-        break;
-      }
-      const Eigen::MatrixXcd jacobian = jacobian_at(system, x)(equations, Eigen::all);
-      point -= jacobian.completeOrthogonalDecomposition().solve(Eigen::VectorXcd(here.value(equations)));
-    }
+  constexpr int most_starts = 20;
+  const auto full = std::min(static_cast<Eigen::Index>(system.equations.size()),
+                             static_cast<Eigen::Index>(system.unknowns));
+  std::optional<std::vector<std::complex<double>>> best;
+  Eigen::Index best_rank = -1;
+  for (int start = 0; start < most_starts && best_rank < full; ++start) {
+    auto zero = zero_from_random_start(system, equations, random);
+    if (!zero) continue;
+    const Eigen::Index rank = rank_at(system, *zero);
+    if (rank <= best_rank) continue;
+    best_rank = rank;
+    best = std::move(zero);
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace gcs

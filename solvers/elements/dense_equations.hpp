@@ -20,8 +20,9 @@ EquationResiduals residuals_at(const QuadraticSystem& system, const std::vector<
 /// Equations × unknowns.
 Eigen::MatrixXcd jacobian_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x);
 
-/// A point at random that solves these equations, to rounding, by the Gauss–Newton method; nothing where some starts do
-/// not lead to one.
+/// A point at random that solves these equations, to rounding, by the Gauss–Newton method. They may have components of
+/// their own, such as lines through two points that are one: of some starts the one counts at which all equations of the
+/// system have the highest rank, the first one of full rank. Nothing where no start leads to a zero.
 std::optional<std::vector<std::complex<double>>> random_zero(const QuadraticSystem& system,
                                                              const std::vector<int>& equations,
                                                              std::mt19937_64& random);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <cstdlib>
@@ -51,6 +52,16 @@ Vector line_part(const Figure& figure, std::size_t line, Eigen::Vector3d LinePos
           figure.is_real() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(figure.imaginary_lines[line].*part)};
 }
 
+Vector normal_of(const Figure& figure, std::size_t plane) {
+  return {figure.planes[plane].normal, figure.is_real()
+                                           ? Eigen::Vector3d::Zero()
+                                           : Eigen::Vector3d(figure.imaginary_planes[plane].normal)};
+}
+
+std::complex<double> offset_of(const Figure& figure, std::size_t plane) {
+  return {figure.planes[plane].offset, figure.is_real() ? 0 : figure.imaginary_planes[plane].offset};
+}
+
 // ---- decimals
 
 /// Four bits a digit, of the longest text.
@@ -74,13 +85,16 @@ double part_difference(const std::string& a, const std::string& b, int sign, slo
   return difference;
 }
 
+/// a − sign·b
+std::complex<double> number_difference(const DecimalNumber& a, const DecimalNumber& b, int sign) {
+  const slong bits = std::max(bits_of(a), bits_of(b));
+  return {part_difference(a.re, b.re, sign, bits), part_difference(a.im, b.im, sign, bits)};
+}
+
 double distance(const DecimalVector& a, const DecimalVector& b, const AxisSigns& signs, int sign = 1) {
   Differences differences;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const slong bits = std::max(bits_of(a[axis]), bits_of(b[axis]));
-    differences[axis] = {part_difference(a[axis].re, b[axis].re, sign * signs[axis], bits),
-                         part_difference(a[axis].im, b[axis].im, sign * signs[axis], bits)};
-  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    differences[axis] = number_difference(a[axis], b[axis], sign * signs[axis]);
   return length(differences);
 }
 
@@ -93,13 +107,21 @@ DecimalVector decimals_of(const Vector& vector) {
   return decimals;
 }
 
+/// Whether a change of the signs of these axes leaves the class of a figure as it is, in the frame of a general scene.
+bool keeps_class(const Scene& scene, unsigned mask) {
+  const bool is_mirrored = convention_of(scene.problem()) == Convention::up_to_reflection;
+  if (scene.problem().reference_body < 0) return is_mirrored || std::popcount(mask) % 2 == 0;
+  return mask == 0 || (is_mirrored && mask == 1U << (scene.dimension() - 1));
+}
+
 }  // namespace
 
 std::vector<AxisSigns> mirror_images(const Scene& scene) {
   std::vector<AxisSigns> images;
   const int count = sign_patterns(scene.is_anchored(), scene.dimension());
   for (int mask = 0; mask < count; ++mask)
-    images.push_back({(mask & 1) != 0 ? -1 : 1, (mask & 2) != 0 ? -1 : 1, (mask & 4) != 0 ? -1 : 1});
+    if (!scene.problem().is_general() || keeps_class(scene, static_cast<unsigned>(mask)))
+      images.push_back({(mask & 1) != 0 ? -1 : 1, (mask & 2) != 0 ? -1 : 1, (mask & 4) != 0 ? -1 : 1});
   return images;
 }
 
@@ -113,6 +135,13 @@ double largest_distance(const Figure& a, const Figure& b, const AxisSigns& signs
     };
     const double turn = std::min(apart(&LinePosition::direction, 1), apart(&LinePosition::direction, -1));
     largest = std::max({largest, apart(&LinePosition::point, 1), size * turn});
+  }
+  for (std::size_t i = 0; i < a.planes.size(); ++i) {
+    const auto apart = [&](int sign) {
+      const double shift = std::abs(offset_of(a, i) - double(sign) * offset_of(b, i));
+      return std::max(size * distance(normal_of(a, i), normal_of(b, i), signs, sign), shift);
+    };
+    largest = std::max(largest, std::min(apart(1), apart(-1)));
   }
   return largest;
 }
@@ -131,6 +160,13 @@ double largest_distance(const DecimalFigure& a, const DecimalFigure& b, const Ax
     const double turn = std::min(distance(a.lines[i].direction, b.lines[i].direction, signs),
                                  distance(a.lines[i].direction, b.lines[i].direction, signs, -1));
     largest = std::max({largest, distance(a.lines[i].point, b.lines[i].point, signs), size * turn});
+  }
+  for (std::size_t i = 0; i < a.planes.size(); ++i) {
+    const auto apart = [&](int sign) {
+      const double shift = std::abs(number_difference(a.planes[i].offset, b.planes[i].offset, sign));
+      return std::max(size * distance(a.planes[i].normal, b.planes[i].normal, signs, sign), shift);
+    };
+    largest = std::max(largest, std::min(apart(1), apart(-1)));
   }
   return largest;
 }
@@ -156,9 +192,19 @@ Figure figure_of(const DecimalFigure& decimals) {
     read(line.point, re.point.data(), im.point.data());
     read(line.direction, re.direction.data(), im.direction.data());
   }
+  std::vector<PlanePosition> imaginary_planes;
+  for (const DecimalFigure::Plane& plane : decimals.planes) {
+    PlanePosition& re = figure.planes.emplace_back();
+    PlanePosition& im = imaginary_planes.emplace_back();
+    read(plane.normal, re.normal.data(), im.normal.data());
+    re.offset = std::strtod(plane.offset.re.c_str(), nullptr);
+    im.offset = std::strtod(plane.offset.im.c_str(), nullptr);
+    is_real = is_real && plane.offset.im == "0";
+  }
   if (is_real) return figure;
   figure.imaginary = std::move(imaginary);
   figure.imaginary_lines = std::move(imaginary_lines);
+  figure.imaginary_planes = std::move(imaginary_planes);
   return figure;
 }
 
@@ -169,6 +215,11 @@ DecimalFigure decimals_of(const Figure& figure) {
   for (std::size_t i = 0; i < figure.lines.size(); ++i)
     decimals.lines.push_back({decimals_of(line_part(figure, i, &LinePosition::point)),
                               decimals_of(line_part(figure, i, &LinePosition::direction))});
+  for (std::size_t i = 0; i < figure.planes.size(); ++i) {
+    const std::complex<double> offset = offset_of(figure, i);
+    decimals.planes.push_back(
+        {decimals_of(normal_of(figure, i)), {decimal(offset.real()), decimal(offset.imag())}});
+  }
   return decimals;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// How far two placements of the same entities are apart: the largest distance of a point of one from the
 /// same point of the other. Of a line its point nearest to the origin counts, and its unit direction, up to
-/// sign, times `size`. Complex coordinates differ by |Δ|. The numbers of a figure may have any number of
+/// sign, times `size`; of a plane its normal times `size`, and its offset, up to a sign of both. Complex coordinates differ by |Δ|. The numbers of a figure may have any number of
 /// digits.
 
 #include <array>
@@ -16,7 +16,7 @@ namespace gcs {
 using AxisSigns = std::array<int, 3>;
 
 /// Those that leave the class of a figure in the scene's frame as it is: none but itself where positions are
-/// given.
+/// given, and half-turns alone where mirror images are two.
 std::vector<AxisSigns> mirror_images(const Scene& scene);
 
 /// Of `a` from the mirror image of `b`. Precondition: they have the same entities.
@@ -28,7 +28,7 @@ double least_distance(const Figure& a, const Figure& b, std::span<const AxisSign
 /// As largest_distance in as many digits as both are given with; rounded to a double at the end.
 double largest_distance(const DecimalFigure& a, const DecimalFigure& b, const AxisSigns& signs, double size);
 
-/// The nearest doubles; real where no imaginary part is anything but "0". Precondition: it has no planes.
+/// The nearest doubles; real where no imaginary part is anything but "0".
 Figure figure_of(const DecimalFigure& decimals);
 
 /// A figure's doubles to 40 significant digits, exact as far as any error of theirs goes. `error`, `unique`

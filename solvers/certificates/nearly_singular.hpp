@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solvers/elements/scene_system.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/scene.hpp"
 
@@ -27,6 +28,10 @@ struct ResolvedCandidates {
 ResolvedCandidates resolve_nearly_singular(const Scene& scene, const std::vector<Candidate>& nearly_singular,
                                            const std::vector<Candidate>& listed, int expected,
                                            const std::stop_token& stop);
+
+/// The simple solutions of a general scene next to unknowns x, proven and with their errors, if there are `count` and
+/// doubles tell them apart; nothing otherwise. Precondition: as many equations as unknowns.
+std::vector<Candidate> simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count);
 
 /// Whether doubles tell these candidates apart, as an assessment does it.
 bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates);

@@ -25,12 +25,17 @@ double effective_condition(const Scene& scene, const Figure& representative, dou
 /// the square root of the rounding, and the condition number that is found there its inverse.
 constexpr double largest_regular_condition = 3e6;
 
+/// Relative to the scene's size, from the proven error.
+double proven_tolerance(const Scene& scene, const SolutionAccuracy& accuracy) {
+  return std::max(64 * unit_roundoff, 4 * accuracy.error / scene.size());
+}
+
 /// Two candidates of the same class within proven errors: a distance moves by both ends', and the frame's
 /// rounding is left. Places are known as well as that, or as the condition of a regular solution tells.
 ClassTolerance tolerance_of(const Scene& scene, const Figure& representative,
                             const SolutionAccuracy& accuracy) {
   const double condition = effective_condition(scene, representative, accuracy.condition);
-  const double proven = std::max(64 * unit_roundoff, 4 * accuracy.error / scene.size());
+  const double proven = proven_tolerance(scene, accuracy);
   const double found = merging_tolerance(condition);
   ClassTolerance tolerance{std::min(proven, found)};
   if (std::isfinite(proven)) tolerance.places = proven;
@@ -49,7 +54,7 @@ ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> r
   if (scene.problem().is_general()) {
     std::vector<double> found;
     for (const SolutionAccuracy& accuracy : accuracies)
-      found.push_back(merging_tolerance(accuracy.condition));
+      found.push_back(std::min(proven_tolerance(scene, accuracy), merging_tolerance(accuracy.condition)));
     return general_classes(scene, representatives, found);
   }
   std::vector<ClassTolerance> tolerances;

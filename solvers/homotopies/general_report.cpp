@@ -1,7 +1,10 @@
 #include "solvers/homotopies/general_report.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/distinct_ends.hpp"
 #include "solvers/homotopies/shortcomings.hpp"
@@ -13,6 +16,10 @@ namespace {
 constexpr double nearly_real = 1e-6;
 /// How far from there Newton's method may find the solution that the end is.
 constexpr double same_solution = 1e-9;
+/// Below this condition number no solution is double.
+constexpr double regular = 1e4;
+/// From here on an end without a conjugate has a Jacobian that loses rank.
+constexpr double rank_lost = 1e13;
 
 double distance_from_reals(const ComplexVectorX& x) {
   double distance = 0;
@@ -20,50 +27,96 @@ double distance_from_reals(const ComplexVectorX& x) {
   return distance / (1 + largest(x));
 }
 
-/// The real solution that a finite end is, if it is one.
-std::optional<ComplexVectorX> real_solution(const GeneralEquations& equations, const ComplexVectorX& x,
-                                            bool is_singular) {
-  if (distance_from_reals(x) > (is_singular ? singular_uncertainty : nearly_real)) return std::nullopt;
+/// The real solution next to a regular end, if there is one.
+std::optional<ComplexVectorX> real_solution(const GeneralEquations& equations, const ComplexVectorX& x) {
+  if (distance_from_reals(x) > nearly_real) return std::nullopt;
   ComplexVectorX real = x;
   for (std::complex<double>& value : real) value = value.real();
-  if (is_singular) return real;
   if (!newton(equations.system, equations.coefficients, real)) return std::nullopt;
   if (distance(real, x) > same_solution * (1 + largest(x))) return std::nullopt;
   return real;
 }
 
-void count_lost(const std::vector<PathEnd>& ends, Shortcomings& missing) {
-  for (const PathEnd& end : ends)
-    if (end.kind == PathEnd::Kind::failed) ++missing.lost[end.cause].count;
-}
+class GeneralReporter {
+ public:
+  GeneralReporter(const SceneSystem& system, const GeneralEquations& equations)
+      : scene_(system.elements().scene()), system_(system), equations_(equations) {
+    report_.claim = Claim::all_complex;
+  }
+
+  SolveReport run(const std::vector<PathEnd>& ends, const WorkCounters& work, std::mt19937_64& random) {
+    report_.work = work;
+    const DistinctEnds distinct(ends, equations_.signs, random);
+    missing_.jumps = distinct.jumps();
+    for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
+    for (const PathEnd& end : ends) add_path(end);
+    const bool stopped =
+        std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
+    report_.reason = stopped ? "stopped on the way" : missing_.in_words();
+    report_.status = stopped                  ? SolveStatus::stopped
+                     : report_.reason.empty() ? SolveStatus::complete
+                                              : SolveStatus::partial;
+    return std::move(report_);
+  }
+
+ private:
+  void add_end(const DistinctEnds& distinct, int i) {
+    const bool is_lonely = !distinct.has_conjugate(i);
+    const Figure figure = figure_of(distinct[i], distinct.is_singular(i));
+    const double condition = jacobian_condition(scene_, figure);
+    missing_.too_far += loses_distances(scene_, figure);
+    missing_.lonely += is_lonely;
+    missing_.not_isolated += is_lonely && condition >= rank_lost;
+    if (distinct.is_singular(i))
+      add_meeting(distinct[i], distinct.paths(i), figure, condition);
+    else if (condition < stiff_condition || !add_proven(distinct[i], 1))
+      report_.candidates.push_back({figure, 1});
+  }
+
+  /// An end at which paths met: simple solutions next to it, or a multiple one.
+  void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure, double condition) {
+    if (add_proven(x, paths)) return;
+    const bool is_multiple =
+        relative_residual(scene_, figure) <= double_root_residual && condition >= regular;
+    missing_.in_between += !is_multiple;
+    report_.candidates.push_back({figure, paths, std::numeric_limits<double>::infinity()});
+  }
+
+  /// Whether the file's own numbers have so many simple solutions next to x, which doubles tell apart.
+  bool add_proven(const ComplexVectorX& x, int count) {
+    const std::vector<Candidate> simple = simple_solutions_near(system_, x, count);
+    report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
+    return !simple.empty();
+  }
+
+  void add_path(const PathEnd& end) {
+    report_.paths.push_back(path_record(end));
+    if (end.kind != PathEnd::Kind::failed) return;
+    LostPaths& lost = missing_.lost[end.cause];
+    ++lost.count;
+    if (end.x.size() == static_cast<std::size_t>(equations_.system.unknowns))
+      lost.condition = std::max(lost.condition, jacobian_condition(scene_, system_.figure(end.x, false)));
+  }
+
+  Figure figure_of(const ComplexVectorX& x, bool is_singular) const {
+    if (is_singular) return system_.figure(x, distance_from_reals(x) <= singular_uncertainty);
+    const std::optional<ComplexVectorX> real = real_solution(equations_, x);
+    return system_.figure(real.value_or(x), real.has_value());
+  }
+
+  const Scene& scene_;
+  const SceneSystem& system_;
+  const GeneralEquations& equations_;
+  Shortcomings missing_;
+  SolveReport report_;
+};
 
 }  // namespace
 
 SolveReport general_report(const SceneSystem& scene, const GeneralEquations& equations,
                            const std::vector<PathEnd>& ends, const WorkCounters& work,
                            std::mt19937_64& random) {
-  SolveReport report;
-  report.claim = Claim::all_complex;
-  report.work = work;
-  const DistinctEnds distinct(ends, equations.signs, random);
-  Shortcomings missing;
-  missing.jumps = distinct.jumps();
-  for (int i = 0; i < distinct.size(); ++i) {
-    missing.lonely += !distinct.has_conjugate(i);
-    const bool is_singular = distinct.is_singular(i);
-    const std::optional<ComplexVectorX> real = real_solution(equations, distinct[i], is_singular);
-    report.candidates.push_back(
-        {scene.figure(real.value_or(distinct[i]), real.has_value()), is_singular ? distinct.paths(i) : 1});
-  }
-  count_lost(ends, missing);
-  for (const PathEnd& end : ends) report.paths.push_back(path_record(end));
-  const bool stopped =
-      std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
-  report.reason = stopped ? "stopped on the way" : missing.in_words();
-  report.status = stopped                 ? SolveStatus::stopped
-                  : report.reason.empty() ? SolveStatus::complete
-                                          : SolveStatus::partial;
-  return report;
+  return GeneralReporter(scene, equations).run(ends, work, random);
 }
 
 }  // namespace gcs

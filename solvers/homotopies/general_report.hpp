@@ -11,7 +11,8 @@
 namespace gcs {
 
 /// As complex_report: candidates from the finite ends, distinct up to signs and real where Newton's method on the real
-/// part agrees; a record for every path.
+/// part agrees; a record for every path. Solutions that doubles hardly tell apart are proven with the file's own numbers,
+/// and named where they are not.
 SolveReport general_report(const SceneSystem& scene, const GeneralEquations& equations,
                            const std::vector<PathEnd>& ends, const WorkCounters& work,
                            std::mt19937_64& random);

@@ -111,10 +111,13 @@ AngleRange range_of(const OperandKinds& kinds) {
 /// Exactly 1, 0 and −1 at 0, 90 and 180 degrees.
 double cosine_of(double degrees) { return std::sin((90 - degrees) * (std::numbers::pi / 180)); }
 
-/// Those that are no angle but another constraint, by their cosine.
-void refuse_other_constraints(const JsonCursor& cursor, const std::string& said, double cosine) {
+/// Those that are no angle but another constraint, by their cosine; `is_exact`: which is not rounded.
+void refuse_other_constraints(const JsonCursor& cursor, const std::string& said, double cosine,
+                              bool is_exact) {
   if (cosine == 0) cursor.fail(said, "that is the constraint 'perpendicular'");
-  if (std::abs(cosine) == 1) cursor.fail(said, "that is the constraint 'parallel'");
+  if (std::abs(cosine) == 1)
+    cursor.fail(said, is_exact ? "that is the constraint 'parallel'"
+                               : "that is the constraint 'parallel' as far as doubles tell");
 }
 
 void read_angle(const JsonCursor& constraint, const ProblemStatement& problem, Relation& relation) {
@@ -126,14 +129,15 @@ void read_angle(const JsonCursor& constraint, const ProblemStatement& problem, R
   if (member == "degrees") {
     relation.form = Form::degrees;
     const std::string said = "the angle is " + relation.given.text + " degrees";
-    if (given >= 0 && given <= 180) refuse_other_constraints(cursor, said, cosine_of(given));
+    if (given >= 0 && given <= 180)
+      refuse_other_constraints(cursor, said, cosine_of(given), given == 0 || given == 180);
     if (given > 0 && given < range.most_degrees) return;
     cursor.fail(said, range.most_degrees == 90 ? "this angle is above 0 and below 90 degrees"
                                                : "this angle is above 0 and below 180 degrees");
   }
   relation.form = Form::cosine;
   const std::string said = "the cosine is " + relation.given.text;
-  refuse_other_constraints(cursor, said, given);
+  refuse_other_constraints(cursor, said, given, false);
   if (given > range.least_cosine && given < 1) return;
   cursor.fail(said, range.least_cosine == 0 ? "this cosine is above 0 and below 1"
                                             : "this cosine is above -1 and below 1");

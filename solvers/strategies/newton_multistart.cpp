@@ -28,6 +28,7 @@
 #include <random>
 #include <unsupported/Eigen/NonLinearOptimization>
 
+#include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/elements/random_figure.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
@@ -85,6 +86,8 @@ class DistanceEquations {
   }
   Refinement refined(Eigen::VectorXd& x) const { return refine(system_, squares_, x); }
   Figure figure(const Eigen::VectorXd& x) const { return scene_.representative(system_.figure(x)); }
+  /// Its refinement has residuals in double-double.
+  std::optional<Candidate> proven(const Eigen::VectorXd&) const { return std::nullopt; }
 
  private:
   const Scene& scene_;
@@ -118,6 +121,12 @@ class SceneFunction {
   }
   Figure figure(const Eigen::VectorXd& x) const {
     return system_.figure(ComplexValues(x.begin(), x.end()), true);
+  }
+  /// The real solution next to x, by the file's own numbers: rounded residuals leave stiff ones too uncertain for their
+  /// classes.
+  std::optional<Candidate> proven(const Eigen::VectorXd& x) const {
+    const std::vector<Candidate> found = simple_solutions_near(system_, ComplexValues(x.begin(), x.end()), 1);
+    return found.empty() || !found.front().figure.is_real() ? std::nullopt : std::optional(found.front());
   }
   /// Undamped steps, until they no longer fall.
   Refinement refined(Eigen::VectorXd& x) const {
@@ -257,6 +266,11 @@ class NewtonMultistartStrategy final : public Strategy {
     end.is_solution = end.accuracy.condition <= singular_condition &&
                       refinement.last_correction <= settled_correction * rounding;
     end.is_singular = !end.is_solution;
+    if (!end.is_solution || end.accuracy.condition < stiff_condition) return end;
+    if (const auto proven = equations.proven(x)) {
+      end.figure = proven->figure;
+      end.accuracy.error = proven->error;
+    }
     return end;
   }
 

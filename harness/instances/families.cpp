@@ -21,7 +21,8 @@ std::vector<std::string> shrinking_to_zero(const std::string& tame) {
 std::span<const InstanceFamily> families() {
   static const std::vector<InstanceFamily> all = [] {
     std::vector<InstanceFamily> families;
-    for (const auto& list : {flat_families(), line_families(), octahedron_families(), compound_families()})
+    for (const auto& list :
+         {flat_families(), line_families(), octahedron_families(), compound_families(), general_families()})
       families.insert(families.end(), list.begin(), list.end());
     return families;
   }();
@@ -52,6 +53,15 @@ Member member_of(const std::string& id) {
 bool is_ill_posed(const std::string& id) {
   const auto [family, value] = member_of(id);
   return std::find(family.ill_posed.begin(), family.ill_posed.end(), value) != family.ill_posed.end();
+}
+
+std::optional<std::uint64_t> solutions_by_theory(const std::string& id) {
+  if (find_family(id.substr(0, id.find('@'))) == nullptr || id.find('@') == std::string::npos)
+    return std::nullopt;
+  const auto [family, value] = member_of(id);
+  const std::uint64_t count =
+      value == "0" && family.solutions_at_zero > 0 ? family.solutions_at_zero : family.solutions;
+  return count > 0 && !is_ill_posed(id) ? std::optional(count) : std::nullopt;
 }
 
 Instance load_member(const std::string& id) {

@@ -2,6 +2,8 @@
 /// Families of instances that grow stiff or extreme with a parameter, made here with lengths in as many
 /// decimals as the parameter needs.
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +24,9 @@ const InstanceFamily* find_family(std::string_view name);
 
 /// Whether the member of that id is one of the ill-posed ones. Precondition: it is one of some family.
 bool is_ill_posed(const std::string& id);
+
+/// How many complex solutions theory counts for the member, if the family says so; nothing for any other id.
+std::optional<std::uint64_t> solutions_by_theory(const std::string& id);
 
 /// The member of that id. Precondition: it is one of some family.
 Instance load_member(const std::string& id);

@@ -16,6 +16,9 @@ std::span<const InstanceFamily> octahedron_families();
 /// Scenes of several parts.
 std::span<const InstanceFamily> compound_families();
 
+/// Lines, planes, angles and bodies.
+std::span<const InstanceFamily> general_families();
+
 /// ε from a tame value to 1e-15.
 std::vector<std::string> shrinking(const std::string& tame = "0.5");
 /// And at last 0.

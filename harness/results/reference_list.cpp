@@ -8,6 +8,7 @@
 
 #include "harness/base/shipped_data.hpp"
 #include "harness/base/stop_conditions.hpp"
+#include "harness/instances/families.hpp"
 #include "harness/solving/solve_run.hpp"
 #include "solvers/certificates/figure_distance.hpp"
 #include "solvers/certificates/scene_equations.hpp"
@@ -96,14 +97,11 @@ class ListMaker {
     list_.has_all_real = list_.has_all_real || (is_complete && run.claim == Claim::all_real);
   }
 
-  /// No lengths have more solutions than are proven.
-  bool has_all(const TheoreticalCounts& limits) const {
-    const SolutionCount* limit = limits.upper_limit();
-    return limit != nullptr && limit->up_to_reflection() == Natural(list_.solutions.size());
-  }
+  /// There are no more solutions than are proven.
+  bool has_all(const std::optional<Natural>& limit) const { return limit == Natural(list_.solutions.size()); }
 
-  ReferenceList finish(const TheoreticalCounts& limits) {
-    list_.has_all_complex = has_all(limits);
+  ReferenceList finish(const std::optional<Natural>& limit) {
+    list_.has_all_complex = has_all(limit);
     list_.is_real_proven = list_.has_all_real = list_.has_all_real || list_.has_all_complex;
     list_.source = "proven in this run";
     return std::move(list_);
@@ -145,6 +143,11 @@ class ListMaker {
             shift(line.point);
             shift(line.direction);
           }
+        for (auto* planes : {&start.planes, &start.imaginary_planes})
+          for (PlanePosition& plane : *planes) {
+            shift(plane.normal);
+            plane.offset += distance * scene_.size() * uniform(random);
+          }
         take_next_to(start);
       }
   }
@@ -152,6 +155,7 @@ class ListMaker {
   static Figure with_imaginary_parts(Figure figure) {
     figure.imaginary = Eigen::Matrix3Xd::Zero(3, figure.points.cols());
     figure.imaginary_lines.assign(figure.lines.size(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+    figure.imaginary_planes.assign(figure.planes.size(), {Eigen::Vector3d::Zero(), 0});
     return figure;
   }
 
@@ -175,17 +179,26 @@ class ListMaker {
   ReferenceList list_;
 };
 
-ReferenceList list_found_now(const Scene& scene, double limit_s, Monitor& progress) {
+/// At most so many solutions: by the theory of a family, or the theoretical count.
+std::optional<Natural> most_solutions(const Instance& instance) {
+  if (const auto known = solutions_by_theory(instance.id)) return Natural(*known);
+  const TheoreticalCounts counts = theoretical_counts(instance.problem);
+  const SolutionCount* limit = counts.upper_limit();
+  return limit == nullptr ? std::nullopt : std::optional(limit->up_to_reflection());
+}
+
+ReferenceList list_found_now(const Instance& instance, const Scene& scene, double limit_s,
+                             Monitor& progress) {
   ListMaker maker(scene);
   RunLimits limits;
   limits.time_limit_s = limit_s;
-  const TheoreticalCounts counts = theoretical_counts(scene.problem());
+  const std::optional<Natural> most = most_solutions(instance);
   for (const StrategyEntry& entry : all_strategies()) {
-    if (interrupted() || maker.has_all(counts)) break;
+    if (interrupted() || maker.has_all(most)) break;
     progress.progress("reference, " + std::string(entry.name), -1);
     maker.take(run_strategy(entry, {}, scene, limits));
   }
-  return maker.finish(counts);
+  return maker.finish(most);
 }
 
 /// A crossing is the nearest solution, and no further from it than this of the scene's size.
@@ -194,7 +207,7 @@ constexpr double same_place = 1e-6;
 /// Empty where S is not proven in time or a crossing is not in the list.
 std::optional<std::vector<bool>> known_on_path(const Scene& scene, const ReferenceList& list,
                                                double limit_s) {
-  if (why_not_proven(scene)) return std::nullopt;
+  if (scene.problem().is_general() || why_not_proven(scene)) return std::nullopt;
   const StopWatch watch(limit_s);
   CertifiedTracker tracker(scene, {}, {watch.token(), nullptr});
   const SolveReport report =
@@ -232,7 +245,7 @@ std::optional<ReferenceList> shipped_reference(const Instance& instance, const S
 
 ReferenceList reference_for(const Instance& instance, const Scene& scene, double limit_s, Monitor& progress) {
   const auto shipped = shipped_reference(instance, scene);
-  ReferenceList list = shipped ? *shipped : list_found_now(scene, limit_s, progress);
+  ReferenceList list = shipped ? *shipped : list_found_now(instance, scene, limit_s, progress);
   list.on_path = known_on_path(scene, list, limit_s);
   return list;
 }

@@ -174,7 +174,9 @@ const TableKind& stability_kind() {
                               build_stability,
                               draw_stability,
                               measures_accuracy,
-                              load_member};
+                              load_member,
+                              shows_times,
+                              knows_general};
   return kind;
 }
 

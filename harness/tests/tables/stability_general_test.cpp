@@ -1,0 +1,105 @@
+/// The families of lines, planes, angles and bodies: that they are what they say, and how strategies fare.
+
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "harness/instances/families.hpp"
+#include "harness/instances/family_lists.hpp"
+#include "harness/results/reference_list.hpp"
+#include "harness/results/strategy_choice.hpp"
+#include "harness/solving/solve_run.hpp"
+#include "solvers/running/errors.hpp"
+
+using namespace gcs;
+
+namespace {
+
+SolveRun solved(const std::string& id, const std::string& strategy) {
+  const Scene scene(load_member(id).problem);
+  return run_strategy(find_strategy(strategy), {}, scene, {});
+}
+
+/// As many solutions as theory counts, each told apart from the others, with residuals to rounding.
+void check_count(const std::string& id, const std::string& strategy) {
+  const SolveRun run = solved(id, strategy);
+  INFO(id << ", " << strategy << ": " << run.reason);
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.failed_checks.empty());
+  CHECK(run.solutions.size() == solutions_by_theory(id));
+}
+
+}  // namespace
+
+TEST_CASE("tame members of general families have as many solutions as theory counts") {
+  for (const InstanceFamily& family : general_families()) check_count(family.members().front(), "monodromy");
+}
+
+TEST_CASE("bodies that are flat count up to reflection") {
+  check_count("straight-bodies@0", "monodromy");
+  check_count("flat-base@0", "monodromy");
+  CHECK(solutions_by_theory("straight-bodies@0") == 3U);
+  CHECK(solutions_by_theory("straight-bodies@1e-12") == 6U);
+}
+
+TEST_CASE("solutions whose paths meet are told apart by proof") {
+  for (const std::string id : {"parallel-planes@1e-6", "opposite-planes@1e-6", "straight-segments@1e-6",
+                               "right-angle@1e-8", "right-angle@1e-10", "parallel-lines@1e-6"})
+    check_count(id, "monodromy");
+}
+
+TEST_CASE("solutions that doubles do not tell apart are not called a double one") {
+  for (const std::string id : {"right-angle@1e-12", "right-angle@1e-15"}) {
+    const SolveRun run = solved(id, "monodromy");
+    INFO(id << ": " << run.reason);
+    const bool is_told = run.status == RunStatus::complete && run.solutions.size() == 2;
+    CHECK((is_told || run.status == RunStatus::partial));
+  }
+}
+
+TEST_CASE("a platform that moves is said to") {
+  const SolveRun run = solved("symmetric-body@0", "monodromy");
+  CHECK(run.status == RunStatus::partial);
+  CHECK_THAT(run.reason, Catch::Contains("not isolated"));
+}
+
+TEST_CASE("stiff classes from random starts are listed once") {
+  const SolveRun run = solved("symmetric-body@1e-4", "newton-multistart");
+  CHECK(run.failed_checks.empty());
+  CHECK(run.solutions.size() <= 6);
+}
+
+TEST_CASE("angles and distances that vanish are other constraints") {
+  for (const auto& [name, word] : {std::pair{"parallel-lines", "parallel"},
+                                   {"opposite-planes", "parallel"},
+                                   {"right-angle", "perpendicular"},
+                                   {"near-plane", "on"}}) {
+    INFO(name);
+    const std::string text = find_family(name)->text("none", "0");
+    CHECK_THROWS_WITH(parse_instance(text, "none"), Catch::Contains("'" + std::string(word) + "'"));
+  }
+}
+
+TEST_CASE("a body scaled by a power of two has as many solutions") {
+  for (const std::string exponent : {"500", "-500"}) check_count("scaled-body@" + exponent, "monodromy");
+}
+
+TEST_CASE("an incidence that follows from Pappus's theorem is redundant, and the scene without it is none") {
+  const std::string eight =
+      R"({"format": "gcsbench-instance/2", "id": "pappus", "dimension": 2,
+          "points": ["a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3"], "constraints": [)";
+  std::string lines;
+  for (const std::string triple :
+       {R"("a1", "a2", "a3")", R"("b1", "b2", "b3")", R"("a1", "b2", "c3")", R"("a2", "b1", "c3")",
+        R"("a1", "b3", "c2")", R"("a3", "b1", "c2")", R"("a2", "b3", "c1")", R"("a3", "b2", "c1")"})
+    lines += R"({"type": "collinear", "between": [)" + triple + "]}, ";
+  const std::string ninth = R"({"id": "last", "type": "collinear", "between": ["c1", "c2", "c3"]}, )";
+  std::string values;
+  for (const std::string pair :
+       {R"("a1", "a2")", R"("a2", "a3")", R"("a1", "b1")", R"("a2", "b1")", R"("b1", "b2")", R"("b2", "b3")"})
+    values += R"({"type": "distance", "between": [)" + pair + R"(], "length": 2}, )";
+  const std::string seventh = R"({"type": "distance", "between": ["a2", "b2"], "length": 2})";
+  values = values.substr(0, values.size() - 2);
+  CHECK_THROWS_WITH(parse_instance(eight + lines + ninth + values + "]}", "pappus"),
+                    Catch::Contains("last") && Catch::Contains("depend on each other"));
+  CHECK_NOTHROW(parse_instance(eight + lines + values + ", " + seventh + "]}", "pappus"));
+}

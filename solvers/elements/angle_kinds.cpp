@@ -1,6 +1,7 @@
 #include <array>
 
 #include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/model/given_numbers.hpp"
 
 namespace gcs {
 namespace {
@@ -70,14 +71,6 @@ std::span<const ConstraintKind> angle_kinds() {
       ConstraintKind{RelationType::angle, {{plane, plane}}, angle_plane_plane},
       ConstraintKind{RelationType::angle, {{segment, segment}}, angle_segment_segment}};
   return rows;
-}
-
-ExactNumber given_cosine(const Relation& relation, bool is_squared) {
-  ExactNumber number = exactly(relation.given.value);
-  number.decimal = relation.given.text;
-  number.is_cosine_of_degrees = relation.form == Relation::Form::degrees;
-  number.is_squared = is_squared;
-  return number;
 }
 
 }  // namespace gcs

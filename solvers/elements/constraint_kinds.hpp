@@ -41,9 +41,6 @@ void state_distance(SystemBuilder& builder, int constraint);
 void state_distance_to_line(SystemBuilder& builder, int point, int line, const ExactNumber& square,
                             int value);
 
-/// The cosine that a relation gives, its square where `is_squared`.
-ExactNumber given_cosine(const Relation& relation, bool is_squared);
-
 /// An unknown that is the bilinear product of two vectors, its sign turned with each of them.
 LinearForm product_unknown(SystemBuilder& builder, const VectorForm& left, const VectorForm& right,
                            SignMask turning);

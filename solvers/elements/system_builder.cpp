@@ -46,13 +46,7 @@ void SystemBuilder::define(std::function<ComplexValues(const Placement&, const C
   definitions_.push_back(std::move(values));
 }
 
-ExactNumber SystemBuilder::length(const Decimal& given) const {
-  if (given.value == 0) return {};
-  ExactNumber number = exactly(given.value);
-  number.decimal = given.text;
-  number.exponent = -scene_.unit_exponent();
-  return number;
-}
+ExactNumber SystemBuilder::length(const Decimal& given) const { return given_length(scene_, given); }
 
 ExactNumber SystemBuilder::square(const Decimal& given, bool is_squared) const {
   ExactNumber number = length(given);

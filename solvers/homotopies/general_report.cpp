@@ -113,6 +113,19 @@ class GeneralReporter {
 
 }  // namespace
 
+bool RegularClasses::add(ComplexVectorX x) {
+  const ComplexVectorX from = x;
+  if (!newton(equations_.system, equations_.coefficients, x) ||
+      distance(x, from) > tolerances_.nearby * (1 + largest(from)))
+    return false;
+  const int known = known_.size();
+  known_.insert(x, tolerances_.same);
+  if (known_.size() == known) return true;
+  ends_.emplace_back().kind = PathEnd::Kind::regular;
+  ends_.back().x = std::move(x);
+  return true;
+}
+
 SolveReport general_report(const SceneSystem& scene, const GeneralEquations& equations,
                            const std::vector<PathEnd>& ends, const WorkCounters& work,
                            std::mt19937_64& random) {

@@ -21,6 +21,22 @@ ExactNumber given_square(const Scene& scene, int constraint) {
   return number;
 }
 
+ExactNumber given_length(const Scene& scene, const Decimal& given) {
+  if (given.value == 0) return {};
+  ExactNumber number = exactly(given.value);
+  number.decimal = given.text;
+  number.exponent = -scene.unit_exponent();
+  return number;
+}
+
+ExactNumber given_cosine(const Relation& relation, bool is_squared) {
+  ExactNumber number = exactly(relation.given.value);
+  number.decimal = relation.given.text;
+  number.is_cosine_of_degrees = relation.form == Relation::Form::degrees;
+  number.is_squared = is_squared;
+  return number;
+}
+
 ExactNumber given_coordinate(const Scene& scene, int point, int axis) {
   const ProblemStatement& problem = scene.problem();
   const auto p = static_cast<std::size_t>(point);

@@ -11,6 +11,12 @@ namespace gcs {
 /// The squared length of a constraint.
 ExactNumber given_square(const Scene& scene, int constraint);
 
+/// A length that the file gives, whatever its sign. Precondition: decimals that are not 0 do not round to it.
+ExactNumber given_length(const Scene& scene, const Decimal& given);
+
+/// The cosine that a relation gives, its square where `is_squared`.
+ExactNumber given_cosine(const Relation& relation, bool is_squared);
+
 /// Coordinate `axis` of a point; 0 where the file gives none.
 ExactNumber given_coordinate(const Scene& scene, int point, int axis);
 

@@ -5,7 +5,6 @@
 
 #include "solvers/model/distance_system.hpp"
 #include "solvers/octahedron/exact_determinants.hpp"
-#include "solvers/octahedron/exact_elimination.hpp"
 #include "solvers/octahedron/exact_squares.hpp"
 #include "solvers/octahedron/octahedron_placer.hpp"
 
@@ -35,23 +34,22 @@ class CoreSolver {
  public:
   CoreSolver(const Scene& scene, const CoreReduction& reduction, const Octahedron& octahedron)
       : scene_(scene),
-        lengths_(scene),
-        octahedron_(with_round_base(octahedron, lengths_)),
-        placer_(scene.point_count(), lengths_, octahedron_) {
+        entries_(scene),
+        octahedron_(with_round_base(octahedron, entries_)),
+        placer_(scene.point_count(), entries_, octahedron_) {
     const std::vector<DoubleDouble> squares = target_squares(scene);
     for (int e : reduction.core_constraints) {
       const auto [p, q] = scene.problem().constraints[e].between;
       equations_.push_back({p, q, squares[e]});
-      scale_ = std::max(scale_, lengths_(p, q));
+      scale_ = std::max(scale_, entries_(p, q));
     }
   }
 
   CoreSolutions run(DiagonalMethod method, WorkCounters& work) {
-    const DiagonalEquations equations(lengths_, octahedron_);
+    const DiagonalEquations equations(entries_, octahedron_);
     CoreSolutions solutions;
-    const CommonZeros zeros = method == DiagonalMethod::univariate
-                                  ? exact_zeros(equations, solutions.elimination)
-                                  : equations.solve();
+    const auto [zeros, elimination] = diagonal_zeros(scene_, octahedron_, equations, method);
+    solutions.elimination = elimination;
     solutions.total_degree = equations.total_degree();
     solutions.frame = placer_.base();
     solutions.common_factor = zeros.common_factor;
@@ -142,25 +140,8 @@ class CoreSolver {
     return {square(octahedron_.pair[0]), square(octahedron_.pair[1]), square(octahedron_.pair[2])};
   }
 
-  /// The roots of the polynomial in X, each as often as it is one.
-  CommonZeros exact_zeros(const DiagonalEquations& equations, std::optional<EliminationFacts>& facts) const {
-    const OctahedronPolynomials polynomials = eliminated(scene_, octahedron_);
-    facts = {polynomials.height.degree(), 0, polynomials.real_solutions()};
-    if (!facts->real_solutions) facts->real_solutions = separated_real_solutions(scene_, octahedron_);
-    if (polynomials.height.is_zero()) {
-      CommonZeros none;
-      none.common_factor = true;
-      return none;
-    }
-    facts->distinct_real_roots = polynomials.height.real_root_count();
-    std::vector<Complex> squares;
-    for (const PolynomialRoot& root : polynomials.diagonal.roots())
-      squares.insert(squares.end(), static_cast<std::size_t>(root.multiplicity), root.value);
-    return equations.solve_over(squares);
-  }
-
   const Scene& scene_;
-  SquaredLengths lengths_;
+  PairEntries entries_;
   Octahedron octahedron_;
   OctahedronPlacer placer_;
   std::vector<DistanceEquation> equations_;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solvers/model/complex_points.hpp"
-#include "solvers/model/scene.hpp"
+#include "solvers/octahedron/diagonal_zeros.hpp"
 #include "solvers/running/work.hpp"
 #include "solvers/structure/core_reduction.hpp"
 
@@ -26,19 +26,6 @@ struct CoreSolution {
   int multiplicity = 1;  ///< of all those together that were taken for this one
 
   double tolerance() const { return is_singular ? 1e-5 : 1e-9; }  ///< relative to the figure's squared size
-};
-
-/// How the eight pairs of diagonals are found.
-enum class DiagonalMethod {
-  eigenvalues,  ///< of a matrix in doubles
-  univariate    ///< as the roots of one polynomial, exact and isolated (exact_elimination.hpp)
-};
-
-/// What exact elimination says.
-struct EliminationFacts {
-  int degree = 0;  ///< of the polynomial in the height; −1: it is 0
-  int distinct_real_roots = 0;
-  std::optional<int> real_solutions;  ///< proven, in the fixed frame; nothing where that is not decided
 };
 
 /// What the eight eigenvalues came to.

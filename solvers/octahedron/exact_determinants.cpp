@@ -22,8 +22,8 @@ RationalPolynomial determinant(const Rows& rows) {
 
 }  // namespace
 
-RationalPolynomial SymbolicSquares::operator()(int p, int q) const {
-  if (p == q) return Rational(0);
+RationalPolynomial SymbolicEntries::operator()(int p, int q) const {
+  if (p == q) return Rational(is_plane(p) ? 1 : 0);
   for (std::size_t i = 0; i < 2; ++i) {
     const auto [a, a2] = octahedron_.pair[i];
     if (std::minmax(p, q) == std::minmax(a, a2)) return diagonals_[i];
@@ -31,12 +31,13 @@ RationalPolynomial SymbolicSquares::operator()(int p, int q) const {
   return exact_(p, q);
 }
 
-RationalPolynomial gram_determinant(const SymbolicSquares& squares, int apex,
-                                    const std::vector<int>& points) {
+RationalPolynomial gram_determinant(const SymbolicEntries& entries, int apex, std::vector<int> others) {
+  if (entries.is_plane(apex))
+    std::swap(apex, *std::ranges::find_if(others, [&](int element) { return !entries.is_plane(element); }));
   Rows rows;
-  for (const int p : points) {
+  for (const int p : others) {
     auto& row = rows.emplace_back();
-    for (const int q : points) row.push_back(squares(p, apex) + squares(q, apex) - squares(p, q));
+    for (const int q : others) row.push_back(doubled_product(entries, apex, p, q));
   }
   return determinant(rows);
 }
@@ -45,13 +46,13 @@ namespace {
 
 /// Of the diagonals aa' and bb'.
 bool has_proven_curve(const Scene& scene, const Octahedron& octahedron) {
-  const SymbolicSquares squares(scene, octahedron);
+  const SymbolicEntries entries(scene, octahedron);
   const auto [a, a2] = octahedron.pair[0];
   const auto [b, b2] = octahedron.pair[1];
   const auto [c, c2] = octahedron.pair[2];
-  RationalPolynomial curve = common_divisor(gram_determinant(squares, c, {a, a2, b, b2}),
-                                            gram_determinant(squares, c2, {a, a2, b, b2}));
-  const RationalPolynomial flat = gram_determinant(squares, a, {a2, b, b2});
+  RationalPolynomial curve = common_divisor(gram_determinant(entries, c, {a, a2, b, b2}),
+                                            gram_determinant(entries, c2, {a, a2, b, b2}));
+  const RationalPolynomial flat = gram_determinant(entries, a, {a2, b, b2});
   for (RationalPolynomial part = common_divisor(curve, flat); !part.is_constant();
        part = common_divisor(curve, flat))
     curve = curve.divided_by(part);

@@ -38,18 +38,18 @@ RationalPolynomial with_lambda(const RationalPolynomial& polynomial, const Ratio
   return sum;
 }
 
-bool has_round_base(const SymbolicSquares& squares, const Octahedron& octahedron) {
+bool has_round_base(const SymbolicEntries& entries, const Octahedron& octahedron) {
   const int a = octahedron.pair[0][0], b = octahedron.pair[1][0], c = octahedron.pair[2][0];
-  return gram_determinant(squares, a, {b, c}).value({}).sign() > 0;
+  return gram_determinant(entries, a, {b, c}).value({}).sign() > 0;
 }
 
 /// Without Y.
-RationalPolynomial diagonal_resultant(const SymbolicSquares& squares, const Octahedron& octahedron) {
+RationalPolynomial diagonal_resultant(const SymbolicEntries& entries, const Octahedron& octahedron) {
   const auto [a, a2] = octahedron.pair[0];
   const auto [b, b2] = octahedron.pair[1];
   const auto [c, c2] = octahedron.pair[2];
-  return resultant(gram_determinant(squares, c, {a, a2, b, b2}),
-                   gram_determinant(squares, c2, {a, a2, b, b2}), y);
+  return resultant(gram_determinant(entries, c, {a, a2, b, b2}),
+                   gram_determinant(entries, c2, {a, a2, b, b2}), y);
 }
 
 /// w(numerator/denominator) times the square of the denominator.
@@ -58,10 +58,10 @@ RationalPolynomial squared_volume(const Scene& scene, const Octahedron& octahedr
                                   const RationalPolynomial& denominator) {
   constexpr int degree = 2;  // of w
   const auto [a, a2] = octahedron.pair[0];
-  const SymbolicSquares squares(scene, octahedron);
+  const SymbolicEntries entries(scene, octahedron);
   RationalPolynomial sum = Rational(0);
   const RationalPolynomial w =
-      gram_determinant(squares, a, {octahedron.pair[1][0], octahedron.pair[2][0], a2});
+      gram_determinant(entries, a, {octahedron.pair[1][0], octahedron.pair[2][0], a2});
   for (const RationalPolynomial::Term& term : w.terms())  // whose products are doubled
     sum = sum + power(numerator, term.exponents[x]) * power(denominator, degree - term.exponents[x]) *
                     (term.coefficient / Rational(8));
@@ -77,9 +77,9 @@ std::optional<int> OctahedronPolynomials::real_solutions() const {
 
 std::optional<int> separated_real_solutions(const Scene& scene, const Octahedron& octahedron) {
   constexpr int most_tried = 3;
-  if (!has_round_base(SymbolicSquares(scene, octahedron), octahedron)) return std::nullopt;
+  if (!has_round_base(SymbolicEntries(scene, octahedron), octahedron)) return std::nullopt;
   const RationalPolynomial all = diagonal_resultant(
-      SymbolicSquares(scene, octahedron, {variable(x) - variable(lambda) * variable(y), variable(y)}),
+      SymbolicEntries(scene, octahedron, {variable(x) - variable(lambda) * variable(y), variable(y)}),
       octahedron);
   if (all.is_zero()) return std::nullopt;
   for (int factor = 1; factor <= most_tried; ++factor) {
@@ -99,10 +99,10 @@ std::optional<int> separated_real_solutions(const Scene& scene, const Octahedron
 }
 
 OctahedronPolynomials eliminated(const Scene& scene, const Octahedron& octahedron) {
-  const SymbolicSquares squares(scene, octahedron);
+  const SymbolicEntries entries(scene, octahedron);
   OctahedronPolynomials result;
-  result.has_round_base = has_round_base(squares, octahedron);
-  const RationalPolynomial diagonal = diagonal_resultant(squares, octahedron);
+  result.has_round_base = has_round_base(entries, octahedron);
+  const RationalPolynomial diagonal = diagonal_resultant(entries, octahedron);
   if (diagonal.is_zero()) return result;
   result.diagonal = IntegerPolynomial(diagonal, x);
   const RationalPolynomial square = squared_volume(scene, octahedron, variable(x), Rational(1));

@@ -21,6 +21,10 @@
 /// v imaginary. If Y is at infinity a, c, a' are on a line, so that w = −(a square) < 0 or 0. If X is not real, v is
 /// not, or Q has a double root, which the conjugate X gives too. ∎
 ///
+/// With planes among a', b', c' (pair_entries.hpp) X is an entry and w the Gram determinant of b − a, c − a and a' − a or
+/// the normal of a'. The proof stays as it is with elements whose vectors of R^{4,1} are dependent together with e in place
+/// of coplanar points, and with a singular Gram matrix of c − a and a' − a or that normal in place of a line.
+///
 /// Octahedra with symmetries have solutions that share X. With U = X + λY in place of X the resultant R(U, λ) =
 /// c(λ) Π (U − x_i − λ y_i) tells them apart, and gives X back: at a simple root y_i = −R_λ/R_U. So the theorem holds for
 /// P(U) = R(U, λ), any λ, and v the volume times R_U. Where a, a', b, b' are coplanar in a solution, as with a centre of

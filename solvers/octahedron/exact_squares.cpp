@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solvers/model/given_numbers.hpp"
+#include "solvers/octahedron/pair_entries.hpp"
 
 namespace gcs {
 namespace {
@@ -13,13 +13,6 @@ std::array<int, 4> signs_of(int number) {
 }
 
 }  // namespace
-
-ExactSquares::ExactSquares(const Scene& scene) {
-  for (int i = 0; i < scene.constraint_count(); ++i) {
-    const auto [p, q] = scene.problem().constraints[static_cast<std::size_t>(i)].between;
-    squares_[{p, q}] = squares_[{q, p}] = rational(given_square(scene, i));
-  }
-}
 
 RootSum::RootSum(const std::array<Rational, 4>& squares) {
   for (std::size_t i = 0; i < 4; ++i) {
@@ -40,7 +33,7 @@ bool RootSum::vanishes(const std::array<int, 4>& signs) const {
 }
 
 int stretched_walks(const Scene& scene, const Octahedron& octahedron) {
-  const ExactSquares squares(scene);
+  const ExactEntries squares(scene);
   int walks = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [b, b2] = octahedron.pair[i];

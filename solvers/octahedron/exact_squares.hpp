@@ -7,24 +7,11 @@
 /// |bb'| = ±|bc| ± |cb'| and |bb'| = ±|bc'| ± |c'b'|. They have no common zero at X = |bb'|² = ∞.
 
 #include <array>
-#include <map>
-#include <utility>
 
 #include "solvers/numeric/rational.hpp"
 #include "solvers/octahedron/octahedron.hpp"
 
 namespace gcs {
-
-/// Squared lengths as the file gives them, in the scene's unit.
-class ExactSquares {
- public:
-  explicit ExactSquares(const Scene& scene);
-  /// Precondition: the scene gives the distance of p and q.
-  const Rational& operator()(int p, int q) const { return squares_.at({p, q}); }
-
- private:
-  std::map<std::pair<int, int>, Rational> squares_;
-};
 
 /// Σ ±√a_i of four numbers. Square roots of numbers no two of which have a square as their quotient are
 /// linearly independent over the rational numbers (Besicovitch 1940), so that it is decided exactly.

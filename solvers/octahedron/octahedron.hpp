@@ -1,38 +1,30 @@
 #pragma once
-/// Octahedra: six points with all distances but three disjoint ones.
+/// Octahedra: six points with all distances but three disjoint ones, or six points and planes with all pairs but three
+/// disjoint ones, each of a point and another element.
 
-#include <Eigen/Core>
 #include <array>
 #include <optional>
 
-#include "solvers/model/scene.hpp"
+#include "solvers/octahedron/pair_entries.hpp"
 #include "solvers/structure/core_reduction.hpp"
 
 namespace gcs {
 
-/// Squared target lengths by the points' numbers; 0 where none is given.
-class SquaredLengths {
- public:
-  explicit SquaredLengths(const Scene& scene);
-  double operator()(int p, int q) const { return matrix_(p, q); }
-
- private:
-  Eigen::MatrixXd matrix_;
-};
-
-/// The six points in three opposite pairs: (a, a'), (b, b'), (c, c').
+/// The six elements in three opposite pairs: (a, a'), (b, b'), (c, c').
 struct Octahedron {
   std::array<std::array<int, 2>, 3> pair;
 };
 
 /// The core of the scene as an octahedron, if it is one.
 std::optional<Octahedron> find_octahedron(const Scene& scene, const CoreReduction& reduction);
+/// A whole general scene as one, the point of each pair first, if it is nothing else.
+std::optional<Octahedron> find_octahedron_with_planes(const Scene& scene);
 
 /// Of the triangle abc: 16 area² over the fourth power of the longest side; at most 3, and 0 where it is
-/// flat.
-double roundness_of_base(const SquaredLengths& lengths, const Octahedron& octahedron);
+/// flat; −1 where they are not all points.
+double roundness_of_base(const PairEntries& entries, const Octahedron& octahedron);
 
-/// Points swapped within pairs so that the triangle abc, on which all else is placed, is as round as can be.
-Octahedron with_round_base(const Octahedron& octahedron, const SquaredLengths& lengths);
+/// Elements swapped within pairs so that the triangle abc, on which all else is placed, is as round as can be.
+Octahedron with_round_base(const Octahedron& octahedron, const PairEntries& entries);
 
 }  // namespace gcs

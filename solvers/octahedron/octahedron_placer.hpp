@@ -1,5 +1,5 @@
 #pragma once
-/// From squared diagonals to coordinates.
+/// From diagonals to coordinates.
 
 #include <vector>
 
@@ -9,11 +9,12 @@
 namespace gcs {
 
 /// Places an octahedron on its triangle abc: a at the origin, b on the x-axis, c in the xy-plane; the other
-/// points by trilateration, a' on one side only, the other being the mirror image.
+/// points by trilateration, a' on one side only, the other being the mirror image. A plane is placed as the point a + n,
+/// n its normal, which is the point n.
 class OctahedronPlacer {
  public:
-  /// `points`: how many the figures have. Precondition: the triangle abc is not flat. Keeps references.
-  OctahedronPlacer(int points, const SquaredLengths& lengths, const Octahedron& octahedron);
+  /// `elements`: how many the figures have. Precondition: the triangle abc is not flat. Keeps references.
+  OctahedronPlacer(int elements, const PairEntries& entries, const Octahedron& octahedron);
 
   /// a, b, c.
   std::array<int, 3> base() const {
@@ -25,14 +26,15 @@ class OctahedronPlacer {
   std::vector<ComplexPoints> place(const Diagonals& diagonals);
 
  private:
-  std::optional<std::array<Eigen::Vector3cd, 2>> on(const std::array<int, 3>& centers,
-                                                    const std::array<std::complex<double>, 3>& squares) const;
+  std::complex<double> square(int p, int q) const;
+  std::optional<std::array<Eigen::Vector3cd, 2>> on(const std::array<int, 3>& centers, int p) const;
   void place_last(std::vector<ComplexPoints>& figures);
   double miss(const Eigen::Vector3cd& position, int p, int q) const;
   std::vector<Eigen::Vector3cd> plausible(const std::array<Eigen::Vector3cd, 2>& both, int p, int q) const;
 
-  const SquaredLengths& lengths_;
+  const PairEntries& entries_;
   const Octahedron& octahedron_;
+  Diagonals diagonals_;
   ComplexPoints points_;
   double scale_ = 0;  ///< largest squared side of the base
 };

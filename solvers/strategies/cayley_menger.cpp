@@ -14,7 +14,13 @@
 /// the fixed frame is then a theorem, where all are simple: as many as a polynomial of degree 16 has real roots, by
 /// Sturm's theorem (octahedron/exact_elimination.hpp). The same section, 4.2; Hoffmann, Vermeer 1995.
 ///
-/// Other points may hang on the octahedron: each is placed afterwards, on both sides.
+/// In place of up to three of the points, no two of them opposite, there may be planes: the matrix of squared distances,
+/// signed distances and cosines has the same rank (octahedron/pair_entries.hpp), the diagonals may be distances from
+/// planes, and the two equations have degree 2 in each as before. A figure of each pair is settled by Newton's method on
+/// the equations of the scene, and complete are eight that are simple, by the same Bézout number; what is multiple or at
+/// infinity there is not told apart, and the status is partial.
+///
+/// Other points may hang on an octahedron of points: each is placed afterwards, on both sides.
 ///
 /// Nearly singular solutions are settled at the end, with the file's own numbers
 /// (certificates/nearly_singular.hpp): as several simple ones, proven to be different, or as a multiple
@@ -32,10 +38,15 @@
 
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/certificates/proven_error.hpp"
+#include "solvers/elements/scene_frame.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/homotopies/general_report.hpp"
+#include "solvers/homotopies/general_start.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/octahedron/core_solutions.hpp"
+#include "solvers/octahedron/exact_determinants.hpp"
 #include "solvers/octahedron/octahedron.hpp"
+#include "solvers/octahedron/octahedron_with_planes.hpp"
 #include "solvers/running/words.hpp"
 #include "solvers/systems/octahedron_systems.hpp"
 #include "solvers/systems/system_facts.hpp"
@@ -51,6 +62,37 @@ constexpr int pairs = CoreSolutions::pairs;
 constexpr double close_together = 1e-5;
 /// Below this a face of the octahedron is flat: nothing can be placed on it.
 constexpr double flattest = 1e-12;
+
+std::vector<Particular> particulars(int total_degree, const std::optional<EliminationFacts>& elimination) {
+  std::vector<Particular> counts{{"total_degree", total_degree}};
+  if (!elimination) return counts;
+  counts.push_back({"eliminated_degree", std::max(elimination->degree, 0)});
+  counts.push_back({"eliminated_real_roots", elimination->distinct_real_roots});
+  if (elimination->real_solutions) counts.push_back({"proven_real_solutions", *elimination->real_solutions});
+  return counts;
+}
+
+/// What is said of an octahedron that moves, or nearly so.
+void refuse(bool is_proven, SolveReport& report) {
+  report.status = is_proven ? SolveStatus::infinite : SolveStatus::gave_up;
+  report.reason = is_proven
+                      ? "the octahedron flexes: its two equations have a common factor, proven with the "
+                        "exact numbers, so that a curve of complex solutions satisfies them"
+                      : "the two equations of the octahedron have a common factor to rounding: it is so "
+                        "near one that flexes that doubles do not tell its solutions apart";
+}
+
+SolveReport stopped() {
+  SolveReport report;
+  report.status = SolveStatus::stopped;
+  report.reason = "stopped on request";
+  return report;
+}
+
+bool has_degrees(const ProblemStatement& problem) {
+  return std::ranges::any_of(
+      problem.relations, [](const Relation& relation) { return relation.form == Relation::Form::degrees; });
+}
 
 /// Places the points that hang on the core, on both sides each, and reports what comes of it.
 class Reporter {
@@ -72,8 +114,11 @@ class Reporter {
   SolveReport run(const CoreSolutions& core, const WorkCounters& work) {
     report_.work = work;
     report_.claim = Claim::all_complex;
-    report_.particulars = particulars(core);
-    if (core.flexible || core.common_factor) return refused(core.flexible);
+    report_.particulars = particulars(core.total_degree, core.elimination);
+    if (core.flexible || core.common_factor) {
+      refuse(core.flexible, report_);
+      return std::move(report_);
+    }
     for (const CoreSolution& solution : core.list) hang(0, solution.points, solution);
     settle_nearly_singular();
     report_.generic = std::uint64_t{pairs} << reduction_.placed.size();
@@ -94,26 +139,6 @@ class Reporter {
     ComplexPoints points;
     int solutions = 0;
   };
-
-  static std::vector<Particular> particulars(const CoreSolutions& core) {
-    std::vector<Particular> counts{{"total_degree", core.total_degree}};
-    if (!core.elimination) return counts;
-    counts.push_back({"eliminated_degree", std::max(core.elimination->degree, 0)});
-    counts.push_back({"eliminated_real_roots", core.elimination->distinct_real_roots});
-    if (core.elimination->real_solutions)
-      counts.push_back({"proven_real_solutions", *core.elimination->real_solutions});
-    return counts;
-  }
-
-  SolveReport refused(bool is_proven) {
-    report_.status = is_proven ? SolveStatus::infinite : SolveStatus::gave_up;
-    report_.reason = is_proven
-                         ? "the octahedron flexes: its two equations have a common factor, proven with the "
-                           "exact lengths, so that a curve of complex solutions satisfies them"
-                         : "the two equations of the octahedron have a common factor to rounding: it is so "
-                           "near one that flexes that doubles do not tell its solutions apart";
-    return std::move(report_);
-  }
 
   static std::string what_is_missing(const CoreSolutions& core) {
     const std::string found = "of the " + std::to_string(pairs) + " pairs of diagonals " +
@@ -244,19 +269,70 @@ class Reporter {
   std::array<int, 3> frame_;
   DistanceSystem system_;
   std::vector<DoubleDouble> squares_;
-  SquaredLengths lengths_;
+  PairEntries lengths_;
   std::vector<DistanceEquation> equations_;
   SolveReport report_;
   std::vector<Deferred> nearly_singular_;
   bool some_are_too_far_ = false;  ///< candidates
 };
 
-SolveReport stopped() {
-  SolveReport report;
-  report.status = SolveStatus::stopped;
-  report.reason = "stopped on request";
-  return report;
-}
+/// Octahedra with planes: their figures settled on the equations of the scene.
+class PlanesSolver {
+ public:
+  PlanesSolver(const SolveRequest& request, DiagonalMethod method)
+      : request_(request),
+        method_(method),
+        system_(request.scene),
+        equations_(general_equations(system_)),
+        random_(request.seed),
+        classes_(equations_, {.nearby = nearby, .same = nearly_singular}, random_) {}
+
+  SolveReport run() {
+    Octahedron octahedron = *find_octahedron_with_planes(request_.scene);
+    const PlacedOctahedra first = settle(octahedron);
+    for (int choice = 1; choice < 3 && !are_all() && !request_.stop.stop_requested(); ++choice) {
+      std::rotate(octahedron.pair.begin(), octahedron.pair.begin() + 1, octahedron.pair.end());
+      settle(octahedron);
+    }
+    if (request_.stop.stop_requested()) return stopped();
+    SolveReport report = general_report(system_, equations_, classes_.ends(), {}, random_);
+    report.paths.clear();
+    report.particulars = particulars(first.total_degree, first.elimination);
+    report.generic = pairs;
+    if (!are_all()) note_missing(octahedron, first.common_factor, report);
+    return report;
+  }
+
+ private:
+  /// Of a triple zero an eigenvalue is right to 1e-5.
+  static constexpr double nearby = 1e-2;
+
+  bool are_all() const { return classes_.ends().size() == pairs; }
+
+  PlacedOctahedra settle(const Octahedron& octahedron) {
+    PlacedOctahedra placed = place_with_planes(request_.scene, octahedron, method_);
+    for (const Figure& figure : placed.figures) classes_.add(system_.coordinates(figure));
+    return placed;
+  }
+
+  void note_missing(const Octahedron& octahedron, bool common_factor, SolveReport& report) const {
+    const Scene& scene = request_.scene;
+    const bool flexible = !has_degrees(scene.problem()) && is_proven_to_flex(scene, octahedron);
+    if (flexible || common_factor) return refuse(flexible, report);
+    report.status = SolveStatus::partial;
+    report.reason = "of the " + std::to_string(pairs) + " pairs of diagonals " +
+                    std::to_string(classes_.ends().size()) +
+                    " lead to solutions that doubles tell apart; the others are at infinity, multiple or "
+                    "ill-conditioned";
+  }
+
+  const SolveRequest& request_;
+  DiagonalMethod method_;
+  SceneSystem system_;
+  GeneralEquations equations_;
+  std::mt19937_64 random_;
+  RegularClasses classes_;
+};
 
 class CayleyMengerStrategy final : public Strategy {
  public:
@@ -264,31 +340,62 @@ class CayleyMengerStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
+    if (scene.problem().is_general()) return why_not_with_planes(scene);
     if (scene.dimension() != 3 || scene.has_lines()) return "it solves octahedra: six points in space";
     if (scene.is_anchored()) return "it places the octahedron itself, and the instance fixes positions";
     const auto octahedron = find_octahedron(scene, reduce_to_core(scene.problem(), {}));
     if (!octahedron)
       return "the core is not an octahedron (six points, all distances but three disjoint ones)";
-    const SquaredLengths lengths(scene);
-    if (roundness_of_base(lengths, with_round_base(*octahedron, lengths)) < flattest)
-      return "every face of the octahedron is flat";
-    return std::nullopt;
+    return why_no_base(scene, *octahedron);
   }
 
   SolveReport solve(const SolveRequest& request) override {
     if (request.stop.stop_requested()) return stopped();
+    if (request.scene.problem().is_general()) return solve_with_planes(request);
     const CoreReduction reduction = reduce_to_core(request.scene.problem(), {});
     WorkCounters work;
     const CoreSolutions core = solve_core(request.scene, reduction, method_, work);
     SolveReport report = Reporter(request, reduction, core.frame).run(core, work);
-    if (method_ == DiagonalMethod::univariate) add_facts(request, reduction, report);
+    if (method_ == DiagonalMethod::univariate)
+      add_facts(request, *find_octahedron(request.scene, reduction), report);
     return report;
   }
 
  private:
+  static std::optional<std::string> why_no_base(const Scene& scene, const Octahedron& octahedron) {
+    const PairEntries entries(scene);
+    if (roundness_of_base(entries, with_round_base(octahedron, entries)) < flattest)
+      return "every face of the octahedron is flat";
+    return std::nullopt;
+  }
+
+  std::optional<std::string> why_not_with_planes(const Scene& scene) const {
+    const ProblemStatement& problem = scene.problem();
+    if (scene.dimension() != 3 || scene.is_anchored() || problem.planes.empty())
+      return "of general scenes it solves octahedra of points and planes in space, without given positions";
+    const auto octahedron = find_octahedron_with_planes(scene);
+    if (!octahedron)
+      return "it is no octahedron of points and planes (six of them, a distance or an angle of all pairs but "
+             "three disjoint ones, each of a point and another element)";
+    const Turnings turnings(problem);
+    for (int plane = 0; plane < static_cast<int>(problem.planes.size()); ++plane)
+      if (turnings.of_plane(plane) >= 0)
+        return "no constraint sees a side of plane '" + problem.planes[static_cast<std::size_t>(plane)] + "'";
+    if (has_degrees(problem) && method_ == DiagonalMethod::univariate)
+      return "method=univariate eliminates exactly, and the cosine of an angle in degrees is no fraction";
+    if (auto reason = why_no_base(scene, *octahedron)) return reason;
+    return why_not_general(scene);
+  }
+
+  SolveReport solve_with_planes(const SolveRequest& request) const {
+    SolveReport report = PlanesSolver(request, method_).run();
+    if (method_ == DiagonalMethod::univariate)
+      add_facts(request, *find_octahedron_with_planes(request.scene), report);
+    return report;
+  }
+
   /// Of the two determinants, exactly; their total degree is there.
-  static void add_facts(const SolveRequest& request, const CoreReduction& reduction, SolveReport& report) {
-    const Octahedron octahedron = *find_octahedron(request.scene, reduction);
+  static void add_facts(const SolveRequest& request, const Octahedron& octahedron, SolveReport& report) {
     for (Particular& fact : system_facts(octahedron_determinants(request.scene, octahedron), request))
       if (fact.name != "total_degree") report.particulars.push_back(std::move(fact));
   }
@@ -303,6 +410,7 @@ StrategyEntry cayley_menger_entry() {
   entry.summary =
       "solves an octahedron by two Cayley-Menger determinants, all eight pairs of diagonals at once";
   entry.citation = "Hoffmann, Yuan 2000, section 4.1";
+  entry.knows_general_scenes = true;
   return entry;
 }
 

@@ -38,7 +38,7 @@ std::optional<Octahedron> whole_octahedron(const Scene& scene) {
   if (scene.dimension() != 3 || scene.has_lines() || scene.is_anchored() || scene.point_count() != 6)
     return std::nullopt;
   const auto octahedron = find_octahedron(scene, reduce_to_core(scene.problem(), {}));
-  return octahedron ? std::optional(with_round_base(*octahedron, SquaredLengths(scene))) : std::nullopt;
+  return octahedron ? std::optional(with_round_base(*octahedron, PairEntries(scene))) : std::nullopt;
 }
 
 SystemOrReason write(const Scene& scene, System system) {
@@ -149,21 +149,12 @@ SortedEnds sorted(const GeneralEquations& equations, const std::vector<PathEnd>&
                   std::mt19937_64& random) {
   constexpr double same_zero = 1e-6;  // relative to 1 + the largest |x_i|
   SortedEnds result;
-  SolutionSet classes(equations.signs, random);
-  for (PathEnd end : ends) {
+  RegularClasses classes(equations, {.nearby = same_zero}, random);
+  for (const PathEnd& end : ends) {
     result.singular += end.kind == PathEnd::Kind::singular;
-    if (end.kind != PathEnd::Kind::regular) continue;
-    const ComplexVectorX from = end.x;
-    if (!newton(equations.system, equations.coefficients, end.x) ||
-        distance(end.x, from) > same_zero * (1 + largest(from))) {
-      ++result.misplaced;
-      continue;
-    }
-    ++result.placed;
-    const int known = classes.size();
-    classes.insert(end.x, regular_uncertainty);
-    if (classes.size() > known) result.classes.push_back(end);
+    if (end.kind == PathEnd::Kind::regular) ++(classes.add(end.x) ? result.placed : result.misplaced);
   }
+  result.classes = classes.ends();
   return result;
 }
 

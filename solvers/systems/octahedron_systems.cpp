@@ -48,7 +48,7 @@ struct Base {
             y[i].approximate() / y_square.approximate_root()};
   }
 
-  ExactSquares squares;
+  ExactEntries squares;
   int points;
   std::array<int, 3> corner{}, free{};  ///< a, b, c and a', b', c'
   Rational x_square, y_square;          ///< |ab|² and y_c²
@@ -139,11 +139,11 @@ SystemOrReason octahedron_quadrics(const Scene& scene, const Octahedron& octahed
 }
 
 PolynomialSystem octahedron_determinants(const Scene& scene, const Octahedron& octahedron) {
-  const SymbolicSquares squares(scene, octahedron);
+  const SymbolicEntries entries(scene, octahedron);
   const auto [a, a2] = octahedron.pair[0];
   const auto [b, b2] = octahedron.pair[1];
   const auto [c, c2] = octahedron.pair[2];
-  return {2, {gram_determinant(squares, c, {a, a2, b, b2}), gram_determinant(squares, c2, {a, a2, b, b2})}};
+  return {2, {gram_determinant(entries, c, {a, a2, b, b2}), gram_determinant(entries, c2, {a, a2, b, b2})}};
 }
 
 SystemOrReason octahedron_quartics(const Scene& scene, const Octahedron& octahedron) {

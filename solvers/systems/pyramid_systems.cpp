@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "solvers/octahedron/exact_squares.hpp"
+#include "solvers/octahedron/pair_entries.hpp"
 
 namespace gcs {
 namespace {
@@ -50,7 +50,7 @@ class ExactPyramid {
   }
 
  private:
-  ExactSquares squares_;
+  ExactEntries squares_;
   Pyramid pyramid_;
   int line_, points_;
   Rational r5_;

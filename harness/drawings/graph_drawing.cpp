@@ -7,8 +7,8 @@
 
 #include "harness/base/text_width.hpp"
 #include "harness/drawings/html_text.hpp"
+#include "solvers/elements/constraint_types.hpp"
 #include "solvers/model/scene.hpp"
-#include "solvers/reading/relation_table.hpp"
 
 namespace gcs {
 namespace {
@@ -124,9 +124,9 @@ std::vector<GraphEdge> graph_edges(const ProblemStatement& problem) {
   std::vector<GraphEdge> edges;
   for (const DistanceConstraint& c : problem.constraints) edges.push_back({c.between, c.id});
   for (const Relation& relation : problem.relations) {
-    if (is_of_pair(relation.type))
+    if (!find_constraint_type(relation.type)->is_of_points())
       add_pair(relation, edges);
-    else if (relation.type != RelationType::orientation)
+    else if (relation.sign == 0)
       add_row(relation, edges);
   }
   return edges;

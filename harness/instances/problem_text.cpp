@@ -4,7 +4,7 @@
 
 #include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/instance_bodies.hpp"
-#include "solvers/reading/relation_table.hpp"
+#include "solvers/reading/relation_words.hpp"
 
 namespace gcs {
 namespace {
@@ -54,10 +54,10 @@ JsonValue operand_value(const ProblemStatement& problem, const Operand& operand)
 }
 
 JsonValue relation_value(const ProblemStatement& problem, const Relation& relation) {
-  const bool is_orientation = relation.type == RelationType::orientation;
+  const bool is_orientation = relation.sign != 0;
   JsonMembers members{
       {"id", json_text(relation.id)},
-      {"type", json_text(name_of(relation.type))},
+      {"type", json_text(relation.type)},
       {is_orientation ? "of" : "between",
        json_array_of(relation.of, [&](const Operand& operand) { return operand_value(problem, operand); })}};
   if (const std::string form = name_of(relation.form); !form.empty())

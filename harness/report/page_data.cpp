@@ -37,7 +37,7 @@ JsonValue edges_value(const ProblemStatement& problem) {
   for (const DistanceConstraint& c : problem.constraints)
     edges.push_back(edge_value(c.id, c.between[0], c.between[1], c.is_squared, c.given));
   for (const Relation& relation : problem.relations)
-    if (relation.type == RelationType::distance)
+    if (relation.type == "distance")
       edges.push_back(edge_value(relation.id, relation.of[0].entity, relation.of[1].entity,
                                  relation.form == Relation::Form::squared, relation.given));
   return json_array(std::move(edges));

@@ -9,7 +9,6 @@
 #include "harness/drawings/path_drawing.hpp"
 #include "harness/drawings/reduced_path_drawing.hpp"
 #include "harness/drawings/tree_drawing.hpp"
-#include "solvers/reading/relation_table.hpp"
 #include "solvers/solving/answer.hpp"
 
 namespace gcs {
@@ -60,10 +59,10 @@ std::string constraints_fact(const ProblemStatement& problem) {
   std::size_t distances = problem.constraints.size();
   std::map<std::string, int> others;
   for (const Relation& relation : problem.relations) {
-    if (relation.type == RelationType::distance)
+    if (relation.type == "distance")
       ++distances;
     else
-      ++others[name_of(relation.type)];
+      ++others[relation.type];
   }
   std::string text = fmt::format("{} {}", distances, distances == 1 ? "distance" : "distances");
   for (const auto& [type, count] : others) text += fmt::format(", {}: {}", type, count);

@@ -13,7 +13,7 @@ install(FILES results/README.md results/findings.md DESTINATION ${CMAKE_INSTALL_
 install(DIRECTORY results/plots results/published results/sweeps results/tables
         DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)
 install(FILES solvers/README.md solvers/rooms.svg DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers)
-foreach(room IN ITEMS strategies certificates counting elements homotopies reduction systems)
+foreach(room IN ITEMS strategies certificates constraints counting elements homotopies reduction systems)
   install(FILES solvers/${room}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers/${room})
 endforeach()
 install(FILES harness/README.md harness/glossary.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/harness)

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "solvers/elements/constraint_types.hpp"
 #include "solvers/elements/element_kinds.hpp"
 
 namespace gcs {
@@ -9,11 +10,20 @@ bool is_line(const ProblemStatement& problem, const Operand& of) {
   return !of.is_segment() && problem.is_line(of.entity);
 }
 
-/// The other line of a relation that says that two are parallel; −1 where it says nothing of the kind.
+bool is_plane(const ProblemStatement& problem, const Operand& of) {
+  return !of.is_segment() && problem.is_plane(of.entity);
+}
+
+/// Precondition: its operands are of a kind that the type knows.
+bool shares_direction(const ProblemStatement& problem, Relation relation) {
+  return find_kind(problem, relation)->shares_direction;
+}
+
+/// The other line of a relation that says that two have one direction; −1 where it says nothing of the kind.
 int parallel_line(const ProblemStatement& problem, const Relation& relation, int line) {
-  if (relation.type != RelationType::parallel || relation.of.size() != 2) return -1;
   const auto& of = relation.of;
-  if (!is_line(problem, of[0]) || !is_line(problem, of[1])) return -1;
+  if (of.size() != 2 || !is_line(problem, of[0]) || !is_line(problem, of[1])) return -1;
+  if (!shares_direction(problem, relation)) return -1;
   const int a = problem.line_of(of[0].entity), b = problem.line_of(of[1].entity);
   if (a == line) return b;
   return b == line ? a : -1;
@@ -68,11 +78,11 @@ std::vector<int> parallel_lines(const ProblemStatement& problem, int line) {
 std::vector<int> planes_across(const ProblemStatement& problem, const std::vector<int>& lines) {
   std::vector<int> planes;
   for (const Relation& relation : problem.relations) {
-    if (relation.type != RelationType::perpendicular) continue;
-    for (int i = 0; i < 2; ++i) {
-      const Operand &line = relation.of[static_cast<std::size_t>(i)],
-                    &plane = relation.of[static_cast<std::size_t>(1 - i)];
-      if (!is_line(problem, line) || plane.is_segment() || !problem.is_plane(plane.entity)) continue;
+    if (relation.of.size() != 2) continue;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Operand &line = relation.of[i], &plane = relation.of[1 - i];
+      if (!is_line(problem, line) || !is_plane(problem, plane) || !shares_direction(problem, relation))
+        continue;
       if (std::find(lines.begin(), lines.end(), problem.line_of(line.entity)) != lines.end())
         planes.push_back(problem.plane_of(plane.entity));
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solvers/elements/constraint_types.hpp"
+
 namespace gcs {
 namespace {
 
@@ -32,13 +34,13 @@ std::pair<int, int> sorted(int a, int b) { return std::minmax(a, b); }
 
 /// Whether a relation is an angle between two operands of that kind.
 bool is_angle_between(const ProblemStatement& problem, const Relation& relation, OperandKind kind) {
-  return relation.type == RelationType::angle && kind_of(problem, relation.of[0]) == kind &&
+  return value_kind(relation) == ConstraintType::Value::angle && kind_of(problem, relation.of[0]) == kind &&
          kind_of(problem, relation.of[1]) == kind;
 }
 
 /// Whether the value of a relation with a plane is seen from a side of it.
 bool has_sign(const ProblemStatement& problem, const Relation& relation) {
-  return relation.type == RelationType::distance &&
+  return value_kind(relation) == ConstraintType::Value::length &&
          std::none_of(relation.of.begin(), relation.of.end(),
                       [&](const Operand& of) { return problem.is_line(of.entity); });
 }

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/elements/constraint_types.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/elements/scene_elements.hpp"
 #include "solvers/elements/stated_signs.hpp"
@@ -53,7 +53,7 @@ std::optional<std::string> why_no_positions(const ProblemStatement& problem) {
 
 std::optional<std::string> why_no_relation(const ProblemStatement& problem) {
   for (Relation relation : problem.relations)
-    if (find_kind(problem, relation) == nullptr)
+    if (const ConstraintKind* kind = find_kind(problem, relation); kind == nullptr || kind->state == nullptr)
       return fmt::format("there are no equations yet for constraint '{}'", relation.id);
   return std::nullopt;
 }
@@ -96,8 +96,8 @@ std::optional<std::string> why_no_system(const Scene& scene) {
   if (auto reason = why_no_bodies(problem)) return reason;
   if (auto reason = why_no_positions(problem)) return reason;
   if (auto reason = why_no_relation(problem)) return reason;
-  const auto turned = static_cast<std::size_t>(std::ranges::count_if(
-      problem.relations, [](const Relation& r) { return r.type != RelationType::orientation; }));
+  const auto turned = static_cast<std::size_t>(
+      std::ranges::count_if(problem.relations, [](const Relation& r) { return r.sign == 0; }));
   if (problem.lines.size() + problem.planes.size() + 2 * turned > most_turnings)
     return fmt::format("there are more than {} lines, planes and constraints that may be turned over",
                        most_turnings);

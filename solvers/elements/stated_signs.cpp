@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/elements/constraint_types.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
@@ -12,7 +12,8 @@ namespace {
 using Segment = std::array<int, 2>;
 
 bool is_angle_of_segments(const Relation& relation) {
-  return relation.type == RelationType::angle && relation.of[0].is_segment() && relation.of[1].is_segment();
+  return value_kind(relation) == ConstraintType::Value::angle && relation.of[0].is_segment() &&
+         relation.of[1].is_segment();
 }
 
 Segment sorted_ends(const Operand& segment) {
@@ -140,7 +141,7 @@ std::vector<StatedSign> stated_signs(const ProblemStatement& problem) {
   std::vector<StatedSign> signs;
   for (int i = 0; i < static_cast<int>(problem.relations.size()); ++i) {
     const Relation& relation = problem.relations[static_cast<std::size_t>(i)];
-    if (relation.type == RelationType::orientation) {
+    if (relation.sign != 0) {
       signs.push_back(sign_of_orientation(relation, i));
     } else if (is_angle_of_segments(relation) && !std::ranges::all_of(relation.of, [&](const Operand& of) {
                  return has_length(problem, sorted_ends(of));

@@ -16,11 +16,10 @@ std::optional<GivenPair> given_pair(const Scene& scene, const Relation& relation
   const std::array<int, 2> between{relation.of[0].entity, relation.of[1].entity};
   if (problem.is_line(between[0]) || problem.is_line(between[1])) return std::nullopt;
   const int planes = problem.is_plane(between[0]) + problem.is_plane(between[1]);
-  using enum RelationType;
-  if (planes == 1 && relation.type == distance)
+  if (planes == 1 && relation.type == "distance")
     return GivenPair{between, given_length(scene, relation.given)};
-  if (planes == 2 && relation.type == angle) return GivenPair{between, given_cosine(relation, false)};
-  if ((planes == 1 && relation.type == on) || (planes == 2 && relation.type == perpendicular))
+  if (planes == 2 && relation.type == "angle") return GivenPair{between, given_cosine(relation, false)};
+  if ((planes == 1 && relation.type == "on") || (planes == 2 && relation.type == "perpendicular"))
     return GivenPair{between, {}};
   return std::nullopt;
 }

@@ -64,7 +64,7 @@ bool is_flat(const RigidBody& body, int dimension) {
 Convention convention_of(const ProblemStatement& problem) {
   if (problem.is_anchored()) return Convention::in_the_given_frame;
   const bool is_oriented = std::any_of(problem.relations.begin(), problem.relations.end(),
-                                       [](const Relation& r) { return r.type == RelationType::orientation; });
+                                       [](const Relation& r) { return r.sign != 0; });
   const bool is_chiral =
       std::any_of(problem.bodies.begin(), problem.bodies.end(),
                   [&](const RigidBody& body) { return !is_flat(body, problem.dimension); });

@@ -122,29 +122,17 @@ struct Operand {
   bool operator==(const Operand&) const = default;
 };
 
-enum class RelationType {
-  distance,  ///< but of two points, or of a point and a line in space: those are DistanceConstraints
-  angle,
-  on,
-  meet,
-  parallel,
-  perpendicular,
-  collinear,
-  coplanar,
-  orientation  ///< selects real solutions, and is no equation
-};
-
 /// A constraint that is no distance between points, or of a point from a line.
 struct Relation {
   /// How `given` says the value.
   enum class Form { none, length, squared, degrees, cosine };
 
   std::string id;
-  RelationType type = RelationType::on;
+  std::string type;  ///< see elements/constraint_types.hpp
   std::vector<Operand> of;
   Form form = Form::none;
   Decimal given{};  ///< lengths in the file's unit; from a plane's side they have a sign
-  int sign = 0;     ///< of an orientation
+  int sign = 0;     ///< of an orientation; 0: it is none
 };
 
 struct ProblemStatement {

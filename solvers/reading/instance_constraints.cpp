@@ -4,17 +4,17 @@
 #include <map>
 #include <set>
 
+#include "solvers/elements/constraint_types.hpp"
 #include "solvers/reading/instance_relations.hpp"
-#include "solvers/reading/relation_table.hpp"
+#include "solvers/reading/relation_words.hpp"
 
 namespace gcs {
 namespace {
 
 /// What two constraints say that say the same, "the distance", "'on'".
-std::string subject(RelationType type) {
-  const bool has_value =
-      type == RelationType::distance || type == RelationType::angle || type == RelationType::orientation;
-  return has_value ? "give the " + name_of(type) : "say '" + name_of(type) + "'";
+std::string subject(const Relation& relation) {
+  const bool has_value = value_kind(relation) != ConstraintType::Value::none;
+  return has_value ? "give the " + relation.type : "say '" + relation.type + "'";
 }
 
 class ConstraintList {
@@ -50,12 +50,12 @@ class ConstraintList {
     const auto [known, is_new] = known_.emplace(key(relation), relation.id);
     if (is_new) return;
     element.fail("over-constrained: '" + known->second + "' and '" + relation.id + "' both " +
-                     subject(relation.type) + " of " + operand_names(problem_, relation.of),
+                     subject(relation) + " of " + operand_names(problem_, relation.of),
                  "keep one of them");
   }
 
   bool is_plain_distance(const Relation& relation) const {
-    if (relation.type != RelationType::distance) return false;
+    if (relation.type != "distance") return false;
     const OperandKind a = kind_of(problem_, relation.of[0]), b = kind_of(problem_, relation.of[1]);
     const bool with_line = a == OperandKind::line || b == OperandKind::line;
     const bool with_point = a == OperandKind::point || b == OperandKind::point;
@@ -71,14 +71,15 @@ class ConstraintList {
                                      "add a constraint 'parallel' between the two");
   }
 
-  using Key = std::pair<RelationType, std::set<std::pair<int, int>>>;
+  using Key = std::pair<std::string, std::vector<std::pair<int, int>>>;
 
   static Key key(const Relation& relation) {
     Key result{relation.type, {}};
     for (const Operand& operand : relation.of) {
       const Operand way = undirected(operand);
-      result.second.emplace(way.entity, way.end);
+      result.second.emplace_back(way.entity, way.end);
     }
+    std::ranges::sort(result.second);
     return result;
   }
 

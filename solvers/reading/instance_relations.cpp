@@ -3,47 +3,62 @@
 #include <algorithm>
 #include <set>
 
+#include "solvers/elements/constraint_types.hpp"
 #include "solvers/reading/instance_bodies.hpp"
 #include "solvers/reading/instance_names.hpp"
 #include "solvers/reading/instance_values.hpp"
 #include "solvers/reading/nearest_name.hpp"
-#include "solvers/reading/relation_table.hpp"
+#include "solvers/reading/relation_words.hpp"
+#include "solvers/running/words.hpp"
 
 namespace gcs {
 namespace {
 
-RelationType read_type_of_distances(const JsonCursor& cursor, const std::string& type) {
-  if (type == "distance") return RelationType::distance;
+void refuse_other_than_distance(const JsonCursor& cursor, const std::string& type) {
+  if (type == "distance") return;
   std::string remedy = "the only known type is 'distance'";
   if (type == "incidence" || type == "coincidence" || type == "on")
     remedy += "; a point on a line is a distance of length 0";
   cursor.fail("constraints of type '" + type + "' are not supported",
-              relation_type(type) ? general_format_remedy(remedy) : remedy);
+              find_constraint_type(type) ? general_format_remedy(remedy) : remedy);
 }
 
-RelationType read_type(const JsonCursor& constraint, InstanceFormat format, const ProblemStatement& problem) {
+std::vector<std::string> names_of_types() {
+  std::vector<std::string> names;
+  for (const ConstraintType& type : constraint_types()) names.push_back(type.name);
+  return names;
+}
+
+const ConstraintType& read_type(const JsonCursor& constraint, InstanceFormat format,
+                                const ProblemStatement& problem) {
   const JsonCursor cursor = constraint.required("type");
   const std::string name = cursor.text();
-  if (format == InstanceFormat::distances) return read_type_of_distances(cursor, name);
-  const auto type = relation_type(name);
-  if (!type)
+  if (format == InstanceFormat::distances) refuse_other_than_distance(cursor, name);
+  const ConstraintType* type = find_constraint_type(name);
+  if (type == nullptr)
     cursor.fail("there is no constraint of type '" + name + "'",
-                "did you mean '" + nearest_name(name, relation_type_names()) + "'? The types are " +
-                    quoted_list(relation_type_names()));
-  if (problem.dimension == 2 && is_only_in_space(*type))
+                "did you mean '" + nearest_name(name, names_of_types()) + "'? The types are " +
+                    quoted_list(names_of_types()));
+  if (problem.dimension == 2 && type->only_in_space)
     cursor.fail("'" + name + "' is for space only", "leave it out or give \"dimension\": 3");
   return *type;
 }
 
-void allow_members(const JsonCursor& constraint, RelationType type) {
-  if (type == RelationType::distance) {
-    constraint.allow_members({"id", "type", "between", "length", "squared"});
-  } else if (type == RelationType::angle) {
-    constraint.allow_members({"id", "type", "between", "degrees", "cosine"});
-  } else if (type == RelationType::orientation) {
-    constraint.allow_members({"id", "type", "of", "sign"});
-  } else {
-    constraint.allow_members({"id", "type", "between"});
+/// The member that says what a constraint is between.
+std::string operands_member(const ConstraintType& type) {
+  return type.value == ConstraintType::Value::sign ? "of" : "between";
+}
+
+void allow_members(const JsonCursor& constraint, const ConstraintType& type) {
+  switch (type.value) {
+    case ConstraintType::Value::none:
+      return constraint.allow_members({"id", "type", "between"});
+    case ConstraintType::Value::length:
+      return constraint.allow_members({"id", "type", "between", "length", "squared"});
+    case ConstraintType::Value::angle:
+      return constraint.allow_members({"id", "type", "between", "degrees", "cosine"});
+    case ConstraintType::Value::sign:
+      return constraint.allow_members({"id", "type", "of", "sign"});
   }
 }
 
@@ -58,34 +73,34 @@ Operand read_operand(const JsonCursor& cursor, const ProblemStatement& problem) 
   return segment;
 }
 
-void refuse_same(const JsonCursor& between, const Relation& relation, const ProblemStatement& problem) {
+void refuse_same(const JsonCursor& between, const Relation& relation, const ConstraintType& type,
+                 const ProblemStatement& problem) {
   if (undirected(relation.of[0]) != undirected(relation.of[1])) return;
   const std::string names = operand_names(problem, {relation.of[0]});
-  between.fail(relation.type == RelationType::distance
-                   ? names + " has no distance to itself"
-                   : names + " is on both sides of '" + name_of(relation.type) + "'",
+  between.fail(type.value == ConstraintType::Value::length
+                   ? names + " has no " + type.name + " to itself"
+                   : names + " is on both sides of '" + type.name + "'",
                "name two different entities");
 }
 
-std::string pair_words(RelationType type, int dimension) {
-  std::string result;
-  const auto pairs = pairs_of(type, dimension);
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    result += (i == 0 ? "" : i + 1 == pairs.size() ? " and " : ", ") + words(pairs[i]);
-  return result;
+/// What the type can be between in that dimension.
+std::string known_operands(const ConstraintType& type, int dimension) {
+  std::vector<std::string> known;
+  for (const ConstraintKind& kind : type.kinds)
+    if (dimension == 3 || std::ranges::count(kind.between, OperandKind::plane) == 0)
+      known.push_back(words(kind.between));
+  return enumeration(known);
 }
 
-void refuse_unknown_pair(const JsonCursor& between, const Relation& relation,
+void refuse_unknown_kind(const JsonCursor& between, Relation& relation, const ConstraintType& type,
                          const ProblemStatement& problem) {
-  const std::pair kinds{kind_of(problem, relation.of[0]), kind_of(problem, relation.of[1])};
-  const auto pairs = pairs_of(relation.type, problem.dimension);
-  const auto is_this = [&](const auto& pair) {
-    return pair == kinds || pair == std::pair(kinds.second, kinds.first);
-  };
-  if (std::any_of(pairs.begin(), pairs.end(), is_this)) return;
-  const std::string name = "'" + name_of(relation.type) + "'";
+  std::vector<OperandKind> kinds;
+  for (const Operand& operand : relation.of) kinds.push_back(kind_of(problem, operand));
+  Relation in_order = relation;
+  if (find_kind(problem, in_order) != nullptr) return;
+  const std::string name = "'" + type.name + "'";
   between.fail(name + " is not between " + words(kinds),
-               name + " is between " + pair_words(relation.type, problem.dimension));
+               name + " is between " + known_operands(type, problem.dimension));
 }
 
 /// Of gcsbench-instance/1.
@@ -95,37 +110,36 @@ void refuse_two_lines(const JsonCursor& between, const Relation& relation, const
                general_format_remedy("name a point and a line, or two points"));
 }
 
-void read_pair(const JsonCursor& between, InstanceFormat format, const ProblemStatement& problem,
-               Relation& relation) {
+void read_operands(const JsonCursor& between, InstanceFormat format, const ProblemStatement& problem,
+                   const ConstraintType& type, Relation& relation) {
   const bool only_names = format == InstanceFormat::distances;
   for (const JsonCursor& end :
        between.elements(2, only_names ? "names of points or lines" : "names or segments"))
     relation.of.push_back(only_names ? Operand{entity_number(problem, end.name(), end), -1}
                                      : read_operand(end, problem));
-  refuse_same(between, relation, problem);
+  refuse_same(between, relation, type, problem);
   if (only_names) {
     refuse_two_lines(between, relation, problem);
   } else {
-    refuse_unknown_pair(between, relation, problem);
+    refuse_unknown_kind(between, relation, type, problem);
   }
 }
 
 /// As many points as the type needs to say something.
-std::vector<JsonCursor> point_list(const JsonCursor& list, RelationType type, int dimension) {
-  if (type == RelationType::orientation)
+std::vector<JsonCursor> point_list(const JsonCursor& list, const ConstraintType& type, int dimension) {
+  if (type.value == ConstraintType::Value::sign)
     return list.elements(static_cast<std::size_t>(dimension) + 1, "points");
   std::vector<JsonCursor> points = list.elements();
-  const bool is_plane = type == RelationType::coplanar;
-  if (points.size() < (is_plane ? 4U : 3U))
-    list.fail(
-        "there are " + std::to_string(points.size()) + " elements",
-        std::string("'") + name_of(type) + "' is of " + (is_plane ? "four" : "three") + " points or more");
+  if (points.size() < static_cast<std::size_t>(type.fewest_points))
+    list.fail("there are " + std::to_string(points.size()) + " elements",
+              "'" + type.name + "' is of " + std::to_string(type.fewest_points) + " points or more");
   return points;
 }
 
-void read_points(const JsonCursor& list, const ProblemStatement& problem, Relation& relation) {
+void read_points(const JsonCursor& list, const ProblemStatement& problem, const ConstraintType& type,
+                 Relation& relation) {
   std::set<int> seen;
-  for (const JsonCursor& cursor : point_list(list, relation.type, problem.dimension)) {
+  for (const JsonCursor& cursor : point_list(list, type, problem.dimension)) {
     relation.of.push_back({point_number(problem, cursor), -1});
     if (!seen.insert(relation.of.back().entity).second)
       cursor.fail(operand_names(problem, {relation.of.back()}) + " is named twice", "name different points");
@@ -138,7 +152,7 @@ void refuse_fixed(const JsonCursor& operands, const Relation& relation, const Pr
     return;
   operands.fail(
       entity_names(problem, entities) + " are " + (entities.size() == 2 ? "both" : "all") + " fixed",
-      relation.type == RelationType::distance
+      value_kind(relation) == ConstraintType::Value::length
           ? "leave this constraint out, the positions give the distance"
           : "leave this constraint out, the positions say whether it holds");
 }
@@ -156,17 +170,17 @@ void refuse_one_body(const JsonCursor& operands, const Relation& relation, const
 
 Relation read_relation(const JsonCursor& constraint, std::size_t place, InstanceFormat format,
                        const ProblemStatement& problem) {
+  const ConstraintType& type = read_type(constraint, format, problem);
+  allow_members(constraint, type);
   Relation relation;
-  relation.type = read_type(constraint, format, problem);
-  allow_members(constraint, relation.type);
+  relation.type = type.name;
   const auto id = constraint.optional("id");
   relation.id = id ? id->name() : "a" + std::to_string(place);
-  const JsonCursor operands =
-      constraint.required(relation.type == RelationType::orientation ? "of" : "between");
-  if (is_of_pair(relation.type)) {
-    read_pair(operands, format, problem, relation);
+  const JsonCursor operands = constraint.required(operands_member(type));
+  if (type.is_of_points()) {
+    read_points(operands, problem, type, relation);
   } else {
-    read_points(operands, problem, relation);
+    read_operands(operands, format, problem, type, relation);
   }
   refuse_fixed(operands, relation, problem);
   refuse_one_body(operands, relation, problem);
@@ -176,7 +190,7 @@ Relation read_relation(const JsonCursor& constraint, std::size_t place, Instance
 
 ParallelClasses::ParallelClasses(const ProblemStatement& problem) {
   for (const Relation& relation : problem.relations) {
-    if (relation.type != RelationType::parallel) continue;
+    if (relation.type != "parallel") continue;
     const bool is_plane = kind_of(problem, relation.of[0]) == OperandKind::plane;
     const bool both = is_plane == (kind_of(problem, relation.of[1]) == OperandKind::plane);
     if (both) {
@@ -212,11 +226,10 @@ void ParallelClasses::join(const Operand& a, const Operand& b) {
     if (number == given_up) number = kept;
 }
 
-bool needs_parallel(const ProblemStatement& problem, const Relation& relation) {
-  if (relation.type != RelationType::distance) return false;
-  const OperandKind a = kind_of(problem, relation.of[0]), b = kind_of(problem, relation.of[1]);
-  if (a == OperandKind::point || b == OperandKind::point) return false;
-  return problem.dimension == 2 || a == OperandKind::plane || b == OperandKind::plane;
+bool needs_parallel(const ProblemStatement& problem, Relation relation) {
+  using enum ConstraintKind::Joined;
+  const ConstraintKind* kind = find_kind(problem, relation);
+  return kind->joined == always || (kind->joined == in_the_plane && problem.dimension == 2);
 }
 
 }  // namespace gcs

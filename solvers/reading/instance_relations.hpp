@@ -33,7 +33,7 @@ class ParallelClasses {
   std::vector<std::pair<Operand, Operand>> across_;  ///< of a direction and a plane
 };
 
-/// Whether a distance has a meaning only where a `parallel` joins its operands.
-bool needs_parallel(const ProblemStatement& problem, const Relation& relation);
+/// Whether a relation has a meaning only where a `parallel` joins its operands.
+bool needs_parallel(const ProblemStatement& problem, Relation relation);
 
 }  // namespace gcs

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "solvers/reading/relation_table.hpp"
+#include "solvers/elements/constraint_types.hpp"
 
 namespace gcs {
 namespace {
@@ -154,9 +154,11 @@ void read_sign(const JsonCursor& constraint, Relation& relation) {
 
 void read_value(const JsonCursor& constraint, InstanceFormat format, const ProblemStatement& problem,
                 Relation& relation) {
-  if (relation.type == RelationType::distance) read_length(constraint, format, problem, relation);
-  if (relation.type == RelationType::angle) read_angle(constraint, problem, relation);
-  if (relation.type == RelationType::orientation) read_sign(constraint, relation);
+  using enum ConstraintType::Value;
+  const ConstraintType::Value value = value_kind(relation);
+  if (value == length) read_length(constraint, format, problem, relation);
+  if (value == angle) read_angle(constraint, problem, relation);
+  if (value == sign) read_sign(constraint, relation);
 }
 
 }  // namespace gcs

@@ -14,7 +14,6 @@ using namespace gcs::samples;
 using gcs::Operand;
 using gcs::ProblemStatement;
 using gcs::Relation;
-using gcs::RelationType;
 using nlohmann::json;
 
 }  // namespace
@@ -75,7 +74,7 @@ TEST_CASE("lines in the plane have two coordinates, and distances from them are 
   CHECK(problem.fixed_lines[0]->direction == Eigen::Vector3d(0, 1, 0));
   CHECK(problem.constraints.empty());
   REQUIRE(problem.relations.size() == 1);
-  CHECK(problem.relations[0].type == RelationType::distance);
+  CHECK(problem.relations[0].type == "distance");
   CHECK(problem.relations[0].of == std::vector<Operand>{{4, -1}, {0, -1}});
   CHECK(problem.relations[0].form == Relation::Form::squared);
   CHECK(problem.relations[0].given.text == "2.5");
@@ -359,7 +358,7 @@ TEST_CASE("the shipped scenes of all elements say what their files say") {
   CHECK(octahedral.relations[1].id == "a4");
   CHECK(octahedral.relations[1].of == std::vector<Operand>{{0, -1}, {5, -1}});
   CHECK(octahedral.relations[1].given.text == "-2.386319947234");
-  CHECK(octahedral.relations[7].type == RelationType::angle);
+  CHECK(octahedral.relations[7].type == "angle");
   CHECK(octahedral.relations[7].form == Relation::Form::cosine);
   CHECK(octahedral.reference->plane == 2);
   // The normal there is no unit vector.

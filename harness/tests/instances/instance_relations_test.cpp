@@ -13,7 +13,6 @@ using namespace gcs::samples;
 using gcs::Operand;
 using gcs::ProblemStatement;
 using gcs::Relation;
-using gcs::RelationType;
 using nlohmann::json;
 
 const std::map<std::string, std::string> operand_samples{
@@ -44,7 +43,7 @@ TEST_CASE("constraints are told apart, in the order of the file, and have ids by
   CHECK(problem.constraints[1].is_squared);
   REQUIRE(problem.relations.size() == 5);
   CHECK(problem.relations[0].id == "a1");
-  CHECK(problem.relations[0].type == RelationType::on);
+  CHECK(problem.relations[0].type == "on");
   CHECK(problem.relations[0].of == std::vector<Operand>{{0, -1}, {5, -1}});
   CHECK(problem.relations[0].form == Relation::Form::none);
   CHECK(problem.relations[1].id == "a3");
@@ -54,7 +53,7 @@ TEST_CASE("constraints are told apart, in the order of the file, and have ids by
   CHECK(problem.relations[2].id == "side");
   CHECK(problem.relations[2].of == std::vector<Operand>{{3, -1}, {2, -1}, {1, -1}, {0, -1}});
   CHECK(problem.relations[2].sign == -1);
-  CHECK(problem.relations[3].type == RelationType::collinear);
+  CHECK(problem.relations[3].type == "collinear");
   CHECK(problem.relations[3].of == std::vector<Operand>{{2, -1}, {0, -1}, {1, -1}});
   CHECK(problem.relations[4].form == Relation::Form::length);
   CHECK(problem.relations[4].given.value == -2.5);
@@ -118,9 +117,9 @@ TEST_CASE("names in constraints are known, and different") {
   check_constraint_refused(bodies(), between("on", R"("q")", R"("base")"), "/between/1",
                            "'base' is a body; name one of its elements");
   check_constraint_refused(scene(), R"({"type": "collinear", "between": ["p1", "p2"]})", "/between",
-                           "three points or more");
+                           "3 points or more");
   check_constraint_refused(scene(), R"({"type": "coplanar", "between": ["p1", "p2", "p3"]})", "/between",
-                           "four points or more");
+                           "4 points or more");
   check_constraint_refused(scene(), R"({"type": "collinear", "between": ["p1", "p2", "E"]})", "/between/2",
                            "'E' is a plane; name a point");
   check_constraint_refused(scene(), R"({"type": "collinear", "between": ["p1", "p2", "p1"]})", "/between/2",

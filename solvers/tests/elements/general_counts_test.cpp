@@ -35,7 +35,7 @@ ProblemStatement points_at_planes(int moving, RandomNumbers& random) {
     problem.planes.push_back("h" + std::to_string(i));
     of_planes.elements.push_back({7 + i, decimals(4)});
     problem.relations.push_back({"c" + std::to_string(i),
-                                 RelationType::distance,
+                                 "distance",
                                  {{i}, {7 + i}},
                                  Relation::Form::length,
                                  {random.uniform(-1, 1), ""}});
@@ -110,7 +110,7 @@ TEST_CASE("the equations of lines and planes of a body hold where it stands") {
   const double to_line = (base.col(0) - figure.lines[0].point).cross(figure.lines[0].direction).norm();
   problem.constraints.push_back({"d", {0, 5}, {to_line, ""}, false});
   problem.relations.push_back({"h",
-                               RelationType::distance,
+                               "distance",
                                {{1}, {6}},
                                Relation::Form::length,
                                {normal.dot(base.col(1)) - figure.planes[0].offset, ""}});

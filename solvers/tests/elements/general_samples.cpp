@@ -70,16 +70,13 @@ ProblemStatement random_octahedral(int planes, RandomNumbers& random) {
         problem.constraints.push_back({id, {a, b}, {(places.col(a) - places.col(b)).norm(), ""}, false});
       else if (a < points)
         problem.relations.push_back({id,
-                                     RelationType::distance,
+                                     "distance",
                                      {{a}, {b}},
                                      Relation::Form::length,
                                      {side(b).normal.dot(places.col(a)) - side(b).offset, ""}});
       else
-        problem.relations.push_back({id,
-                                     RelationType::angle,
-                                     {{a}, {b}},
-                                     Relation::Form::cosine,
-                                     {side(a).normal.dot(side(b).normal), ""}});
+        problem.relations.push_back(
+            {id, "angle", {{a}, {b}}, Relation::Form::cosine, {side(a).normal.dot(side(b).normal), ""}});
     }
   return problem;
 }

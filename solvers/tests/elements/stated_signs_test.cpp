@@ -13,14 +13,14 @@ using samples::RandomNumbers;
 namespace {
 
 Relation orientation(const std::string& id, std::initializer_list<int> of, int sign) {
-  Relation relation{id, RelationType::orientation, {}, Relation::Form::none};
+  Relation relation{id, "orientation", {}, Relation::Form::none};
   for (const int point : of) relation.of.push_back({point});
   relation.sign = sign;
   return relation;
 }
 
 Relation angle(Operand a, Operand b, double degrees) {
-  return {"angle", RelationType::angle, {a, b}, Relation::Form::degrees, {degrees, ""}};
+  return {"angle", "angle", {a, b}, Relation::Form::degrees, {degrees, ""}};
 }
 
 ProblemStatement space(int points) {
@@ -160,7 +160,7 @@ TEST_CASE("an orientation that other constraints make flat is refused") {
                        {"ac", {0, 2}, {2, ""}, false},
                        {"ad", {0, 3}, {1.5, ""}, false},
                        {"bd", {1, 3}, {1.25, ""}, false}};
-  plane.relations = {{"row", RelationType::collinear, {{0}, {1}, {2}}, Relation::Form::none}};
+  plane.relations = {{"row", "collinear", {{0}, {1}, {2}}, Relation::Form::none}};
   CHECK_NOTHROW(require_general_well_posed(plane, "file"));
   plane.relations.push_back(orientation("side", {0, 1, 3}, 1));
   CHECK_NOTHROW(require_general_well_posed(plane, "file"));

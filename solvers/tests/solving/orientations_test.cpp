@@ -48,7 +48,7 @@ Edges all_pairs(const Points& points, const Edges& but = {}) {
 
 ProblemStatement oriented(ProblemStatement problem, const std::vector<Points>& of, unsigned signs) {
   for (std::size_t i = 0; i < of.size(); ++i) {
-    Relation relation{"side" + std::to_string(i), RelationType::orientation, {}, Relation::Form::none};
+    Relation relation{"side" + std::to_string(i), "orientation", {}, Relation::Form::none};
     for (const int point : of[i]) relation.of.push_back({point});
     relation.sign = (signs >> i & 1U) != 0 ? -1 : 1;
     problem.relations.push_back(relation);
@@ -287,8 +287,7 @@ TEST_CASE("a segment of free length that points the other way is at another angl
     problem.constraints.push_back({std::to_string(i) + std::to_string(j), {i, j}, {1, ""}, false});
   problem.constraints.push_back({"ac", {1, 3}, {1.2, ""}, false});
   for (const double degrees : {50.0, 130.0}) {
-    problem.relations = {
-        {"aoc", RelationType::angle, {{0, 1}, {0, 3}}, Relation::Form::degrees, {degrees, ""}}};
+    problem.relations = {{"aoc", "angle", {{0, 1}, {0, 3}}, Relation::Form::degrees, {degrees, ""}}};
     for (const char* strategy : {"monodromy", "polyhedral"}) {
       const Answer answer = answer_of(problem, strategy);
       CAPTURE(degrees, strategy, answer.reason);

@@ -57,10 +57,8 @@ TEST_CASE("constraints of all types are stated in C++") {
       .orientation({"p", "q", "r", "s"}, -1)
       .distance("q", "E", -2);
   const std::vector<Relation> relations = problem.instance().problem.relations;
-  const RelationType types[] = {RelationType::angle,     RelationType::angle,    RelationType::on,
-                                RelationType::meet,      RelationType::parallel, RelationType::perpendicular,
-                                RelationType::collinear, RelationType::coplanar, RelationType::orientation,
-                                RelationType::distance};
+  const std::string types[] = {"angle",         "angle",     "on",       "meet",        "parallel",
+                               "perpendicular", "collinear", "coplanar", "orientation", "distance"};
   REQUIRE(relations.size() == std::size(types));
   for (std::size_t i = 0; i < std::size(types); ++i) CHECK(relations[i].type == types[i]);
   CHECK(relations[0].form == Relation::Form::degrees);

@@ -20,7 +20,7 @@ ProblemStatement triangle_and_plane(const std::vector<std::string>& distances) {
   for (int point = 0; point < 3; ++point) {
     const std::string& text = distances[static_cast<std::size_t>(point)];
     problem.relations.push_back({"h" + std::to_string(point),
-                                 RelationType::distance,
+                                 "distance",
                                  {{point}, {3}},
                                  Relation::Form::length,
                                  {std::stod(text), text}});
@@ -72,12 +72,12 @@ TEST_CASE("numbers that doubles do not hold are taken as the file writes them") 
 TEST_CASE("an angle in degrees has no polynomial, its cosine has") {
   ProblemStatement problem = triangle_and_plane({"1", "1", "1"});
   problem.planes.push_back("g");
-  Relation angle{"angle", RelationType::angle, {{3}, {4}}, Relation::Form::degrees, {50, "50"}};
+  Relation angle{"angle", "angle", {{3}, {4}}, Relation::Form::degrees, {50, "50"}};
   problem.relations.push_back(angle);
   const Scene in_degrees = Scene::unchecked(problem);
   CHECK(why_no_polynomials(SceneSystem(in_degrees).equations()).value_or("").find("degrees") !=
         std::string::npos);
-  problem.relations.back() = {"angle", RelationType::angle, {{3}, {4}}, Relation::Form::cosine, {0.6, "0.6"}};
+  problem.relations.back() = {"angle", "angle", {{3}, {4}}, Relation::Form::cosine, {0.6, "0.6"}};
   const Scene with_cosine = Scene::unchecked(problem);
   CHECK_FALSE(why_no_polynomials(SceneSystem(with_cosine).equations()));
 }

@@ -113,12 +113,12 @@ ProblemStatement corner(double sketched, double of_l, double of_m) {
       {"oa", {0, 1}, {1, ""}, false}, {"ob", {0, 3}, {1, ""}, false}, {"ab", {1, 3}, {1, ""}, false}};
   problem.interpolation.bend = 0;
   using R = Relation;
-  problem.relations = {{"oL", RelationType::on, {o, line_l}},
-                       {"aM", RelationType::on, {a, line_m}},
-                       {"pL", RelationType::on, {p, line_l}},
-                       {"pM", RelationType::on, {p, line_m}},
-                       {"l", RelationType::angle, {o_a, line_l}, R::Form::degrees, {of_l, ""}},
-                       {"m", RelationType::angle, {o_a, line_m}, R::Form::degrees, {of_m, ""}}};
+  problem.relations = {{"oL", "on", {o, line_l}},
+                       {"aM", "on", {a, line_m}},
+                       {"pL", "on", {p, line_l}},
+                       {"pM", "on", {p, line_m}},
+                       {"l", "angle", {o_a, line_l}, R::Form::degrees, {of_l, ""}},
+                       {"m", "angle", {o_a, line_m}, R::Form::degrees, {of_m, ""}}};
   const auto direction = [](double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
     return Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
@@ -253,7 +253,7 @@ TEST_CASE("a crossing at which a segment points the other way is met, and not as
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
     problem.constraints.push_back({std::to_string(i) + std::to_string(j), {i, j}, {1, ""}, false});
   problem.constraints.push_back({"ac", {1, 3}, {1.2, ""}, false});
-  problem.relations = {{"aoc", RelationType::angle, {{0, 1}, {0, 3}}, Relation::Form::degrees, {50, ""}}};
+  problem.relations = {{"aoc", "angle", {{0, 1}, {0, 3}}, Relation::Form::degrees, {50, ""}}};
   problem.sketch = Figure{Eigen::Matrix3Xd::Zero(3, 4), {}};
   problem.sketch->points.col(1) << 1, 0, 0;
   problem.sketch->points.col(2) << 0.5, std::sqrt(0.75), 0;

@@ -109,7 +109,7 @@ class SlowPath {
       return at.planes[static_cast<std::size_t>(problem_.plane_of(of.entity))];
     };
     for (const Relation& r : problem_.relations) {
-      if (r.type == RelationType::angle)
+      if (r.type == "angle")
         result.push_back(plane(r.of[0]).normal.dot(plane(r.of[1]).normal));
       else
         result.push_back(plane(r.of[1]).normal.dot(at.points.col(r.of[0].entity)) - plane(r.of[1]).offset);

@@ -1,4 +1,4 @@
-#include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/elements/constraint_types.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -64,7 +64,6 @@ double line_distance(const World& w) {
 }
 
 std::vector<Sample> samples_of_all_kinds() {
-  using T = RelationType;
   using F = Relation::Form;
   const auto along = [](World& w, int line, double t) {
     return Eigen::Vector3d(w.line(line).point + t * w.line(line).direction);
@@ -77,94 +76,94 @@ std::vector<Sample> samples_of_all_kinds() {
   };
   return {
       {"point line",
-       {"r", T::distance, {point_c, a_line}, F::length},
+       {"r", "distance", {point_c, a_line}, F::length},
        [](World&) {},
        [](World& w) { return (w.point(3) - w.line(0).point).cross(w.line(0).direction).norm(); }},
-      {"line line", {"r", T::distance, {a_line, other_line}, F::length}, [](World&) {}, line_distance},
+      {"line line", {"r", "distance", {a_line, other_line}, F::length}, [](World&) {}, line_distance},
       {"line line squared",
-       {"r", T::distance, {other_line, a_line}, F::squared},
+       {"r", "distance", {other_line, a_line}, F::squared},
        [](World&) {},
        [](World& w) { return std::pow(line_distance(w), 2); }},
       {"point plane",
-       {"r", T::distance, {point_c, a_plane}, F::length},
+       {"r", "distance", {point_c, a_plane}, F::length},
        [](World&) {},
        [](World& w) { return w.plane(0).normal.dot(w.point(3)) - w.plane(0).offset; }},
       {"angle of lines",
-       {"r", T::angle, {a_line, other_line}, F::degrees},
+       {"r", "angle", {a_line, other_line}, F::degrees},
        [](World&) {},
        [](World& w) { return degrees(std::abs(w.line(0).direction.dot(w.line(1).direction))); }},
       {"angle of line and segment",
-       {"r", T::angle, {c_d, a_line}, F::cosine},
+       {"r", "angle", {c_d, a_line}, F::cosine},
        [](World&) {},
        [](World& w) { return std::abs(w.c_to_d().normalized().dot(w.line(0).direction)); }},
       {"angle of line and plane",
-       {"r", T::angle, {a_line, a_plane}, F::degrees},
+       {"r", "angle", {a_line, a_plane}, F::degrees},
        [](World&) {},
        [](World& w) { return 90 - degrees(std::abs(w.line(0).direction.dot(w.plane(0).normal))); }},
       {"angle of segment and plane",
-       {"r", T::angle, {a_plane, c_d}, F::degrees},
+       {"r", "angle", {a_plane, c_d}, F::degrees},
        [](World&) {},
        [](World& w) { return 90 - degrees(std::abs(w.c_to_d().normalized().dot(w.plane(0).normal))); }},
       {"angle of planes",
-       {"r", T::angle, {a_plane, other_plane}, F::degrees},
+       {"r", "angle", {a_plane, other_plane}, F::degrees},
        [](World&) {},
        [](World& w) { return degrees(w.plane(0).normal.dot(w.plane(1).normal)); }},
       {"angle of segments",
-       {"r", T::angle, {a_b, c_d}, F::cosine},
+       {"r", "angle", {a_b, c_d}, F::cosine},
        [](World&) {},
        [](World& w) { return w.c_to_d().normalized().dot((w.point(2) - w.point(1)).normalized()); }},
       {"angle of segments the other way",
-       {"r", T::angle, {a_b, {4, 3}}, F::cosine},
+       {"r", "angle", {a_b, {4, 3}}, F::cosine},
        [](World&) {},
        [](World& w) { return -w.c_to_d().normalized().dot((w.point(2) - w.point(1)).normalized()); }},
-      {"point on line", {"r", T::on, {point_c, a_line}}, [=](World& w) { w.put(3, along(w, 0, 0.7)); }},
-      {"point on plane", {"r", T::on, {a_plane, point_c}}, [=](World& w) { w.put(3, onto(w, w.point(3))); }},
+      {"point on line", {"r", "on", {point_c, a_line}}, [=](World& w) { w.put(3, along(w, 0, 0.7)); }},
+      {"point on plane", {"r", "on", {a_plane, point_c}}, [=](World& w) { w.put(3, onto(w, w.point(3))); }},
       {"line on plane",
-       {"r", T::on, {a_line, a_plane}},
+       {"r", "on", {a_line, a_plane}},
        [=](World& w) {
          w.line(0) = {onto(w, w.line(0).point), flat(w, w.line(0).direction)};
        }},
       {"meeting lines",
-       {"r", T::meet, {a_line, other_line}},
+       {"r", "meet", {a_line, other_line}},
        [=](World& w) { w.line(1).point = along(w, 0, -0.4); }},
       {"parallel lines",
-       {"r", T::parallel, {a_line, other_line}},
+       {"r", "parallel", {a_line, other_line}},
        [](World& w) { w.line(1).direction = w.line(0).direction; }},
       {"parallel line and segment",
-       {"r", T::parallel, {a_line, c_d}},
+       {"r", "parallel", {a_line, c_d}},
        [](World& w) { w.put(4, w.point(3) + 1.3 * w.line(0).direction); }},
       {"parallel segments",
-       {"r", T::parallel, {a_b, c_d}},
+       {"r", "parallel", {a_b, c_d}},
        [](World& w) { w.put(4, w.point(3) - 0.6 * (w.point(2) - w.point(1))); }},
       {"parallel line and plane",
-       {"r", T::parallel, {a_plane, a_line}},
+       {"r", "parallel", {a_plane, a_line}},
        [=](World& w) { w.line(0).direction = flat(w, w.line(0).direction); }},
       {"parallel segment and plane",
-       {"r", T::parallel, {c_d, a_plane}},
+       {"r", "parallel", {c_d, a_plane}},
        [=](World& w) { w.put(4, w.point(3) + flat(w, w.c_to_d())); }},
       {"perpendicular lines",
-       {"r", T::perpendicular, {a_line, other_line}},
+       {"r", "perpendicular", {a_line, other_line}},
        [](World& w) { w.line(1).direction = w.line(0).direction.unitOrthogonal(); }},
       {"perpendicular line and segment",
-       {"r", T::perpendicular, {a_line, c_d}},
+       {"r", "perpendicular", {a_line, c_d}},
        [](World& w) { w.put(4, w.point(3) + 2 * w.line(0).direction.unitOrthogonal()); }},
       {"perpendicular segments",
-       {"r", T::perpendicular, {c_d, a_b}},
+       {"r", "perpendicular", {c_d, a_b}},
        [](World& w) { w.put(4, w.point(3) + (w.point(2) - w.point(1)).unitOrthogonal()); }},
       {"perpendicular planes",
-       {"r", T::perpendicular, {a_plane, other_plane}},
+       {"r", "perpendicular", {a_plane, other_plane}},
        [](World& w) { w.plane(1).normal = w.plane(0).normal.unitOrthogonal(); }},
       {"perpendicular line and plane",
-       {"r", T::perpendicular, {a_line, a_plane}},
+       {"r", "perpendicular", {a_line, a_plane}},
        [](World& w) { w.line(0).direction = w.plane(0).normal; }},
       {"perpendicular segment and plane",
-       {"r", T::perpendicular, {c_d, a_plane}},
+       {"r", "perpendicular", {c_d, a_plane}},
        [](World& w) { w.put(4, w.point(3) - 0.8 * w.plane(0).normal); }},
       {"collinear",
-       {"r", T::collinear, {{1}, {3}, {4}}},
+       {"r", "collinear", {{1}, {3}, {4}}},
        [](World& w) { w.put(4, w.point(3) + 0.3 * (w.point(3) - w.point(1))); }},
       {"coplanar",
-       {"r", T::coplanar, {{0}, {1}, {3}, {4}}},
+       {"r", "coplanar", {{0}, {1}, {3}, {4}}},
        [](World& w) { w.put(4, 0.3 * w.point(3) - 0.5 * w.point(1)); }},
   };
 }
@@ -230,8 +229,7 @@ TEST_CASE("every kind takes the freedoms that the contract says") {
 
 TEST_CASE("a figure comes back from its unknowns") {
   World world(5);
-  const Scene scene =
-      scene_of(world, {"r", RelationType::angle, {a_line, c_d}, Relation::Form::cosine, {0.5, ""}});
+  const Scene scene = scene_of(world, {"r", "angle", {a_line, c_d}, Relation::Form::cosine, {0.5, ""}});
   const SceneSystem system(scene);
   const Figure before = world.figure.scaled(-scene.unit_exponent());
   const Figure after = system.figure(system.coordinates(before), true);

@@ -1,12 +1,24 @@
-#include <array>
-
-#include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/elements/constraint_types.hpp"
+#include "solvers/elements/system_builder.hpp"
 #include "solvers/model/given_numbers.hpp"
 
 namespace gcs {
 namespace {
 
 using enum OperandKind;
+
+/// An unknown that is the bilinear product of two vectors, its sign turned with each of them.
+LinearForm product_unknown(SystemBuilder& builder, const VectorForm& left, const VectorForm& right,
+                           SignMask turning) {
+  const LinearForm product = builder.unknown(turning);
+  builder.define([left, right](const Placement&, const ComplexValues& x) {
+    std::complex<double> sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) sum += value_at(left[axis], x) * value_at(right[axis], x);
+    return ComplexValues{sum};
+  });
+  builder.add(Equation().plus(product).minus(left, right).equals());
+  return product;
+}
 
 /// s² = cos² with s = u·v: both signs are one angle.
 void between_directions(SystemBuilder& builder, const VectorForm& u, const VectorForm& v, SignMask turning,
@@ -62,15 +74,15 @@ void angle_segment_segment(SystemBuilder& builder, const StatedRelation& stated)
 
 }  // namespace
 
-std::span<const ConstraintKind> angle_kinds() {
-  static constexpr std::array rows{
-      ConstraintKind{RelationType::angle, {{line, line}}, angle_line_line},
-      ConstraintKind{RelationType::angle, {{line, segment}}, angle_line_segment},
-      ConstraintKind{RelationType::angle, {{line, plane}}, angle_line_plane},
-      ConstraintKind{RelationType::angle, {{plane, segment}}, angle_plane_segment},
-      ConstraintKind{RelationType::angle, {{plane, plane}}, angle_plane_plane},
-      ConstraintKind{RelationType::angle, {{segment, segment}}, angle_segment_segment}};
-  return rows;
+ConstraintType angle_type() {
+  return {"angle",
+          ConstraintType::Value::angle,
+          {{{line, line}, angle_line_line},
+           {{line, segment}, angle_line_segment},
+           {{segment, segment}, angle_segment_segment},
+           {{line, plane}, angle_line_plane},
+           {{plane, segment}, angle_plane_segment},
+           {{plane, plane}, angle_plane_plane}}};
 }
 
 }  // namespace gcs

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 
-#include "solvers/elements/constraint_kinds.hpp"
+#include "solvers/elements/constraint_types.hpp"
 #include "solvers/elements/element_kinds.hpp"
+#include "solvers/elements/system_builder.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
@@ -59,6 +59,15 @@ LinearForm height_along(SystemBuilder& builder, const VectorForm& p, const LineF
   return height;
 }
 
+/// |c − f|² − w² = a² with w = (c − f)·u.
+void state_distance_to_line(SystemBuilder& builder, int point, int line, const ExactNumber& square,
+                            int value) {
+  const VectorForm& c = builder.point(point);
+  const LineForms& l = builder.line(line);
+  const LinearForm w = height_along(builder, c, l);
+  builder.add(Equation().plus_square_of_difference(c, l.foot).minus(w, w).equals(square), value);
+}
+
 void distance_point_line(SystemBuilder& builder, const StatedRelation& stated) {
   state_distance_to_line(builder, stated.entity(0), stated.entity(1), given_square(builder, stated.relation),
                          stated.value);
@@ -78,6 +87,12 @@ Equation point_distance(const SystemBuilder& builder, int a, int b) {
   if (builder.arm(a) == nullptr) std::swap(a, b);
   if (const BodyPoint* moved = builder.arm(a)) return squared_distance(*moved, builder.point(b));
   return Equation().plus_square_of_difference(builder.point(a), builder.point(b));
+}
+
+void distance_point_point(SystemBuilder& builder, const StatedRelation& stated) {
+  builder.add(point_distance(builder, stated.entity(0), stated.entity(1))
+                  .equals(given_square(builder, stated.relation)),
+              stated.value);
 }
 
 bool are_parallel(const ProblemStatement& problem, int a, int b) {
@@ -141,22 +156,16 @@ void distance_line_plane(SystemBuilder& builder, const StatedRelation& stated) {
 
 }  // namespace
 
-std::span<const ConstraintKind> distance_kinds() {
-  static constexpr std::array rows{
-      ConstraintKind{RelationType::distance, {{point, line}}, distance_point_line},
-      ConstraintKind{RelationType::distance, {{line, line}}, distance_line_line},
-      ConstraintKind{RelationType::distance, {{point, plane}}, distance_point_plane},
-      ConstraintKind{RelationType::distance, {{line, plane}}, distance_line_plane}};
-  return rows;
-}
-
-/// |c − f|² − w² = a² with w = (c − f)·u.
-void state_distance_to_line(SystemBuilder& builder, int point, int line, const ExactNumber& square,
-                            int value) {
-  const VectorForm& c = builder.point(point);
-  const LineForms& l = builder.line(line);
-  const LinearForm w = height_along(builder, c, l);
-  builder.add(Equation().plus_square_of_difference(c, l.foot).minus(w, w).equals(square), value);
+ConstraintType distance_type() {
+  using enum ConstraintKind::Joined;
+  return {"distance",
+          ConstraintType::Value::length,
+          {{{point, point}, distance_point_point},
+           {{point, line}, distance_point_line},
+           {{point, plane}, distance_point_plane},
+           {{line, line}, distance_line_line, in_the_plane},
+           {{line, plane}, distance_line_plane, always},
+           {{plane, plane}, nullptr, always}}};
 }
 
 void state_distance(SystemBuilder& builder, int constraint) {

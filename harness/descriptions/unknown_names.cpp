@@ -43,24 +43,10 @@ class Names {
   std::vector<std::string> names_;
 };
 
-/// The unknowns of a pose follow each other: where the body's origin is, and the images of its axes.
-void name_body(const RigidBody& body, const SystemBuilder& forms, Names& names) {
-  const int d = forms.dimension();
-  const std::string_view vectors = d == 2 ? "te" : is_flat(body, d) ? "tef" : "tefg";
-  for (const BodyElement& element : body.elements) {
-    const BodyPoint* arm = forms.arm(element.entity);
-    if (arm == nullptr) continue;
-    int unknown = unknown_of(arm->origin[0]);
-    for (const char vector : vectors)
-      for (int axis = 0; axis < d; ++axis)
-        names.set(unknown++, fmt::format("{}_{}{}", body.name, vector, axes[static_cast<std::size_t>(axis)]));
-  }
-}
-
 void name_general(const SystemBuilder& forms, Names& names) {
   const ProblemStatement& problem = forms.problem();
   // First, since a point of a body may be its origin.
-  for (const RigidBody& body : problem.bodies) name_body(body, forms, names);
+  for (const NamedVector& vector : forms.named()) names.set(vector.forms, vector.name);
   for (int entity = 0; entity < problem.entity_count(); ++entity) {
     const std::string& name = problem.name(entity);
     if (problem.is_point(entity)) {

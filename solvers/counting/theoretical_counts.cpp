@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "solvers/counting/bezout_bound.hpp"
 #include "solvers/counting/plane_count.hpp"
@@ -262,6 +263,38 @@ void bound_platform(const ProblemStatement& problem, TheoreticalCounts& counts) 
                  : "two bodies and three distances in the plane: 6 postures, Hunt 1983";
 }
 
+/// Nothing but six bodies in a ring, each hinged to the next: ring_bound.hpp's, with their shapes.
+bool is_hinged_ring(const ProblemStatement& problem) {
+  if (problem.dimension != 3 || problem.bodies.size() != 6 || !problem.relations.empty() ||
+      !problem.constraints.empty() || problem.is_anchored())
+    return false;
+  for (int entity = static_cast<int>(problem.points.size()); entity < problem.entity_count(); ++entity)
+    if (bodies_with(problem, entity).size() != 1) return false;
+  std::set<std::vector<int>> bodies;
+  std::vector<Edge> edges;
+  References triangles;
+  for (const RigidBody& body : problem.bodies) {
+    std::vector<int> points;
+    for (const BodyElement& element : body.elements)
+      if (problem.is_point(element.entity)) points.push_back(element.entity);
+    std::sort(points.begin(), points.end());
+    for (std::size_t c = 0; c < points.size(); ++c)
+      for (std::size_t b = 0; b < c; ++b) {
+        edges.push_back({points[b], points[c]});
+        for (std::size_t a = 0; a < b; ++a) triangles.push_back({points[a], points[b], points[c]});
+      }
+    bodies.insert(std::move(points));
+  }
+  const auto ring = ring_bound(static_cast<int>(problem.points.size()), edges, triangles);
+  return ring && std::set(ring->bodies.begin(), ring->bodies.end()) == bodies;
+}
+
+void bound_hinged_ring(const ProblemStatement& problem, TheoreticalCounts& counts) {
+  counts.bound = CountBound{{Natural(16), frame_images(problem)}, {}, {}};
+  counts.bound->theorem =
+      "six bodies in a ring, each hinged to the next: 16 postures, Primrose 1986, Lee and Liang 1988";
+}
+
 }  // namespace
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
@@ -274,9 +307,12 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std:
     counts.why_no_exact = "The exact number is known only for points with distances between them.";
     if (is_platform(problem))
       bound_platform(problem, counts);
+    else if (is_hinged_ring(problem))
+      bound_hinged_ring(problem, counts);
     else
       counts.why_no_bound =
-          "The bound is known for distances of points, of one line, and of two bodies alone.";
+          "The bound is known for distances of points, of one line, of two bodies alone, and for six in a "
+          "ring.";
   } else if (seeks_common_tangents(problem)) {
     counts.why_no_exact = "There is a line, and the exact number is known only for points.";
     bound_tangents(problem, counts);

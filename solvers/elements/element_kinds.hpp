@@ -32,11 +32,38 @@ PlaneForms further_plane(SystemBuilder& builder, const std::vector<int>& through
 /// Why a body's pose cannot be told from its elements, in a sentence; nothing where it can.
 std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body);
 
+/// From one point of a body to another.
+struct BodyDirection {
+  int from = -1, to = -1;
+};
+
 /// A body by the place t of its origin and the images e, f, g of its axes: e·e = f·f = 1, e·f = 0, g = e × f. Each
 /// posture once, half-turns included. g is left out where all points have a last coordinate of 0; in the plane
 /// e·e = 1, and f is e turned by a right angle.
-PlacedBody free_body(SystemBuilder& builder, const RigidBody& body);
+PlacedBody free_body(SystemBuilder& builder, const RigidBody& body,
+                     const std::vector<BodyDirection>& directions);
 /// The same at t = 0 with the axes of the frame.
-PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body);
+PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body,
+                        const std::vector<BodyDirection>& directions);
+
+/// Where a body is hinged to others before it.
+struct HingedPose {
+  /// The direction of a hinge, and where it is in the body.
+  struct Axis {
+    BodyDirection in_body;
+    VectorForm direction;
+  };
+  int origin = -1;  ///< a point on the first hinge
+  VectorForm at;    ///< its place
+  Axis first;
+  /// One that is not parallel to the first.
+  std::optional<Axis> second;
+};
+
+/// A body by the direction u of its hinge and another one, w, of its own: w·w = 1 and u·w as in the body; a third vector
+/// is u × w, where the body has it. A second hinge takes the place of w, and then u·w closes a loop. w is the first of
+/// `directions` that is not parallel to u, if there is one.
+PlacedBody hinged_body(SystemBuilder& builder, const RigidBody& body, const HingedPose& pose,
+                       const std::vector<BodyDirection>& directions);
 
 }  // namespace gcs

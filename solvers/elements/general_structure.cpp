@@ -40,10 +40,13 @@ class GeneralDefect {
     for (int entity = 0; freedoms_ > 0 && entity < problem.entity_count(); ++entity)
       if (system.moves(entity, kernels.motions)) loose_.push_back(entity);
     std::set<int> owners;
-    for (Eigen::Index e = 0; surplus_ > 0 && e < kernels.dependences.rows(); ++e)
-      if (const int owner = system.owner_of()[static_cast<std::size_t>(e)];
-          owner != no_value && kernels.dependences.row(e).norm() > rank_tolerance)
-        owners.insert(owner);
+    for (Eigen::Index e = 0; surplus_ > 0 && e < kernels.dependences.rows(); ++e) {
+      if (kernels.dependences.row(e).norm() <= rank_tolerance) continue;
+      const auto i = static_cast<std::size_t>(e);
+      const int owner = system.owner_of()[i];
+      if (owner >= 0) owners.insert(owner);
+      if (system.value_of()[i] == gap_value) closing_.insert(body_of_joints(owner));
+    }
     dependent_.assign(owners.begin(), owners.end());
   }
 
@@ -89,6 +92,8 @@ class GeneralDefect {
   std::string dependence() const {
     std::vector<std::string> ids;
     for (const int owner : dependent_) ids.push_back(id_of(owner));
+    for (const int body : closing_)
+      ids.push_back("the joints of body '" + problem_.bodies[static_cast<std::size_t>(body)].name + "'");
     return fmt::format(
         "at a random figure that meets the constraints without a value {} depend on each other",
         enumeration(ids));
@@ -99,6 +104,7 @@ class GeneralDefect {
   Eigen::Index surplus_;
   std::vector<int> loose_;
   std::vector<int> dependent_;
+  std::set<int> closing_;  ///< bodies whose joints depend on the rest
 };
 
 }  // namespace
@@ -108,7 +114,8 @@ Structure analyse_general_structure(const Scene& scene) {
   if (why_no_system(scene)) return structure;
   const SceneSystem system(scene);
   std::mt19937_64 random(1);
-  const auto figure = random_zero(system.equations(), system.without_value(), random);
+  auto figure = random_zero(system.equations(), system.without_value(), random);
+  if (!figure) figure = random_zero(system.equations(), system.of_parts(), random);
   structure.unknowns = system.equations().unknowns;
   structure.constraints = static_cast<int>(system.equations().equations.size());
   if (!figure) return structure;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solvers/elements/body_order.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/model/given_numbers.hpp"
 
@@ -28,17 +29,41 @@ class Placing {
   const ProblemStatement& problem() const { return builder_.problem(); }
 
   void place_bodies() {
-    const int at_rest = builder_.frame().body();
-    if (at_rest >= 0) place(body_at_rest(builder_, problem().bodies[index(at_rest)]));
-    for (int body = 0; body < static_cast<int>(problem().bodies.size()); ++body)
-      if (body != at_rest) place(free_body(builder_, problem().bodies[index(body)]));
+    const BodyOrder order = body_order(problem(), builder_.frame().body());
+    std::vector<VectorForm> axes(order.axes.size());
+    for (const BodyStep& step : order.steps) {
+      builder_.begin(owner_of_joints(step.body));
+      const PlacedBody body = placed(step, order, axes);
+      for (std::size_t i = 0; i < step.further.size(); ++i) axes[index(step.further[i])] = body.directions[i];
+      place(body, step);
+      builder_.begin(no_value);
+    }
   }
 
-  /// A point that was in a body before is joined by equations.
-  void place(const PlacedBody& body) {
+  PlacedBody placed(const BodyStep& step, const BodyOrder& order, const std::vector<VectorForm>& axes) {
+    const RigidBody& body = problem().bodies[index(step.body)];
+    std::vector<BodyDirection> further;
+    for (const int axis : step.further) further.push_back(order.axes[index(axis)]);
+    if (step.body == builder_.frame().body()) return body_at_rest(builder_, body, further);
+    if (step.known.empty()) return free_body(builder_, body, further);
+    const auto known = [&](const BodyStep::Use& use) {
+      const VectorForm& axis = axes[index(use.axis)];
+      return HingedPose::Axis{use.in_body, use.is_opposite ? negated(axis) : axis};
+    };
+    HingedPose pose{step.origin, builder_.point(step.origin), known(step.known[0]), {}};
+    if (step.known.size() > 1) pose.second = known(step.known[1]);
+    return hinged_body(builder_, body, pose, further);
+  }
+
+  /// A point that was in a body before is joined by equations: the first gives a free body its place, the others close
+  /// loops.
+  void place(const PlacedBody& body, const BodyStep& step) {
+    bool has_place = !step.known.empty() || step.body == builder_.frame().body();
     for (const BodyPoint& placed : body.points) {
       if (has_point_[index(placed.point)]) {
-        join(placed);
+        if (std::ranges::find(step.implied, placed.point) != step.implied.end()) continue;
+        join(placed, has_place ? gap_value : no_value);
+        has_place = true;
         continue;
       }
       if (!placed.numbers.empty()) builder_.put_arm(placed);
@@ -55,9 +80,10 @@ class Placing {
     }
   }
 
-  void join(const BodyPoint& placed) {
+  void join(const BodyPoint& placed, int value) {
     for (std::size_t axis = 0; axis < index(builder_.dimension()); ++axis)
-      builder_.add(Equation().plus(placed.at[axis]).minus(builder_.point(placed.point)[axis]).equals());
+      builder_.add(Equation().plus(placed.at[axis]).minus(builder_.point(placed.point)[axis]).equals(),
+                   value);
   }
 
   void place_points() {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
+#include "solvers/elements/body_order.hpp"
 #include "solvers/elements/constraint_types.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/elements/scene_elements.hpp"
@@ -17,29 +17,18 @@ namespace {
 
 constexpr std::size_t most_turnings = 56;
 
-/// Another body that shares more than one element with this one.
-const RigidBody* hinged_to(const ProblemStatement& problem, int number) {
-  std::map<int, int> shared;  // by body
-  for (const BodyElement& element : problem.bodies[static_cast<std::size_t>(number)].elements)
-    for (const int other : bodies_with(problem, element.entity))
-      if (other != number && ++shared[other] > 1) return &problem.bodies[static_cast<std::size_t>(other)];
-  return nullptr;
-}
-
-std::optional<std::string> why_no_bodies(const ProblemStatement& problem) {
-  for (int number = 0; number < static_cast<int>(problem.bodies.size()); ++number) {
-    const RigidBody& body = problem.bodies[static_cast<std::size_t>(number)];
+std::optional<std::string> why_no_bodies(const Scene& scene) {
+  const ProblemStatement& problem = scene.problem();
+  for (const RigidBody& body : problem.bodies) {
     if (auto reason = why_no_pose(problem, body)) return reason;
     for (const BodyElement& element : body.elements)
       if (!problem.is_point(element.entity) && bodies_with(problem, element.entity).size() > 1)
         return fmt::format(
             "'{}' is a line or a plane of several bodies, for which there are no equations yet",
             problem.name(element.entity));
-    if (const RigidBody* other = hinged_to(problem, number); other && problem.dimension == 3)
-      return fmt::format("bodies '{}' and '{}' share more than a point, for which there are no equations yet",
-                         body.name, other->name);
   }
-  return std::nullopt;
+  std::string reason = body_order(problem, SceneFrame(scene).body()).reason;
+  return reason.empty() ? std::nullopt : std::optional(std::move(reason));
 }
 
 std::optional<std::string> why_no_positions(const ProblemStatement& problem) {
@@ -74,6 +63,14 @@ bool changes_with(const LinearForm& form, const Eigen::MatrixXcd& changes) {
   return sum.norm() > tolerance;
 }
 
+template <class Condition>
+std::vector<int> equations_where(const std::vector<int>& value_of, const Condition& condition) {
+  std::vector<int> result;
+  for (std::size_t e = 0; e < value_of.size(); ++e)
+    if (condition(value_of[e])) result.push_back(static_cast<int>(e));
+  return result;
+}
+
 void state_all(SystemBuilder& builder) {
   const ProblemStatement& problem = builder.problem();
   int value = builder.scene().constraint_count();
@@ -93,7 +90,7 @@ void state_all(SystemBuilder& builder) {
 std::optional<std::string> why_no_system(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   if (auto reason = why_no_frame(scene)) return reason;
-  if (auto reason = why_no_bodies(problem)) return reason;
+  if (auto reason = why_no_bodies(scene)) return reason;
   if (auto reason = why_no_positions(problem)) return reason;
   if (auto reason = why_no_relation(problem)) return reason;
   const auto turned = static_cast<std::size_t>(
@@ -105,10 +102,11 @@ std::optional<std::string> why_no_system(const Scene& scene) {
 }
 
 std::vector<int> SceneSystem::without_value() const {
-  std::vector<int> result;
-  for (std::size_t e = 0; e < value_of().size(); ++e)
-    if (value_of()[e] == no_value) result.push_back(static_cast<int>(e));
-  return result;
+  return equations_where(value_of(), [](int value) { return value < 0; });
+}
+
+std::vector<int> SceneSystem::of_parts() const {
+  return equations_where(value_of(), [](int value) { return value == no_value; });
 }
 
 bool SceneSystem::moves(int entity, const Eigen::MatrixXcd& changes) const {

@@ -20,11 +20,14 @@ class SceneSystem {
   explicit SceneSystem(const Scene& scene);
 
   const QuadraticSystem& equations() const { return builder_.system(); }
-  /// Of each equation the value that it gives, or no_value.
+  /// Of each equation the value that it gives, or no_value, or gap_value.
   const std::vector<int>& value_of() const { return builder_.value_of(); }
   /// The equations that give no value.
   std::vector<int> without_value() const;
-  /// Of each equation the constraint that it belongs to, numbered as values are, or no_value where it is an element's.
+  /// Those of them that close no loop of joints: each is met whatever the values and gaps.
+  std::vector<int> of_parts() const;
+  /// Of each equation the constraint that it belongs to, numbered as values are, no_value where it is an
+  /// element's, or owner_of_joints.
   const std::vector<int>& owner_of() const { return builder_.owner_of(); }
   /// Whether the entity's coordinates change with one of these changes of the unknowns, columns of length 1.
   bool moves(int entity, const Eigen::MatrixXcd& changes) const;

@@ -39,7 +39,7 @@ SignMask SystemBuilder::new_turning() {
 void SystemBuilder::add(QuadraticEquation equation, int value) {
   system_.equations.push_back(std::move(equation));
   value_of_.push_back(value);
-  owner_of_.push_back(value == no_value ? owner_ : value);
+  owner_of_.push_back(value < 0 ? owner_ : value);
 }
 
 void SystemBuilder::define(std::function<ComplexValues(const Placement&, const ComplexValues&)> values) {

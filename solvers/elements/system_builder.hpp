@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,11 +56,18 @@ struct SegmentForms {
   SignMask turning = 0;  ///< of the sign of both
 };
 
-/// The elements of a body where its pose puts them.
+/// The elements of a body where its pose puts them, and unit vectors that were asked for.
 struct PlacedBody {
   std::vector<BodyPoint> points;
   std::vector<BodyLine> lines;
   std::vector<BodyPlane> planes;
+  std::vector<VectorForm> directions{};
+};
+
+/// Unknowns by components.
+struct NamedVector {
+  std::string name;
+  VectorForm forms;
 };
 
 using ComplexValues = std::vector<std::complex<double>>;
@@ -67,6 +75,12 @@ using ComplexValues = std::vector<std::complex<double>>;
 /// Which value of the problem stands on the right-hand side of an equation: that of a distance constraint or, counted on,
 /// of a relation.
 inline constexpr int no_value = -1;
+/// Of an equation that closes a loop of joints: no constraint gives its right-hand side, and homotopies may take any other.
+inline constexpr int gap_value = -2;
+
+/// Who owns the equations by which a body joins those before it.
+constexpr int owner_of_joints(int body) { return -2 - body; }
+constexpr int body_of_joints(int owner) { return -2 - owner; }
 
 /// The generators before it are reflections and half-turns that the frame leaves; from it on they turn elements over.
 inline constexpr SignMask first_turning = 8;
@@ -92,6 +106,8 @@ class SystemBuilder {
   void add(QuadraticEquation equation, int value = no_value);
   /// Equations that are added from now on are those of a constraint: numbered as values are.
   void begin(int owner) { owner_ = owner; }
+  /// What a description calls unknowns that are no element's.
+  void name(NamedVector vector) { named_.push_back(std::move(vector)); }
   /// How the unknowns that were added since the last call follow from a placement and from earlier unknowns: their values,
   /// one each.
   void define(std::function<ComplexValues(const Placement&, const ComplexValues&)> values);
@@ -132,6 +148,7 @@ class SystemBuilder {
   const QuadraticSystem& system() const { return system_; }
   const std::vector<int>& value_of() const { return value_of_; }
   const std::vector<int>& owner_of() const { return owner_of_; }
+  const std::vector<NamedVector>& named() const { return named_; }
   ComplexValues values(const Placement& placement) const;
   Placement placement(const ComplexValues& x) const;
   std::vector<bool> turned_planes() const;
@@ -148,6 +165,7 @@ class SystemBuilder {
   std::vector<int> owner_of_;
   int owner_ = no_value;
   std::vector<std::function<ComplexValues(const Placement&, const ComplexValues&)>> definitions_;
+  std::vector<NamedVector> named_;
   std::vector<VectorForm> points_;
   std::map<int, BodyPoint> arms_;
   std::vector<LineForms> lines_;

@@ -37,6 +37,14 @@ Expansion expanded(const QuadraticEquation& equation) {
   return expansion;
 }
 
+/// Of the products of numbers alone.
+Complex constant_of(const QuadraticEquation& equation) {
+  Complex sum = 0;
+  for (const FormProduct& product : equation.products)
+    sum += rounded_to_double(product.left.constant) * rounded_to_double(product.right.constant);
+  return sum;
+}
+
 /// The equations that have no value.
 std::vector<int> without_value(const GeneralEquations& equations) {
   std::vector<int> result;
@@ -54,6 +62,7 @@ GeneralEquations general_equations(const SceneSystem& scene) {
   result.exact = scene.equations();
   for (std::size_t e = 0; e < scene.equations().equations.size(); ++e) {
     const bool has_value = scene.value_of()[e] != no_value;
+    result.constants.push_back(constant_of(scene.equations().equations[e]));
     result.value_monomial.push_back(-1);
     for (const auto& [monomial, coefficient] : expanded(scene.equations().equations[e])) {
       const bool is_constant = monomial.first < 0;
@@ -70,16 +79,18 @@ GeneralEquations general_equations(const SceneSystem& scene) {
 
 ComplexVectorX values_of(const GeneralEquations& equations, const ComplexVectorX& coefficients) {
   ComplexVectorX values;
-  for (const int j : equations.value_monomial)
-    if (j >= 0) values.push_back(-coefficients[j]);
+  for (std::size_t e = 0; e < equations.value_monomial.size(); ++e)
+    if (const int j = equations.value_monomial[e]; j >= 0)
+      values.push_back(equations.constants[e] - coefficients[j]);
   return values;
 }
 
 ComplexVectorX with_values(const GeneralEquations& equations, const ComplexVectorX& values) {
   ComplexVectorX coefficients = equations.coefficients;
   std::size_t next = 0;
-  for (const int j : equations.value_monomial)
-    if (j >= 0) coefficients[j] = -values[next++];
+  for (std::size_t e = 0; e < equations.value_monomial.size(); ++e)
+    if (const int j = equations.value_monomial[e]; j >= 0)
+      coefficients[j] = equations.constants[e] - values[next++];
   return coefficients;
 }
 

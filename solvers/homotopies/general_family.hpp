@@ -19,8 +19,9 @@ namespace gcs {
 struct GeneralEquations {
   MonomialSystem system;
   ComplexVectorX coefficients;  ///< one per monomial
-  /// Of each equation the monomial whose coefficient is minus its value; −1: it has none.
+  /// Of each equation the monomial whose coefficient is a constant minus its value; −1: it has none.
   std::vector<int> value_monomial;
+  ComplexVectorX constants;  ///< one per equation
   SignMasks signs;
   QuadraticSystem exact;  ///< the same equations
 };

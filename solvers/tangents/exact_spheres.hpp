@@ -4,11 +4,9 @@
 #include <array>
 
 #include "solvers/model/scene.hpp"
-#include "solvers/numeric/rational.hpp"
+#include "solvers/numeric/rational_vector.hpp"
 
 namespace gcs {
-
-using RationalVector = std::array<Rational, 3>;
 
 /// In the scene's unit, in the order of spheres_of (scene_spheres.hpp).
 struct ExactSphere {
@@ -28,10 +26,5 @@ ExactSpheres exact_spheres_of(const Scene& scene);
 /// τ. False where the cubic or the quadratic form is a multiple of u·u: nothing is decided then.
 /// Precondition: the centres are not collinear.
 bool have_infinitely_many_tangents(const ExactSpheres& spheres);
-
-RationalVector operator-(const RationalVector& a, const RationalVector& b);
-Rational dot(const RationalVector& a, const RationalVector& b);
-RationalVector cross(const RationalVector& a, const RationalVector& b);
-bool is_zero(const RationalVector& a);
 
 }  // namespace gcs

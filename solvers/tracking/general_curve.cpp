@@ -23,7 +23,7 @@ std::vector<TravellingValue> travelling_values(const Scene& scene, const SceneSy
   for (Eigen::Index e = 0; e < equations.count(); ++e) {
     const auto i = static_cast<std::size_t>(e);
     const int number = system.value_of()[i];
-    if (number == no_value) continue;
+    if (number < 0) continue;
     TravellingValue& value = values[i];
     value.is_plain =
         !system.equations().equations[i].given.is_squared && !is_stated_squared(scene.problem(), number);
@@ -52,7 +52,7 @@ GeneralFamily::GeneralFamily(const Scene& scene, const SceneSystem& system, Eige
       sketched_(std::move(sketched)),
       signs_(system.equations().mirror) {
   for (Eigen::Index e = 0; e < equations_.count(); ++e) {
-    if (system.value_of()[static_cast<std::size_t>(e)] != no_value) equations_.given[e] = 0;
+    if (system.value_of()[static_cast<std::size_t>(e)] >= 0) equations_.given[e] = 0;
     take_root(e);
   }
   for (RealEquations::Product& product : equations_.products) {

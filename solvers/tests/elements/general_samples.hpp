@@ -17,4 +17,8 @@ ProblemStatement random_platform(int dimension, RandomNumbers& random);
 /// Six elements, all pairs but 0–3, 1–4, 2–5; the last `planes` of them are planes. Values of a random figure.
 ProblemStatement random_octahedral(int planes, RandomNumbers& random);
 
+/// As many bodies in a ring as there are pairs of columns, each hinged to the next: body i has the pairs i and i + 1, in a
+/// position of its own but for the first. The points are a solution.
+ProblemStatement ring_of(const Eigen::Matrix3Xd& points, RandomNumbers& random);
+
 }  // namespace gcs::samples

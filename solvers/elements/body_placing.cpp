@@ -1,0 +1,112 @@
+#include "solvers/elements/body_placing.hpp"
+
+#include <algorithm>
+
+#include "solvers/numeric/bilinear_product.hpp"
+
+namespace gcs {
+namespace {
+
+/// sum + number·form, for a form whose coefficients are 1 or −1.
+LinearForm plus_times(LinearForm sum, const ExactNumber& number, const LinearForm& form) {
+  if (number.is_zero()) return sum;
+  for (const ScaledUnknown& term : form.terms) {
+    ExactNumber coefficient = number;
+    if (term.coefficient.is_negative) coefficient = negated(coefficient);
+    sum.terms.push_back({term.unknown, coefficient});
+  }
+  return sum;
+}
+
+VectorForm sum_of(VectorForm a, const VectorForm& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    a[i].terms.insert(a[i].terms.end(), b[i].terms.begin(), b[i].terms.end());
+    if (a[i].constant.is_zero()) a[i].constant = b[i].constant;
+  }
+  return a;
+}
+
+}  // namespace
+
+VectorForm combined(const std::vector<ExactNumber>& numbers, const BodyAxes& axes) {
+  VectorForm sum;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (axes)
+        sum[i] = plus_times(sum[i], numbers[k], (*axes)[k][i]);
+      else if (i == k)
+        sum[i] = constant_form(numbers[k]);
+    }
+  return sum;
+}
+
+PlacedBody BodyPlacing::run(const RigidBody& body) const {
+  PlacedBody placed;
+  const ProblemStatement& problem = builder_.problem();
+  for (const BodyElement& element : body.elements) {
+    if (problem.is_point(element.entity))
+      placed.points.push_back(point(element));
+    else if (problem.is_line(element.entity))
+      placed.lines.push_back({problem.line_of(element.entity), line(element)});
+    else
+      placed.planes.push_back({problem.plane_of(element.entity), plane(element)});
+  }
+  return placed;
+}
+
+VectorForm BodyPlacing::direction(const RigidBody& body, int from, int to) const {
+  const VectorForm known = combined(basis_.direction(element_of(body, from), element_of(body, to)), axes_);
+  VectorForm result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_zero(known[i])) continue;
+    result[i] = builder_.unknown(builder_.frame().axis(static_cast<int>(i)));
+    builder_.define([form = known[i]](const Placement&, const ComplexValues& x) {
+      return ComplexValues{value_at(form, x)};
+    });
+    builder_.add(Equation().plus(result[i]).minus(LinearForm{known[i].terms, {}}).equals(known[i].constant));
+  }
+  const ProblemStatement& problem = builder_.problem();
+  builder_.name({problem.name(from) + "_" + problem.name(to) + "_u", result});
+  return result;
+}
+
+BodyPoint BodyPlacing::point(const BodyElement& element) const {
+  const VectorForm arm = combined(basis_.arm(element), axes_);
+  BodyPoint point{element.entity, sum_of(origin_, arm)};
+  if (axes_) {
+    point.origin = origin_;
+    point.arm = arm;
+    point.numbers = basis_.arm_parts(element);
+  }
+  return point;
+}
+
+LineForms BodyPlacing::line(const BodyElement& element) const {
+  const auto dimension = static_cast<std::size_t>(builder_.dimension());
+  return {sum_of(origin_, combined(basis_.arm(element), axes_)),
+          combined(basis_.direction(element, dimension), axes_), 0, false};
+}
+
+/// h = n·t + k with the offset k from the body's origin t.
+PlaneForms BodyPlacing::plane(const BodyElement& element) const {
+  PlaneForms plane{combined(basis_.direction(element, 0), axes_), {}, 0};
+  const ExactNumber offset = basis_.offset(element);
+  if (!axes_) {
+    plane.offset = constant_form(offset);
+    return plane;
+  }
+  plane.offset = builder_.unknown(0);
+  builder_.define(
+      [normal = plane.normal, origin = origin_, offset](const Placement&, const ComplexValues& x) {
+        return ComplexValues{bilinear_product(vector_at(normal, x), vector_at(origin, x)) +
+                             rounded_to_double(offset)};
+      });
+  builder_.add(Equation().plus(plane.offset).minus(plane.normal, origin_).equals(offset));
+  return plane;
+}
+
+const BodyElement& element_of(const RigidBody& body, int entity) {
+  return *std::ranges::find(body.elements, entity, &BodyElement::entity);
+}
+
+}  // namespace gcs

@@ -271,7 +271,7 @@ bool is_hinged_ring(const ProblemStatement& problem) {
   for (int entity = static_cast<int>(problem.points.size()); entity < problem.entity_count(); ++entity)
     if (bodies_with(problem, entity).size() != 1) return false;
   std::set<std::vector<int>> bodies;
-  std::vector<Edge> edges;
+  std::set<Edge> edges;
   References triangles;
   for (const RigidBody& body : problem.bodies) {
     std::vector<int> points;
@@ -280,12 +280,13 @@ bool is_hinged_ring(const ProblemStatement& problem) {
     std::sort(points.begin(), points.end());
     for (std::size_t c = 0; c < points.size(); ++c)
       for (std::size_t b = 0; b < c; ++b) {
-        edges.push_back({points[b], points[c]});
+        edges.insert({points[b], points[c]});
         for (std::size_t a = 0; a < b; ++a) triangles.push_back({points[a], points[b], points[c]});
       }
     bodies.insert(std::move(points));
   }
-  const auto ring = ring_bound(static_cast<int>(problem.points.size()), edges, triangles);
+  const auto ring =
+      ring_bound(static_cast<int>(problem.points.size()), {edges.begin(), edges.end()}, triangles);
   return ring && std::set(ring->bodies.begin(), ring->bodies.end()) == bodies;
 }
 

@@ -97,10 +97,21 @@ class Ordering {
     return all.size() > 2;
   }
 
+  std::optional<int> joint(int body) const {
+    for (const BodyElement& element : problem_.bodies[static_cast<std::size_t>(body)].elements)
+      if (problem_.is_point(element.entity) &&
+          std::ranges::any_of(bodies_with(problem_, element.entity),
+                              [&](int other) { return is_placed(other); }))
+        return element.entity;
+    return std::nullopt;
+  }
+
   int next() const {
     int best = -1;
     const auto rank = [&](int body) {
-      return body < 0 ? -1 : is_hinged_to_placed(body) ? 1 + static_cast<int>(comes_first(body)) : 0;
+      if (body < 0) return -1;
+      if (!is_hinged_to_placed(body)) return joint(body) ? 1 : 0;
+      return comes_first(body) ? 3 : 2;
     };
     for (int body = 0; body < static_cast<int>(is_placed_.size()); ++body)
       if (!is_placed(body) && rank(body) > rank(best)) best = body;
@@ -111,11 +122,21 @@ class Ordering {
     BodyStep step{body, {}, -1, {}, {}};
     for (const Hinge& hinge : hinges_)
       if (hinge.joins(body) && is_placed(hinge.other(body))) add_known(hinge, step);
-    if (!step.known.empty()) step.implied = implied_points(step);
+    if (step.known.empty())
+      take_joint(step);
+    else
+      step.implied = implied_points(step);
     is_placed_[static_cast<std::size_t>(body)] = true;
     for (Hinge& hinge : hinges_)
       if (hinge.joins(body) && !is_placed(hinge.other(body))) give_axis(hinge, step);
     order_.steps.push_back(std::move(step));
+  }
+
+  void take_joint(BodyStep& step) const {
+    const std::optional<int> point = joint(step.body);
+    if (!point) return;
+    step.origin = *point;
+    step.implied = {*point};
   }
 
   void add_known(const Hinge& hinge, BodyStep& step) {

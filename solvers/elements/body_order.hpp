@@ -20,7 +20,7 @@ struct BodyStep {
   int body = -1;
   /// Hinges to bodies before it whose directions are not parallel, at most two.
   std::vector<Use> known;
-  int origin = -1;  ///< a point on the first of them
+  int origin = -1;  ///< a point on the first of them; where there is none, one of bodies before it, or −1
   std::vector<int>
       implied;  ///< points of bodies before it that need no equation, since they are on known hinges
   std::vector<int> further;  ///< the axes that it gives to bodies after it
@@ -32,8 +32,8 @@ struct BodyOrder {
   std::string reason;               ///< why there are no equations for these hinges; empty: there are
 };
 
-/// Every step but the first of a connected piece takes a body that is hinged to one before it, where there is one: first
-/// those that would close a loop badly, since they have parallel hinges or more than two.
+/// A step takes a body that is hinged to one before it, where there is one, otherwise one with a point of those before:
+/// first those that would close a loop badly, since they have parallel hinges or more than two.
 BodyOrder body_order(const ProblemStatement& problem, int at_rest);
 
 }  // namespace gcs

@@ -1,6 +1,7 @@
 #include "solvers/elements/body_placing.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "solvers/numeric/bilinear_product.hpp"
 
@@ -24,6 +25,18 @@ VectorForm sum_of(VectorForm a, const VectorForm& b) {
     if (a[i].constant.is_zero()) a[i].constant = b[i].constant;
   }
   return a;
+}
+
+/// The segments of relations of which a body has both ends, the lower number first.
+std::set<std::pair<int, int>> segments_within(const ProblemStatement& problem, const RigidBody& body) {
+  std::set<std::pair<int, int>> segments;
+  const auto has = [&](int entity) {
+    return std::ranges::find(body.elements, entity, &BodyElement::entity) != body.elements.end();
+  };
+  for (const Relation& relation : problem.relations)
+    for (const Operand& of : relation.of)
+      if (of.is_segment() && has(of.entity) && has(of.end)) segments.insert(std::minmax(of.entity, of.end));
+  return segments;
 }
 
 }  // namespace
@@ -51,6 +64,8 @@ PlacedBody BodyPlacing::run(const RigidBody& body) const {
     else
       placed.planes.push_back({problem.plane_of(element.entity), plane(element)});
   }
+  for (const auto& [from, to] : segments_within(problem, body))
+    placed.segments.push_back({from, to, segment(element_of(body, from), element_of(body, to))});
   return placed;
 }
 
@@ -103,6 +118,10 @@ PlaneForms BodyPlacing::plane(const BodyElement& element) const {
       });
   builder_.add(Equation().plus(plane.offset).minus(plane.normal, origin_).equals(offset));
   return plane;
+}
+
+SegmentForms BodyPlacing::segment(const BodyElement& from, const BodyElement& to) const {
+  return {constant_form(basis_.distance(from, to)), combined(basis_.direction(from, to), axes_), 0};
 }
 
 const BodyElement& element_of(const RigidBody& body, int entity) {

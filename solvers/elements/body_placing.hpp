@@ -19,8 +19,9 @@ class BodyBasis {
   virtual std::vector<ExactNumber> arm_parts(const BodyElement& element) const = 0;
   /// Of length 1, from the numbers of the element that begin at `first`.
   virtual std::vector<ExactNumber> direction(const BodyElement& element, std::size_t first) const = 0;
-  /// Of length 1, from one point to another.
+  /// Of length 1, from one point to another; and the length between them.
   virtual std::vector<ExactNumber> direction(const BodyElement& from, const BodyElement& to) const = 0;
+  virtual ExactNumber distance(const BodyElement& from, const BodyElement& to) const = 0;
   /// How far a plane is from the origin, along its normal.
   virtual ExactNumber offset(const BodyElement& plane) const = 0;
 };
@@ -44,6 +45,7 @@ class BodyPlacing {
   BodyPoint point(const BodyElement& element) const;
   LineForms line(const BodyElement& element) const;
   PlaneForms plane(const BodyElement& element) const;
+  SegmentForms segment(const BodyElement& from, const BodyElement& to) const;
 
   SystemBuilder& builder_;
   const BodyBasis& basis_;

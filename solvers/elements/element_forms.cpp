@@ -46,6 +46,11 @@ Equation& Equation::plus(const VectorForm& left, const VectorForm& right) {
 
 Equation& Equation::plus_square_of_difference(const VectorForm& left, const VectorForm& right) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!left[axis].constant.is_zero() && !right[axis].constant.is_zero()) {
+      plus(left[axis], left[axis]).plus(right[axis], right[axis]);
+      minus(scaled(left, 1)[axis], right[axis]);
+      continue;
+    }
     LinearForm difference = left[axis];
     const LinearForm opposite = negated(right[axis]);
     difference.terms.insert(difference.terms.end(), opposite.terms.begin(), opposite.terms.end());

@@ -31,7 +31,7 @@ class Equation {
   /// The bilinear product of two vectors.
   Equation& plus(const VectorForm& left, const VectorForm& right);
   Equation& minus(const VectorForm& left, const VectorForm& right) { return plus(negated(left), right); }
-  /// The bilinear square of left − right. Precondition: not both have a constant on one axis.
+  /// The bilinear square of left − right.
   Equation& plus_square_of_difference(const VectorForm& left, const VectorForm& right);
 
   QuadraticEquation equals(const ExactNumber& given = {}) {

@@ -29,8 +29,9 @@ PlaneForms free_plane(SystemBuilder& builder, SignMask turning,
 /// A plane beyond those of the scene; its unknowns are found by three of the points that it is to go through.
 PlaneForms further_plane(SystemBuilder& builder, const std::vector<int>& through);
 
-/// Why a body's pose cannot be told from its elements, in a sentence; nothing where it can.
-std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body);
+/// Why a body's pose cannot be told from its elements, in a sentence; nothing where it can. In a unit of 2^−exponent of the
+/// file's no product of two lengths under- or overflows.
+std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body, int exponent);
 
 /// From one point of a body to another.
 struct BodyDirection {
@@ -39,8 +40,9 @@ struct BodyDirection {
 
 /// A body by the place t of its origin and the images e, f, g of its axes: e·e = f·f = 1, e·f = 0, g = e × f. Each
 /// posture once, half-turns included. g is left out where all points have a last coordinate of 0; in the plane
-/// e·e = 1, and f is e turned by a right angle.
-PlacedBody free_body(SystemBuilder& builder, const RigidBody& body,
+/// e·e = 1, and f is e turned by a right angle. A body with a point that has its place, `joint`, has its origin there, and
+/// no t.
+PlacedBody free_body(SystemBuilder& builder, const RigidBody& body, std::optional<int> joint,
                      const std::vector<BodyDirection>& directions);
 /// The same at t = 0 with the axes of the frame.
 PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body,

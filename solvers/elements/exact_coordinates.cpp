@@ -67,9 +67,9 @@ class Integers {
 
 }  // namespace
 
-RationalVector rational_vector(const BodyElement& element, std::size_t first, int exponent) {
+RationalVector rational_vector(const BodyElement& element, std::size_t first, int dimension, int exponent) {
   RationalVector result;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
     const Decimal& number = element.numbers[first + axis];
     if (number.value == 0) continue;
     const Rational exact =
@@ -90,10 +90,24 @@ ExactNumber over_norm(const Rational& numerator, const std::vector<Rational>& pa
   return result;
 }
 
+std::vector<ExactNumber> exact_numbers(const RationalVector& v) {
+  std::vector<ExactNumber> result;
+  for (const Rational& component : v) result.push_back(over_norm(component, {Rational(1)}));
+  return result;
+}
+
 std::vector<ExactNumber> unit_numbers(const RationalVector& v) {
   std::vector<ExactNumber> result;
   for (const Rational& component : v) result.push_back(over_norm(component, parts_of(v)));
   return result;
+}
+
+ExactNumber exact_norm(const RationalVector& v) { return over_norm(dot(v, v), parts_of(v)); }
+
+ExactNumber offset_from(const RationalVector& point, const BodyElement& plane, int exponent) {
+  const RationalVector normal = rational_vector(plane, 0, 3, 0);
+  const Rational offset = rational_vector(plane, 3, 1, exponent)[0];
+  return over_norm(offset - dot(normal, point), parts_of(normal));
 }
 
 ExactBasis::ExactBasis(RationalVector d, RationalVector e)

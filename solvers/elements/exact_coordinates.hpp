@@ -9,13 +9,19 @@
 
 namespace gcs {
 
-/// The numbers of an element of a body that begin at `first`, in space, in a unit of 2^−exponent of the file's.
-RationalVector rational_vector(const BodyElement& element, std::size_t first, int exponent);
+/// The vector whose components are numbers of an element of a body, from `first` on, in a unit of 2^−exponent of the
+/// file's.
+RationalVector rational_vector(const BodyElement& element, std::size_t first, int dimension, int exponent);
 
 /// numerator/‖parts‖. Precondition: not all parts are 0.
 ExactNumber over_norm(const Rational& numerator, const std::vector<Rational>& parts);
-/// v/‖v‖, component by component. Precondition: v is not 0.
+/// v, and v/‖v‖, component by component. Precondition of the latter: v is not 0.
+std::vector<ExactNumber> exact_numbers(const RationalVector& v);
 std::vector<ExactNumber> unit_numbers(const RationalVector& v);
+/// ‖v‖. Precondition: v is not 0.
+ExactNumber exact_norm(const RationalVector& v);
+/// How far a plane of a body is from a point of it, along its normal.
+ExactNumber offset_from(const RationalVector& point, const BodyElement& plane, int exponent);
 
 /// The basis u = d/‖d‖, w = e/‖e‖, u × w of vectors d and e that are not parallel.
 class ExactBasis {

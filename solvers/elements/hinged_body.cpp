@@ -21,26 +21,24 @@ class HingeBasis final : public BodyBasis {
     return basis_.coordinates(vector(element), false);
   }
   std::vector<ExactNumber> arm_parts(const BodyElement& element) const override {
-    std::vector<ExactNumber> parts;
-    for (const Rational& component : vector(element)) parts.push_back(over_norm(component, {Rational(1)}));
-    return parts;
+    return exact_numbers(vector(element));
   }
   std::vector<ExactNumber> direction(const BodyElement& element, std::size_t first) const override {
-    return basis_.coordinates(rational_vector(element, first, 0), true);
+    return basis_.coordinates(rational_vector(element, first, 3, 0), true);
   }
   std::vector<ExactNumber> direction(const BodyElement& from, const BodyElement& to) const override {
     return basis_.coordinates(vector(to) - vector(from), true);
   }
+  ExactNumber distance(const BodyElement& from, const BodyElement& to) const override {
+    return exact_norm(vector(to) - vector(from));
+  }
   ExactNumber offset(const BodyElement& plane) const override {
-    const RationalVector normal = rational_vector(plane, 0, 0);
-    const BodyElement height{plane.entity, {3, plane.numbers.back()}};
-    return over_norm(rational_vector(height, 0, exponent_)[0] - dot(normal, origin_),
-                     {normal.begin(), normal.end()});
+    return offset_from(origin_, plane, exponent_);
   }
 
  private:
   RationalVector vector(const BodyElement& element) const {
-    return rational_vector(element, 0, exponent_) - origin_;
+    return rational_vector(element, 0, 3, exponent_) - origin_;
   }
 
   RationalVector origin_;
@@ -76,7 +74,7 @@ class HingedBody {
 
  private:
   RationalVector position(int entity) const {
-    return rational_vector(element_of(body_, entity), 0, exponent_);
+    return rational_vector(element_of(body_, entity), 0, 3, exponent_);
   }
   RationalVector along(const BodyDirection& direction) const {
     return position(direction.to) - position(direction.from);
@@ -96,7 +94,7 @@ class HingedBody {
     if (pose_.second) return along(pose_.second->in_body);
     if (!directions_.empty()) return along(directions_.front());
     const BodyElement& element = element_of(body_, further_.entity);
-    if (!builder_.problem().is_point(further_.entity)) return rational_vector(element, 0, 0);
+    if (!builder_.problem().is_point(further_.entity)) return rational_vector(element, 0, 3, 0);
     return position(further_.entity) - position(pose_.origin);
   }
 

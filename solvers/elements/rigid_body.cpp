@@ -56,14 +56,20 @@ Pose pose(const PoseFeatures& body, const Placement& placement, int dimension) {
   return {placement.points.col(from) - axes * body.from.origin_given, axes};
 }
 
-/// The axes of the file's coordinates.
+/// The axes of the file's coordinates, from its origin or a point of the body.
 class FileBasis final : public BodyBasis {
  public:
-  explicit FileBasis(const SystemBuilder& builder) : builder_(builder) {}
+  FileBasis(const SystemBuilder& builder, const BodyElement* origin)
+      : builder_(builder), exponent_(-builder.scene().unit_exponent()) {
+    if (origin != nullptr) origin_ = vector(*origin);
+  }
 
   std::vector<ExactNumber> arm(const BodyElement& element) const override {
     std::vector<ExactNumber> numbers;
-    for (std::size_t k = 0; k < dimension(); ++k) numbers.push_back(builder_.length(element.numbers[k]));
+    if (origin_)
+      numbers = exact_numbers(vector(element) - *origin_);
+    else
+      for (std::size_t k = 0; k < dimension(); ++k) numbers.push_back(builder_.length(element.numbers[k]));
     return numbers;
   }
   std::vector<ExactNumber> arm_parts(const BodyElement& element) const override { return arm(element); }
@@ -76,10 +82,13 @@ class FileBasis final : public BodyBasis {
     return result;
   }
   std::vector<ExactNumber> direction(const BodyElement& from, const BodyElement& to) const override {
-    const int exponent = -builder_.scene().unit_exponent();
-    return unit_numbers(rational_vector(to, 0, exponent) - rational_vector(from, 0, exponent));
+    return unit_numbers(vector(to) - vector(from));
+  }
+  ExactNumber distance(const BodyElement& from, const BodyElement& to) const override {
+    return exact_norm(vector(to) - vector(from));
   }
   ExactNumber offset(const BodyElement& plane) const override {
+    if (origin_) return offset_from(*origin_, plane, exponent_);
     ExactNumber offset = builder_.length(plane.numbers.back());
     if (!offset.is_zero())
       for (std::size_t k = 0; k < dimension(); ++k)
@@ -90,6 +99,10 @@ class FileBasis final : public BodyBasis {
  private:
   std::size_t dimension() const { return static_cast<std::size_t>(builder_.dimension()); }
 
+  RationalVector vector(const BodyElement& element) const {
+    return rational_vector(element, 0, builder_.dimension(), exponent_);
+  }
+
   static ExactNumber exact(const Decimal& number) {
     ExactNumber result = exactly(number.value);
     if (number.value != 0) result.decimal = number.text;
@@ -97,20 +110,22 @@ class FileBasis final : public BodyBasis {
   }
 
   const SystemBuilder& builder_;
+  int exponent_;
+  std::optional<RationalVector> origin_;
 };
 
-PlacedBody placed_body(SystemBuilder& builder, const RigidBody& body, VectorForm origin, BodyAxes axes,
+PlacedBody placed_body(const BodyPlacing& placing, const RigidBody& body,
                        const std::vector<BodyDirection>& directions) {
-  const FileBasis basis(builder);
-  const BodyPlacing placing(builder, basis, std::move(origin), std::move(axes));
   PlacedBody placed = placing.run(body);
   for (const BodyDirection& direction : directions)
     placed.directions.push_back(placing.direction(body, direction.from, direction.to));
   return placed;
 }
 
-ComplexValues values_of(const Pose& pose, int dimension, int axes) {
-  ComplexValues values = components(pose.origin, dimension);
+/// The axes, after t where the pose has one.
+ComplexValues values_of(const Pose& pose, int dimension, int axes, bool has_origin) {
+  ComplexValues values;
+  if (has_origin) values = components(pose.origin, dimension);
   for (int axis = 0; axis < axes; ++axis) {
     const ComplexValues more = components(pose.axes.col(axis), dimension);
     values.insert(values.end(), more.begin(), more.end());
@@ -120,9 +135,9 @@ ComplexValues values_of(const Pose& pose, int dimension, int axes) {
 
 }  // namespace
 
-std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body) {
+std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body, int exponent) {
   constexpr double least_area = 1e-9;  // of what the body's vectors span, relative to their lengths
-  const PoseFeatures features = pose_features(problem, body, 0);
+  const PoseFeatures features = pose_features(problem, body, exponent);
   const double lengths =
       features.first.given.norm() * (problem.dimension == 2 ? 1 : features.second.given.norm());
   if (features.from.origin >= 0 && features.area > least_area * lengths) return std::nullopt;
@@ -132,30 +147,30 @@ std::optional<std::string> why_no_pose(const ProblemStatement& problem, const Ri
       body.name);
 }
 
-PlacedBody free_body(SystemBuilder& builder, const RigidBody& body,
+PlacedBody free_body(SystemBuilder& builder, const RigidBody& body, std::optional<int> joint,
                      const std::vector<BodyDirection>& directions) {
   const int d = builder.dimension();
   const bool has_third = d == 3 && !is_flat(body, d);
-  const VectorForm origin = builder.vector();
+  const VectorForm origin = joint ? builder.point(*joint) : builder.vector();
   std::array<VectorForm, 3> axes;
   axes[0] = builder.vector();
   if (d == 3) axes[1] = builder.vector();
   if (has_third) axes[2] = builder.pseudo_vector();
   const int count = d == 2 ? 1 : (has_third ? 3 : 2);
-  builder.name({body.name + "_t", origin});
+  if (!joint) builder.name({body.name + "_t", origin});
   for (int axis = 0; axis < count; ++axis)
     builder.name({body.name + "_" + "efg"[axis], axes[static_cast<std::size_t>(axis)]});
   const int exponent = -builder.scene().unit_exponent();
-  builder.define(
-      [features = pose_features(builder.problem(), body, exponent), d, count](
-          const Placement& at, const ComplexValues&) { return values_of(pose(features, at, d), d, count); });
+  builder.define([features = pose_features(builder.problem(), body, exponent), d, count, joint](
+                     const Placement& at, const ComplexValues&) {
+    return values_of(pose(features, at, d), d, count, !joint);
+  });
   builder.add(Equation().plus(axes[0], axes[0]).equals(exactly(1)));
-  if (d == 2) {
-    axes[1] = {negated(axes[0][1]), axes[0][0], LinearForm{}};
-    return placed_body(builder, body, origin, axes, directions);
+  if (d == 2) axes[1] = {negated(axes[0][1]), axes[0][0], LinearForm{}};
+  if (d == 3) {
+    builder.add(Equation().plus(axes[1], axes[1]).equals(exactly(1)));
+    builder.add(Equation().plus(axes[0], axes[1]).equals());
   }
-  builder.add(Equation().plus(axes[1], axes[1]).equals(exactly(1)));
-  builder.add(Equation().plus(axes[0], axes[1]).equals());
   for (std::size_t i = 0; has_third && i < 3; ++i) {
     const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
     builder.add(Equation()
@@ -164,12 +179,14 @@ PlacedBody free_body(SystemBuilder& builder, const RigidBody& body,
                     .minus(axes[2][i])
                     .equals());
   }
-  return placed_body(builder, body, origin, axes, directions);
+  const FileBasis basis(builder, joint ? &element_of(body, *joint) : nullptr);
+  return placed_body(BodyPlacing(builder, basis, origin, axes), body, directions);
 }
 
 PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body,
                         const std::vector<BodyDirection>& directions) {
-  return placed_body(builder, body, {}, std::nullopt, directions);
+  const FileBasis basis(builder, nullptr);
+  return placed_body(BodyPlacing(builder, basis, {}, std::nullopt), body, directions);
 }
 
 }  // namespace gcs

@@ -45,7 +45,8 @@ class Placing {
     std::vector<BodyDirection> further;
     for (const int axis : step.further) further.push_back(order.axes[index(axis)]);
     if (step.body == builder_.frame().body()) return body_at_rest(builder_, body, further);
-    if (step.known.empty()) return free_body(builder_, body, further);
+    if (step.known.empty())
+      return free_body(builder_, body, step.origin < 0 ? std::nullopt : std::optional(step.origin), further);
     const auto known = [&](const BodyStep::Use& use) {
       const VectorForm& axis = axes[index(use.axis)];
       return HingedPose::Axis{use.in_body, use.is_opposite ? negated(axis) : axis};
@@ -55,21 +56,18 @@ class Placing {
     return hinged_body(builder_, body, pose, further);
   }
 
-  /// A point that was in a body before is joined by equations: the first gives a free body its place, the others close
-  /// loops.
+  /// A point that was in a body before closes a loop, unless it is there anyway.
   void place(const PlacedBody& body, const BodyStep& step) {
-    bool has_place = !step.known.empty() || step.body == builder_.frame().body();
     for (const BodyPoint& placed : body.points) {
       if (has_point_[index(placed.point)]) {
-        if (std::ranges::find(step.implied, placed.point) != step.implied.end()) continue;
-        join(placed, has_place ? gap_value : no_value);
-        has_place = true;
+        if (std::ranges::find(step.implied, placed.point) == step.implied.end()) join(placed);
         continue;
       }
       if (!placed.numbers.empty()) builder_.put_arm(placed);
       builder_.put_point(placed.point, placed.at);
       has_point_[index(placed.point)] = true;
     }
+    for (const BodySegment& segment : body.segments) builder_.put_segment(segment);
     for (const auto& [line, at] : body.lines) {
       builder_.put_line(line, at);
       has_line_[index(line)] = true;
@@ -80,10 +78,19 @@ class Placing {
     }
   }
 
-  void join(const BodyPoint& placed, int value) {
-    for (std::size_t axis = 0; axis < index(builder_.dimension()); ++axis)
-      builder_.add(Equation().plus(placed.at[axis]).minus(builder_.point(placed.point)[axis]).equals(),
-                   value);
+  void join(const BodyPoint& placed) {
+    for (std::size_t axis = 0; axis < index(builder_.dimension()); ++axis) {
+      Equation gap;
+      add_terms(placed.at[axis], gap);
+      add_terms(negated(builder_.point(placed.point)[axis]), gap);
+      builder_.add(gap.equals(), gap_value);
+    }
+  }
+
+  /// One by one, since the rounding of a long chain is relative to its terms, also where they add up to 0.
+  static void add_terms(const LinearForm& form, Equation& equation) {
+    for (const ScaledUnknown& term : form.terms) equation.plus(LinearForm{{term}, {}});
+    equation.plus(constant_form(form.constant));
   }
 
   void place_points() {

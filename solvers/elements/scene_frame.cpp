@@ -45,6 +45,12 @@ bool has_sign(const ProblemStatement& problem, const Relation& relation) {
                       [&](const Operand& of) { return problem.is_line(of.entity); });
 }
 
+bool is_in_a_body(const ProblemStatement& problem, const std::pair<int, int>& segment) {
+  const std::vector<int> with_start = bodies_with(problem, segment.first),
+                         with_end = bodies_with(problem, segment.second);
+  return std::ranges::find_first_of(with_start, with_end) != with_start.end();
+}
+
 /// Numbers of the sets whose members are all free, −1 for members of the others.
 std::vector<int> numbered(const Sets& sets, const std::vector<bool>& is_held) {
   const int n = static_cast<int>(is_held.size());
@@ -118,7 +124,7 @@ std::vector<int> Turnings::turned_planes(const ProblemStatement& problem) {
   return numbered(sets, has_side);
 }
 
-/// Likewise segments; one whose length is given is not.
+/// Likewise segments; one whose length is given, or that a body has, is not.
 std::map<std::pair<int, int>, int> Turnings::turned_segments(const ProblemStatement& problem) {
   std::map<std::pair<int, int>, int> segments;
   const auto number_of = [&](const Operand& segment) {
@@ -135,6 +141,8 @@ std::map<std::pair<int, int>, int> Turnings::turned_segments(const ProblemStatem
   Sets sets(static_cast<int>(segments.size()));
   for (const auto& [a, b] : joined) sets.join(a, b);
   std::vector<bool> has_length(segments.size());
+  for (const auto& [segment, number] : segments)
+    has_length[static_cast<std::size_t>(number)] = is_in_a_body(problem, segment);
   for (const DistanceConstraint& c : problem.constraints)
     if (const auto found = segments.find(sorted(c.between[0], c.between[1])); found != segments.end())
       has_length[static_cast<std::size_t>(found->second)] = !c.is_squared;

@@ -20,7 +20,7 @@ constexpr std::size_t most_turnings = 56;
 std::optional<std::string> why_no_bodies(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   for (const RigidBody& body : problem.bodies) {
-    if (auto reason = why_no_pose(problem, body)) return reason;
+    if (auto reason = why_no_pose(problem, body, -scene.unit_exponent())) return reason;
     for (const BodyElement& element : body.elements)
       if (!problem.is_point(element.entity) && bodies_with(problem, element.entity).size() > 1)
         return fmt::format(

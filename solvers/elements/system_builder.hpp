@@ -56,11 +56,19 @@ struct SegmentForms {
   SignMask turning = 0;  ///< of the sign of both
 };
 
-/// The elements of a body where its pose puts them, and unit vectors that were asked for.
+/// One between two points of a body, the first numbered lower.
+struct BodySegment {
+  int from = -1, to = -1;
+  SegmentForms at;
+};
+
+/// The elements of a body where its pose puts them, the segments that relations name, and unit vectors that were asked
+/// for.
 struct PlacedBody {
   std::vector<BodyPoint> points;
   std::vector<BodyLine> lines;
   std::vector<BodyPlane> planes;
+  std::vector<BodySegment> segments;
   std::vector<VectorForm> directions{};
 };
 
@@ -117,6 +125,9 @@ class SystemBuilder {
   void put_arm(const BodyPoint& point) { arms_.emplace(point.point, point); }
   void put_line(int line, LineForms at) { lines_[static_cast<std::size_t>(line)] = std::move(at); }
   void put_plane(int plane, PlaneForms at) { planes_[static_cast<std::size_t>(plane)] = std::move(at); }
+  void put_segment(const BodySegment& segment) {
+    segments_.emplace(std::pair(segment.from, segment.to), segment.at);
+  }
   const SceneFrame& frame() const { return frame_; }
   /// The generator that turns over a plane, with others perhaps; 0: it has a side.
   SignMask turning_of_plane(int plane);
@@ -134,7 +145,7 @@ class SystemBuilder {
   const PlaneForms& plane(int entity) const {
     return planes_[static_cast<std::size_t>(problem().plane_of(entity))];
   }
-  /// Unknowns for a segment are added when it is first asked for.
+  /// Unknowns for a segment that is in no body are added when it is first asked for.
   SegmentForms segment(const Operand& segment);
   /// Whether the length of a segment, and thus a distance constraint, is one of its equations.
   bool is_stated_by_segment(int constraint) const;

@@ -58,6 +58,7 @@ TEST_CASE("a general platform has 40 postures, and one in the plane 6") {
       CHECK(answer.solutions.size() == static_cast<std::size_t>(count));
       REQUIRE(answer.proofs);
       CHECK(answer.proofs->are_complete());
+      CHECK(answer.proofs->generic == static_cast<std::uint64_t>(count));
       CHECK(answer.proofs->real >= 1);
     }
 }

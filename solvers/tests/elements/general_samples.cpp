@@ -81,24 +81,30 @@ ProblemStatement random_octahedral(int planes, RandomNumbers& random) {
   return problem;
 }
 
-ProblemStatement ring_of(const Eigen::Matrix3Xd& points, RandomNumbers& random) {
-  const auto count = static_cast<int>(points.cols());
+ProblemStatement bodies_of(const Eigen::Matrix3Xd& points, const std::vector<std::vector<int>>& bodies,
+                           RandomNumbers& random) {
   ProblemStatement problem;
-  for (int i = 0; i < count; ++i) problem.points.push_back("p" + std::to_string(i));
-  for (int first = 0; first < count; first += 2) {
-    RigidBody body{"b" + std::to_string(first / 2), {}};
+  for (Eigen::Index i = 0; i < points.cols(); ++i) problem.points.push_back("p" + std::to_string(i));
+  for (const std::vector<int>& has : bodies) {
+    RigidBody body{"b" + std::to_string(problem.bodies.size()), {}};
     const Eigen::Quaterniond turn = random_turn(3, random);
     const Eigen::Vector3d shift = random.point(3, 1);
-    for (int i = first; i < first + 4; ++i) {
-      const int point = i % count;
+    for (const int point : has) {
       const Eigen::Vector3d given = points.col(point);
-      const Eigen::Vector3d at = first == 0 ? given : Eigen::Vector3d(turn * given + shift);
+      const Eigen::Vector3d at = problem.bodies.empty() ? given : Eigen::Vector3d(turn * given + shift);
       body.elements.push_back({point, {{at.x(), ""}, {at.y(), ""}, {at.z(), ""}}});
     }
     problem.bodies.push_back(body);
   }
   problem.reference_body = 0;
   return problem;
+}
+
+ProblemStatement ring_of(const Eigen::Matrix3Xd& points, RandomNumbers& random) {
+  const auto count = static_cast<int>(points.cols());
+  std::vector<std::vector<int>> bodies;
+  for (int i = 0; i < count; i += 2) bodies.push_back({i, i + 1, (i + 2) % count, (i + 3) % count});
+  return bodies_of(points, bodies, random);
 }
 
 }  // namespace gcs::samples

@@ -2,6 +2,7 @@
 /// Random general scenes whose numbers of solutions are known, without a sketch.
 
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "solvers/problem/problem_statement.hpp"
 #include "solvers/tests/random_numbers.hpp"
@@ -17,8 +18,11 @@ ProblemStatement random_platform(int dimension, RandomNumbers& random);
 /// Six elements, all pairs but 0–3, 1–4, 2–5; the last `planes` of them are planes. Values of a random figure.
 ProblemStatement random_octahedral(int planes, RandomNumbers& random);
 
-/// As many bodies in a ring as there are pairs of columns, each hinged to the next: body i has the pairs i and i + 1, in a
-/// position of its own but for the first. The points are a solution.
+/// Bodies of these points, each in a position of its own but for the first. The points as they stand are a solution.
+ProblemStatement bodies_of(const Eigen::Matrix3Xd& points, const std::vector<std::vector<int>>& bodies,
+                           RandomNumbers& random);
+
+/// As many bodies in a ring as there are pairs of columns, each hinged to the next: body i has the pairs i and i + 1.
 ProblemStatement ring_of(const Eigen::Matrix3Xd& points, RandomNumbers& random);
 
 }  // namespace gcs::samples

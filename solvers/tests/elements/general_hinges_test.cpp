@@ -177,7 +177,7 @@ TEST_CASE("a hinged body carries lines and planes") {
     const Eigen::Vector3d turned = (turn * normal).normalized();
     figure.planes = {{turned, turned.dot(moved(normal.normalized() * (offset / normal.norm())))}};
     problem.relations.push_back({"c",
-                                 RelationType::distance,
+                                 "distance",
                                  {{2}, {4}},
                                  Relation::Form::length,
                                  {turned.dot(points.col(2)) - figure.planes[0].offset, ""}});
@@ -270,7 +270,7 @@ TEST_CASE(
   SECTION("with an angle") {
     const Eigen::Vector3d crank = points.col(1) - points.col(0), rocker = points.col(2) - points.col(3);
     problem.relations.push_back({"a",
-                                 RelationType::angle,
+                                 "angle",
                                  {{0, 1}, {3, 2}},
                                  Relation::Form::cosine,
                                  {crank.normalized().dot(rocker.normalized()), ""}});

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "solvers/elements/constraint_types.hpp"
+#include "solvers/elements/system_builder.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 

@@ -9,6 +9,7 @@
 #include "harness/drawings/html_text.hpp"
 #include "solvers/elements/constraint_types.hpp"
 #include "solvers/model/scene.hpp"
+#include "solvers/reading/relation_words.hpp"
 
 namespace gcs {
 namespace {

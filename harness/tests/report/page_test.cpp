@@ -187,9 +187,9 @@ TEST_CASE("a number in the convention of its scene is held against ours as it is
   const auto printed = [&] {
     return verdict_on(verdicts(run, platform, nullptr, load_publications()), "complex").printed_standing;
   };
-  CHECK(printed() == Standing::open);
+  CHECK(printed() == VerdictStanding::open);
   platform.convention = "up to motion";
-  CHECK(printed() == Standing::proven);
+  CHECK(printed() == VerdictStanding::proven);
 }
 
 TEST_CASE("what an instance was chosen for proves nothing of the paper's") {

@@ -118,7 +118,7 @@ TEST_CASE("determinants are of octahedra of points and planes that see a side, a
   };
   ProblemStatement in_degrees = octahedral;
   for (Relation& relation : in_degrees.relations)
-    if (relation.type == RelationType::angle) {
+    if (relation.type == "angle") {
       relation.form = Relation::Form::degrees;
       relation.given = {std::acos(relation.given.value) * 180 / M_PI, ""};
     }
@@ -126,8 +126,7 @@ TEST_CASE("determinants are of octahedra of points and planes that see a side, a
   CHECK(status(in_degrees, DiagonalMethod::univariate) == RunStatus::unsupported);
   ProblemStatement without_side = octahedral;
   for (Relation& relation : without_side.relations)
-    if (relation.type == RelationType::distance)
-      relation = {relation.id, RelationType::on, relation.of, Relation::Form::none};
+    if (relation.type == "distance") relation = {relation.id, "on", relation.of, Relation::Form::none};
   CHECK(status(without_side, DiagonalMethod::eigenvalues) == RunStatus::unsupported);
   CHECK(status(random_platform(3, random), DiagonalMethod::eigenvalues) == RunStatus::unsupported);
 }

@@ -57,7 +57,7 @@ class ExactFigure {
           problem.constraints.push_back({id, {p, q}, given, true});
         else
           problem.relations.push_back({id,
-                                       is_plane(p) ? RelationType::angle : RelationType::distance,
+                                       is_plane(p) ? "angle" : "distance",
                                        {{p}, {q}},
                                        is_plane(p) ? Relation::Form::cosine : Relation::Form::length,
                                        given});

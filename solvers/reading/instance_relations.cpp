@@ -1,6 +1,7 @@
 #include "solvers/reading/instance_relations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "solvers/elements/constraint_types.hpp"
@@ -83,12 +84,20 @@ void refuse_same(const JsonCursor& between, const Relation& relation, const Cons
                "name two different entities");
 }
 
+/// From the least to the most: point, segment, line, plane.
+std::vector<OperandKind> in_order_of_size(std::vector<OperandKind> kinds) {
+  using enum OperandKind;
+  static constexpr std::array order{point, segment, line, plane};
+  std::ranges::sort(kinds, {}, [](OperandKind kind) { return std::ranges::find(order, kind); });
+  return kinds;
+}
+
 /// What the type can be between in that dimension.
 std::string known_operands(const ConstraintType& type, int dimension) {
   std::vector<std::string> known;
   for (const ConstraintKind& kind : type.kinds)
     if (dimension == 3 || std::ranges::count(kind.between, OperandKind::plane) == 0)
-      known.push_back(words(kind.between));
+      known.push_back(words(in_order_of_size(kind.between)));
   return enumeration(known);
 }
 

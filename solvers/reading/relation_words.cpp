@@ -20,10 +20,7 @@ std::string name_of(Relation::Form form) {
   return names[static_cast<std::size_t>(form)];
 }
 
-std::string words(std::vector<OperandKind> kinds) {
-  using enum OperandKind;
-  static constexpr std::array order{point, segment, line, plane};
-  std::ranges::sort(kinds, {}, [](OperandKind kind) { return std::ranges::find(order, kind); });
+std::string words(const std::vector<OperandKind>& kinds) {
   std::string result;
   for (const OperandKind kind : kinds) result += (result.empty() ? "" : "–") + word(kind);
   return result;

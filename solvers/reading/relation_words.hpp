@@ -11,8 +11,8 @@ namespace gcs {
 /// The member that says the value; empty where there is none.
 std::string name_of(Relation::Form form);
 
-/// "point–line", in this order: point, segment, line, plane.
-std::string words(std::vector<OperandKind> kinds);
+/// "point–line".
+std::string words(const std::vector<OperandKind>& kinds);
 
 /// Of points, from the first to the last; of segments both.
 std::vector<int> entities_of(const std::vector<Operand>& operands);

@@ -98,7 +98,7 @@ TEST_CASE(
   CHECK(counts["convention"] == "up to reflection");
   CHECK(counts["real"] == 2);
   CHECK(counts["complex_up_to_reflection"] == 6);
-  instance.problem.relations.push_back({"o", "orientation", {{0}, {1}, {2}}});
+  instance.problem.relations.push_back({"o", "orientation", {{0}, {1}, {2}}, Relation::Form::none, {}, 1});
   counts = counts_of(instance);
   CHECK(counts["convention"] == "up to motion");
   CHECK(counts["real"] == 2);

@@ -8,7 +8,7 @@ namespace gcs {
 namespace {
 
 /// What is rounded off matters to no double, and to no ε of the families.
-constexpr int places = 50;
+constexpr int decimal_places = 50;
 
 std::string list_text(const std::vector<std::string>& names) {
   std::vector<std::string> quoted;
@@ -45,7 +45,7 @@ ExactPoint difference(const ExactPoint& a, const ExactPoint& b) {
 std::string coordinates_text(const ExactPoint& point, int dimension) {
   std::vector<std::string> numbers;
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
-    numbers.push_back(point[axis].text(places));
+    numbers.push_back(point[axis].text(decimal_places));
   return fmt::format("[{}]", fmt::join(numbers, ", "));
 }
 
@@ -63,7 +63,7 @@ std::string relation_text(std::string_view type, std::string_view a, std::string
 std::string relation_text(std::string_view type, std::string_view a, std::string_view b,
                           std::string_view member, const LongDecimal& value) {
   return fmt::format(R"({{"type": "{}", "between": [{}, {}], "{}": {}}})", type, operand_text(a),
-                     operand_text(b), member, value.text(places));
+                     operand_text(b), member, value.text(decimal_places));
 }
 
 std::string distance_text(const NamedPoints& points, std::string_view a, std::string_view b) {

@@ -1,4 +1,4 @@
-#include "solvers/constraints/common_equations.hpp"
+#include "solvers/constraints/incidence_equations.hpp"
 #include "solvers/elements/constraint_types.hpp"
 
 namespace gcs {

@@ -1,5 +1,5 @@
 #pragma once
-/// Equations that several types of constraints have in common.
+/// On a line, on a plane, along a direction or across it: what several types of constraints state.
 
 #include "solvers/elements/system_builder.hpp"
 

@@ -1,4 +1,4 @@
-#include "solvers/constraints/common_equations.hpp"
+#include "solvers/constraints/incidence_equations.hpp"
 
 #include "solvers/numeric/bilinear_product.hpp"
 

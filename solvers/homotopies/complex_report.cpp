@@ -96,12 +96,7 @@ class ComplexReporter {
     for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
     prove_neighbours();
     for (const PathEnd& end : ends) add_path(end);
-    const bool stopped =
-        std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
-    report_.reason = stopped ? "stopped on the way" : missing_.in_words();
-    report_.status = stopped                  ? SolveStatus::stopped
-                     : report_.reason.empty() ? SolveStatus::complete
-                                              : SolveStatus::partial;
+    conclude(ends, missing_.in_words(), report_);
     return std::move(report_);
   }
 
@@ -269,6 +264,15 @@ class ComplexReporter {
 };
 
 }  // namespace
+
+void conclude(const std::vector<PathEnd>& ends, const std::string& missing, SolveReport& report) {
+  const bool stopped =
+      std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
+  report.reason = stopped ? "stopped on the way" : missing;
+  report.status = stopped                 ? SolveStatus::stopped
+                  : report.reason.empty() ? SolveStatus::complete
+                                          : SolveStatus::partial;
+}
 
 PathRecord path_record(const PathEnd& end) {
   PathRecord record;

@@ -2,6 +2,7 @@
 /// From the ends of paths to solutions of a scene, with what they prove or leave open.
 
 #include <random>
+#include <string>
 #include <vector>
 
 #include "solvers/homotopies/endgame.hpp"
@@ -12,6 +13,10 @@ namespace gcs {
 
 /// The end of a path as reports have it.
 PathRecord path_record(const PathEnd& end);
+
+/// Status and reason of a report on all these paths: stopped where one was, and otherwise partial where something is
+/// missing, which is said in words.
+void conclude(const std::vector<PathEnd>& ends, const std::string& missing, SolveReport& report);
 
 /// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
 /// Newton's method on the real part agrees; a record for every path. The status is partial where paths

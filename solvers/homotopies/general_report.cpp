@@ -50,12 +50,7 @@ class GeneralReporter {
     missing_.jumps = distinct.jumps();
     for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
     for (const PathEnd& end : ends) add_path(end);
-    const bool stopped =
-        std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
-    report_.reason = stopped ? "stopped on the way" : missing_.in_words();
-    report_.status = stopped                  ? SolveStatus::stopped
-                     : report_.reason.empty() ? SolveStatus::complete
-                                              : SolveStatus::partial;
+    conclude(ends, missing_.in_words(), report_);
     return std::move(report_);
   }
 

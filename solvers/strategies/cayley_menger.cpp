@@ -82,10 +82,14 @@ void refuse(bool is_proven, SolveReport& report) {
                         "near one that flexes that doubles do not tell its solutions apart";
 }
 
-SolveReport stopped() {
-  SolveReport report;
+void mark_stopped(SolveReport& report) {
   report.status = SolveStatus::stopped;
   report.reason = "stopped on request";
+}
+
+SolveReport stopped() {
+  SolveReport report;
+  mark_stopped(report);
   return report;
 }
 
@@ -126,10 +130,7 @@ class Reporter {
     if (accounted_for() != report_.generic) note_missing(core);
     if (some_are_too_far_) note("some coordinates are " + too_large_for_doubles());
     report_.status = report_.reason.empty() ? SolveStatus::complete : SolveStatus::partial;
-    if (request_.stop.stop_requested()) {
-      report_.status = SolveStatus::stopped;
-      report_.reason = "stopped on request";
-    }
+    if (request_.stop.stop_requested()) mark_stopped(report_);
     return std::move(report_);
   }
 

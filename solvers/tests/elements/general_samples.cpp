@@ -107,4 +107,16 @@ ProblemStatement ring_of(const Eigen::Matrix3Xd& points, RandomNumbers& random) 
   return bodies_of(points, bodies, random);
 }
 
+ProblemStatement point_at_an_angle(double degrees) {
+  ProblemStatement problem;
+  problem.dimension = 2;
+  problem.points = {"o", "a", "b", "c"};
+  problem.reference = Reference{0, 2};
+  for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
+    problem.constraints.push_back({std::to_string(i) + std::to_string(j), {i, j}, {1, ""}, false});
+  problem.constraints.push_back({"ac", {1, 3}, {1.2, ""}, false});
+  problem.relations = {{"aoc", "angle", {{0, 1}, {0, 3}}, Relation::Form::degrees, {degrees, ""}}};
+  return problem;
+}
+
 }  // namespace gcs::samples

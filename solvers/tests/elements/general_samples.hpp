@@ -25,4 +25,8 @@ ProblemStatement bodies_of(const Eigen::Matrix3Xd& points, const std::vector<std
 /// As many bodies in a ring as there are pairs of columns, each hinged to the next: body i has the pairs i and i + 1.
 ProblemStatement ring_of(const Eigen::Matrix3Xd& points, RandomNumbers& random);
 
+/// In the plane: c is at an angle from a as seen from o, and on a circle about a that o is inside of, so that the line
+/// through o in that direction meets it on the ray and on the opposite one. o, a, b are a regular triangle.
+ProblemStatement point_at_an_angle(double degrees);
+
 }  // namespace gcs::samples

@@ -8,6 +8,7 @@
 
 #include "solvers/solving/problem.hpp"
 #include "solvers/solving/solve.hpp"
+#include "solvers/tests/elements/general_samples.hpp"
 #include "solvers/tests/random_numbers.hpp"
 
 using namespace gcs;
@@ -278,16 +279,8 @@ TEST_CASE("a certificate tells a side that doubles leave undecided") {
 }
 
 TEST_CASE("a segment of free length that points the other way is at another angle than is stated") {
-  // c is at 50 degrees from a as seen from o, and 1.2 from a, which o is nearer to: on the ray, or on the opposite one.
-  ProblemStatement problem;
-  problem.dimension = 2;
-  problem.points = {"o", "a", "b", "c"};
-  problem.reference = Reference{0, 2};
-  for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
-    problem.constraints.push_back({std::to_string(i) + std::to_string(j), {i, j}, {1, ""}, false});
-  problem.constraints.push_back({"ac", {1, 3}, {1.2, ""}, false});
   for (const double degrees : {50.0, 130.0}) {
-    problem.relations = {{"aoc", "angle", {{0, 1}, {0, 3}}, Relation::Form::degrees, {degrees, ""}}};
+    const ProblemStatement problem = samples::point_at_an_angle(degrees);
     for (const char* strategy : {"monodromy", "polyhedral"}) {
       const Answer answer = answer_of(problem, strategy);
       CAPTURE(degrees, strategy, answer.reason);

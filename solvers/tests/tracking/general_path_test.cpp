@@ -245,15 +245,7 @@ TEST_CASE("where a point goes to infinity on both sides S ends there, and is com
 }
 
 TEST_CASE("a crossing at which a segment points the other way is met, and not as stated") {
-  // c is on a ray from o, and on a circle about a that o is inside of: its other place is on the opposite ray.
-  ProblemStatement problem;
-  problem.dimension = 2;
-  problem.points = {"o", "a", "b", "c"};
-  problem.reference = Reference{0, 2};
-  for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
-    problem.constraints.push_back({std::to_string(i) + std::to_string(j), {i, j}, {1, ""}, false});
-  problem.constraints.push_back({"ac", {1, 3}, {1.2, ""}, false});
-  problem.relations = {{"aoc", "angle", {{0, 1}, {0, 3}}, Relation::Form::degrees, {50, ""}}};
+  ProblemStatement problem = samples::point_at_an_angle(50);
   problem.sketch = Figure{Eigen::Matrix3Xd::Zero(3, 4), {}};
   problem.sketch->points.col(1) << 1, 0, 0;
   problem.sketch->points.col(2) << 0.5, std::sqrt(0.75), 0;

@@ -21,6 +21,9 @@ constexpr double shrink = 0.7;
 }  // namespace
 
 std::optional<std::string> why_not_proven(const Scene& scene) {
+  if (scene.problem().is_general())
+    return scene.sketch() ? why_no_system(scene)
+                          : "a path strategy starts from a sketch, and the instance has none";
   if (const auto reason = why_no_path(scene)) return reason;
   if (scene.is_anchored() || scene.constraint_count() == 0)
     return "S is proven in scenes of constraints between points in the frame only, where nothing is fixed";
@@ -29,27 +32,22 @@ std::optional<std::string> why_not_proven(const Scene& scene) {
 
 CertifiedTracker::CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options,
                                    const TrackerContext& context)
-    : system_(scene),
-      options_(options),
+    : options_(options),
       context_(context),
-      curve_(scene, options.order, options.tolerance),
-      data_(enclose_path_data(scene, system_)),
-      known_as_box_(0, curve_.coordinates()),
-      here_(system_, data_.lengths, options.order),
-      there_(system_, data_.lengths, options.order),
-      series_(curve_.coordinates(), options.order) {
-  options_.far = times_far_away(scene.length_paths());
+      curve_(provable_curve(scene, options.order, options.tolerance)),
+      start_(curve_->exact().equations, curve_->exact().data, curve_->exact().turnings),
+      here_(curve_->exact().equations, curve_->exact().data.lengths, options.order),
+      there_(here_),
+      series_(curve_->coordinates(), options.order) {
+  options_.far = curve_->exact().far;
 }
 
 TrackedPath CertifiedTracker::run() {
-  if (!data_.is_finite())
-    return finish(
-        TrackedPath::End::failed,
-        "the sketch does not determine the frame: its reference points are not in general position");
-  if (!curve_.start(options_.orientation, series_) || !there_.expand(series_))
+  if (!curve_->exact().no_start.empty()) return finish(TrackedPath::End::failed, curve_->exact().no_start);
+  if (!curve_->start(options_.orientation, series_) || !there_.expand(series_))
     return finish(TrackedPath::End::failed,
                   "the Jacobian is singular at the sketch: hypothesis (h1) fails there");
-  WorkCounters& work = curve_.work();
+  WorkCounters& work = curve_->work();
   double half_length =
       std::min({options_.step_max, series_.step_for(options_.tolerance), there_.promising_half_length()});
   Failure failure = first_tube(half_length);
@@ -64,8 +62,10 @@ TrackedPath CertifiedTracker::run() {
     if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
     if (work.iterations >= options_.max_steps)
       return finish(TrackedPath::End::failed, "max_steps reached before the path closed");
-    if (auto far_away = runs_off(options_.far, exit_.point.mid[curve_.coordinates() - 1]))
+    if (auto far_away = runs_off(options_.far, exit_.point.mid[curve_->coordinates() - 1]))
       return finish(TrackedPath::End::failed, *std::move(far_away));
+    if (exit_.point.mid.lpNorm<Eigen::Infinity>() > options_.infinite_coordinate)
+      return finish(TrackedPath::End::at_infinity, "");
     if (!advance()) return finish(TrackedPath::End::failed, path_.cause);
     take();
     if (context_.monitor && work.iterations % 256 == 0) context_.monitor->progress("proving S", -1);
@@ -75,9 +75,10 @@ TrackedPath CertifiedTracker::run() {
 }
 
 CertifiedTracker::Failure CertifiedTracker::first_tube(double half_length) {
-  if (!there_.prove(half_length, there_.room_for(data_.start, known_as_box_))) return Failure::proof;
+  if (!there_.prove(half_length, there_.room_for(start_.start(), Eigen::MatrixXd(0, curve_->coordinates()))))
+    return Failure::proof;
   stretch_ = {};
-  const PlaceInTube start = there_.locate(data_.start, known_as_box_);
+  const PlaceInTube start = start_.locate(there_);
   if (start.kind != PlaceInTube::Kind::inside) return Failure::link;
   stretch_.entry = start.s;
   return end_stretch(there_, true, stretch_);
@@ -89,7 +90,7 @@ bool CertifiedTracker::advance() {
     const Failure failure = next_tube(ahead);
     if (failure == Failure::none) return true;
     furthest = std::max(furthest, failure);
-    ++curve_.work().rejected_steps;
+    ++curve_->work().rejected_steps;
   }
   path_.cause = cause(furthest);
   return false;
@@ -101,7 +102,7 @@ CertifiedTracker::Failure CertifiedTracker::next_tube(double ahead) {
   here_.curve().evaluate(exit_s_ + ahead, y);
   here_.curve().tangent(exit_s_ + ahead, tangent);
   y += exit_.point.mid - from;
-  if (!curve_.advance(y, tangent, series_) || !there_.expand(series_)) return Failure::corrector;
+  if (!curve_->advance(y, tangent, series_) || !there_.expand(series_)) return Failure::corrector;
   stretch_ = {};
   const double needed = ahead / first_reach;
   const double longest = std::max(options_.step_max, options_.step_max_far * from.lpNorm<Eigen::Infinity>());
@@ -138,7 +139,7 @@ CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bo
   const double used = used_parts[0] * tube.half_length();
   std::optional<ParameterRange> close;
   if (!is_first) {
-    const PlaceInTube sketch = tube.locate(data_.start, known_as_box_);
+    const PlaceInTube sketch = start_.locate(tube);
     if (sketch.kind == PlaceInTube::Kind::inside && sketch.s.high > stretch.entry.low) {
       if (!(sketch.s.low > stretch.entry.high)) return Failure::closing;
       if (sketch.s.low <= used) close = sketch.s;
@@ -159,7 +160,7 @@ CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bo
 }
 
 void CertifiedTracker::take() {
-  WorkCounters& work = curve_.work();
+  WorkCounters& work = curve_->work();
   std::swap(here_, there_);
   const double step = stretch_.exit.low - stretch_.entry.low;
   ++work.iterations;
@@ -201,7 +202,7 @@ std::string CertifiedTracker::cause(Failure failure) const {
 TrackedPath CertifiedTracker::finish(TrackedPath::End end, std::string cause) {
   path_.end = end;
   path_.cause = std::move(cause);
-  path_.work = curve_.work();
+  path_.work = curve_->work();
   return std::move(path_);
 }
 

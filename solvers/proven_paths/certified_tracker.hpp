@@ -6,33 +6,40 @@
 /// arcs there, which span the same line, are shown to make an acute angle, so that both are followed in the
 /// same direction. The first tube is shown to hold the sketch in the same way.
 ///
-/// Closing. In every tube it is decided whether the sketch lies on the part used of its arc. A regular curve
-/// followed in one direction is closed where it first meets its start.
+/// Closing. In every tube it is decided whether the sketch lies on the part used of its arc, in general scenes with lines
+/// and planes perhaps turned over (proven_paths/start_images.hpp). A regular curve followed in one direction is closed
+/// where it first meets its start.
 ///
 /// Crossings. On every part used, all crossings of t = 1 are proven (proven_paths/tube_crossings.hpp).
 ///
 /// So a path that is closed is S, all of it, followed once; S is regular ([I] (h1)), and the number and order
-/// of its crossings are theorems for the exact decimals of the file (see proven_paths/path_data.hpp). As S
-/// is regular, no length vanishes on it, so that in squared lengths it is the same component as in lengths.
+/// of its crossings are theorems for the exact decimals of the file (see proven_paths/path_data.hpp and
+/// general_path_data.hpp). As S is regular, no length vanishes on it, so that in squared lengths it is the same
+/// component as in lengths.
+///
+/// Infinity. S of a general scene may not close. Where a coordinate is beyond a given size the path ends, and what is
+/// proven is the piece up to there, with its crossings.
 ///
 /// Steps. The next centre is tried well beyond the end of the last tube, so that tubes reach to both sides of
 /// their centre; where a tube is not proven, not linked, or leaves a crossing undecided, the next one is
 /// tried nearer and shorter. Below the smallest step the tracker gives up with the last reason: S is singular
 /// there, or passes a singularity or another arc too closely, or touches t = 1.
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "solvers/proven_paths/path_tube.hpp"
+#include "solvers/proven_paths/provable_curve.hpp"
 #include "solvers/proven_paths/proven_path.hpp"
+#include "solvers/proven_paths/start_images.hpp"
 #include "solvers/proven_paths/tube_crossings.hpp"
-#include "solvers/tracking/distance_curve.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 #include "solvers/tracking/tracked_path.hpp"
 
 namespace gcs {
 
-/// Why S cannot be proven in this scene, or nothing.
+/// Why S cannot be proven in this scene, or nothing; of a general scene whose equations are as many as its unknowns.
 std::optional<std::string> why_not_proven(const Scene& scene);
 
 class CertifiedTracker {
@@ -46,7 +53,7 @@ class CertifiedTracker {
   TrackedPath run();
   const std::vector<ProvenArc>& arcs() const { return arcs_; }
   /// The figure of a crossing's point, in the frame.
-  Figure figure(const Eigen::VectorXd& y) const { return curve_.figure(y); }
+  Figure figure(const Eigen::VectorXd& y) const { return curve_->figure(y); }
 
  private:
   /// Why a tube was not taken, in the order of the tests.
@@ -69,13 +76,11 @@ class CertifiedTracker {
   std::string cause(Failure failure) const;
   TrackedPath finish(TrackedPath::End end, std::string cause);
 
-  DistanceSystem system_;
   SeriesTrackerOptions options_;
   TrackerContext context_;
-  DistanceCurve curve_;
-  PathData data_;
-  Eigen::MatrixXd known_as_box_;  ///< the sketch's spread: none
-  PathTube here_, there_;         ///< the last tube taken, and the one being tried
+  std::unique_ptr<ProvableCurve> curve_;
+  StartImages start_;
+  PathTube here_, there_;  ///< the last tube taken, and the one being tried
   ArcSeries series_;
   Stretch stretch_;    ///< of there_ while it is tried, then of here_
   ArcPoint exit_;      ///< where the used part of here_ ends

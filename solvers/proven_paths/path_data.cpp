@@ -71,15 +71,10 @@ EnclosedLength enclose_length(const Scene& scene, int constraint) {
   // A target length is the nearest double of a decimal, or the rounded root of one.
   const double given = scene.problem().constraints[constraint].given.value;
   const double target_error = (half_ulp + rounding_of(given) / given) * path.at_target;
-  // A coefficient in the scene's unit is that of the file exactly, but for underflow.
-  const auto coefficient_error = [&](double coefficient) {
-    const double in_file = std::ldexp(coefficient, scene.unit_exponent());
-    return coefficient == 0 ? 0 : std::ldexp(rounding_of(in_file), -scene.unit_exponent());
-  };
   EnclosedLength length{path,
                         (of_sketch + -path.at_sketch).radius() + std::abs((of_sketch + -path.at_sketch).mid),
-                        target_error, coefficient_error(path.bend)};
-  for (const double coefficient : path.higher) length.higher_errors.push_back(coefficient_error(coefficient));
+                        target_error};
+  set_bend_errors(scene, length);
   return length;
 }
 
@@ -89,6 +84,16 @@ bool PathData::is_finite() const {
   bool finite = start.mid.allFinite() && start.radius.allFinite();
   for (const EnclosedLength& length : lengths) finite = finite && std::isfinite(length.sketch_error);
   return finite;
+}
+
+/// A coefficient in the scene's unit is that of the file exactly, but for underflow.
+void set_bend_errors(const Scene& scene, EnclosedLength& length) {
+  const auto error_of = [&](double coefficient) {
+    const double in_file = std::ldexp(coefficient, scene.unit_exponent());
+    return coefficient == 0 ? 0 : std::ldexp(rounding_of(in_file), -scene.unit_exponent());
+  };
+  length.bend_error = error_of(length.path.bend);
+  for (const double coefficient : length.path.higher) length.higher_errors.push_back(error_of(coefficient));
 }
 
 PathData enclose_path_data(const Scene& scene, const DistanceSystem& system) {

@@ -28,6 +28,7 @@ struct EnclosedLength {
   double target_error = 0;
   double bend_error = 0;
   std::vector<double> higher_errors{};  ///< one for each of path.higher
+  bool is_plain = false;                ///< the equation has a(t) itself, not half its square
 };
 
 struct PathData {
@@ -35,6 +36,9 @@ struct PathData {
   std::vector<EnclosedLength> lengths;
   bool is_finite() const;
 };
+
+/// How far a coefficient of a file may be from its double, for the bends.
+void set_bend_errors(const Scene& scene, EnclosedLength& length);
 
 /// The sketch is moved into the frame in affine forms without symbols, that is, in intervals. Where the
 /// sketch does not determine the frame (its reference points coincide or lie on one line) the result is not

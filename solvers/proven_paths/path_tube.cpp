@@ -24,22 +24,16 @@ constexpr double largest_contraction = 0.9;
 /// How far t may be from that on c: the bounds on lengths hold up to 1.
 constexpr double largest_time_reach = 0.5;
 
-/// The transpose of J G for the J with these differences of coordinates and derivatives −pull(e) by t;
-/// `transposed` is Gᵀ.
-template <class Difference, class Pull>
+/// The transpose of J G for the J with these values of forms and derivatives −pull(e) by t; `transposed` is Gᵀ.
+template <class Value, class Pull>
 Eigen::MatrixXd jacobian_times(const TubeSeries& series, const Eigen::MatrixXd& transposed,
-                               const Difference& difference, const Pull& pull) {
-  const Eigen::Index time = transposed.cols() - 1;
-  Eigen::MatrixXd product(transposed.rows(), series.edges());
-  for (int e = 0; e < series.edges(); ++e) {
-    auto row = product.col(e);
-    row = -pull(e) * transposed.col(time);
-    for (int axis = 0; axis < series.axes(); ++axis) {
-      const auto [i, j] = series.ends(axis, e);
-      const double d = difference(axis, e);
-      if (i <= time) row += d * transposed.col(i);
-      if (j <= time) row -= d * transposed.col(j);
-    }
+                               const Value& value_of, const Pull& pull) {
+  Eigen::MatrixXd product(transposed.rows(), series.count());
+  for (Eigen::Index e = 0; e < series.count(); ++e) product.col(e) = -pull(e) * transposed.rightCols<1>();
+  for (const auto& [e, value, moved] : series.equations().pairs) {
+    const double v = value_of(value);
+    for (const EnclosedForm::Term& term : series.equations().forms[static_cast<std::size_t>(moved)].terms)
+      product.col(e) += v * term.coefficient * transposed.col(term.coordinate);
   }
   return product;
 }
@@ -52,8 +46,8 @@ PointBox ArcPoint::hull() const {
   return box;
 }
 
-PathTube::PathTube(const DistanceSystem& system, std::vector<EnclosedLength> lengths, int order)
-    : series_(system, std::move(lengths), order) {}
+PathTube::PathTube(PathEquations equations, std::vector<EnclosedLength> lengths, int order)
+    : series_(std::move(equations), std::move(lengths), order) {}
 
 bool PathTube::expand(const ArcSeries& c) {
   series_.expand(c);
@@ -63,30 +57,39 @@ bool PathTube::expand(const ArcSeries& c) {
 }
 
 void PathTube::set_matrices() {
-  const int m = series_.edges(), n = series_.coordinates();
-  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(m, n + 1);
-  padded.leftCols(n) = section_.rows;
-  differences_.resize(m, series_.axes() * m);
+  const Eigen::Index m = series_.count();
+  jacobian_sizes_ = series_.jacobian_sizes();
+  row_sizes_ = section_.rows.cwiseAbs();
+  set_differences();
   std::array<Eigen::MatrixXd*, 3> orders{&defect_, &turn_, &bend_};
   for (int k = 0; k < 3; ++k) {
     orders[k]->resize(m, m);
-    for (int e = 0; e < m; ++e) orders[k]->col(e) = -series_.pull(e, k) * padded.col(n - 1);
+    for (Eigen::Index e = 0; e < m; ++e)
+      orders[k]->col(e) = -series_.pull(e, k) * section_.rows.rightCols<1>();
   }
-  for (int axis = 0; axis < series_.axes(); ++axis)
-    for (int e = 0; e < m; ++e) {
-      const auto [i, j] = series_.ends(axis, e);
-      auto difference = differences_.col(axis * m + e);
-      difference = padded.col(i) - padded.col(j);
-      for (int k = 0; k < 3; ++k) orders[k]->col(e) += series_.coefficient(axis, e, k) * difference;
-    }
+  for (const auto& [e, value, moved] : series_.equations().pairs)
+    for (int k = 0; k < 3; ++k) orders[k]->col(e) += series_.coefficient(value, k) * differences_.col(moved);
   defect_.diagonal().array() -= 1;
   for (Eigen::MatrixXd* matrix : orders) *matrix = matrix->cwiseAbs().eval();
   differences_ = differences_.cwiseAbs().eval();
-  row_sizes_ = section_.rows.cwiseAbs();
+  if (!series_.has_differences()) differences_ += difference_errors_;
+}
+
+/// dD P, and bounds on its error; differences of rows of P are exact.
+void PathTube::set_differences() {
+  const std::vector<EnclosedForm>& forms = series_.equations().forms;
+  differences_.setZero(series_.count(), series_.forms());
+  if (!series_.has_differences()) difference_errors_.setZero(series_.count(), series_.forms());
+  for (Eigen::Index k = 0; k < series_.forms(); ++k)
+    for (const EnclosedForm::Term& term : forms[static_cast<std::size_t>(k)].terms) {
+      differences_.col(k) += term.coefficient * section_.rows.col(term.coordinate);
+      if (!series_.has_differences())
+        difference_errors_.col(k) += series_.coefficient_error(term) * row_sizes_.col(term.coordinate);
+    }
 }
 
 double PathTube::promising_half_length() const {
-  Eigen::VectorXd v = Eigen::VectorXd::Ones(series_.edges());
+  Eigen::VectorXd v = Eigen::VectorXd::Ones(series_.count());
   double growth = 0;
   for (int i = 0; i < 4; ++i) {
     const Eigen::VectorXd next = turn_.transpose() * v;
@@ -98,31 +101,41 @@ double PathTube::promising_half_length() const {
   return growth > 0 ? 0.5 / growth : std::numeric_limits<double>::infinity();
 }
 
-/// What each unit of |P_i − P_j| v and of |P_t| v moves in (I − J P) for a v of this size.
+/// What each unit of |dD P v| and of |P_t v| moves in (I − J P) for a v of this size.
 void PathTube::set_weights(const Eigen::ArrayXd& v) {
-  const Eigen::Index m = series_.edges(), axes = series_.axes();
+  const Eigen::Index m = series_.count(), forms = series_.forms();
   const Eigen::ArrayXd reach = (differences_.transpose() * v.matrix()).array();
   const double time = row_sizes_.col(row_sizes_.cols() - 1).dot(v.matrix());
-  axis_weights_ = bounds_.rest.head(axes * m) + reach + few_roundings * bounds_.size.head(axes * m);
+  form_weights_ = bounds_.rest.head(forms) + reach + series_.sum_rounding() * bounds_.size.head(forms);
+  if (!series_.has_differences()) {
+    form_weights_ += bounds_.form_error;
+    error_weights_ = bounds_.size.head(forms) + bounds_.form_error + reach;
+  }
   time_weights_.resize(m);
   for (Eigen::Index e = 0; e < m; ++e) {
     const double slope_move = bounds_.curvature[e] * time;
     const double slope = bounds_.slope[e] + slope_move, move = slope * time;
-    const double length = bounds_.size[axes * m + e] + bounds_.length_error[e] + move;
+    if (is_plain(e)) {
+      time_weights_[e] =
+          bounds_.pull_rest[e] + bounds_.slope_error[e] + slope_move + series_.sum_rounding() * slope;
+      continue;
+    }
+    const double length = bounds_.size[forms + e] + bounds_.length_error[e] + move;
     time_weights_[e] = bounds_.pull_rest[e] + slope * (bounds_.length_error[e] + move) +
-                       length * (bounds_.slope_error[e] + slope_move) + few_roundings * slope * length;
+                       length * (bounds_.slope_error[e] + slope_move) +
+                       series_.sum_rounding() * slope * length;
   }
 }
 
 void PathTube::set_moves(const Eigen::ArrayXd& v) {
-  const Eigen::Index m = series_.edges(), time = row_sizes_.cols() - 1;
   set_weights(v);
   moves_ = defect_ + bounds_.h * turn_ + (bounds_.h * bounds_.h) * bend_;
-  for (Eigen::Index e = 0; e < m; ++e) {
-    for (int axis = 0; axis < series_.axes(); ++axis)
-      moves_.col(e) += axis_weights_[axis * m + e] * differences_.col(axis * m + e);
-    moves_.col(e) += time_weights_[e] * row_sizes_.col(time);
+  for (const auto& [e, value, moved] : series_.equations().pairs) {
+    moves_.col(e) += form_weights_[value] * differences_.col(moved);
+    if (!series_.has_differences()) moves_.col(e) += error_weights_[value] * difference_errors_.col(moved);
   }
+  for (Eigen::Index e = 0; e < series_.count(); ++e)
+    moves_.col(e) += time_weights_[e] * row_sizes_.rightCols<1>();
 }
 
 Eigen::ArrayXd PathTube::moved(const Eigen::ArrayXd& v) const {
@@ -131,12 +144,12 @@ Eigen::ArrayXd PathTube::moved(const Eigen::ArrayXd& v) const {
 
 Eigen::MatrixXd PathTube::in_section(const Eigen::MatrixXd& spread) const {
   return jacobian_times(
-      series_, spread, [this](int axis, int e) { return series_.coefficient(axis, e, 0); },
-      [this](int e) { return series_.pull(e, 0); });
+      series_, spread, [this](Eigen::Index form) { return series_.coefficient(form, 0); },
+      [this](Eigen::Index e) { return series_.pull(e, 0); });
 }
 
 Eigen::ArrayXd PathTube::room_for(const PointBox& box, const Eigen::MatrixXd& spread) const {
-  return (section_.jacobian.cwiseAbs() * box.radius).array() +
+  return (jacobian_sizes_ * box.radius).array() +
          in_section(spread).cwiseAbs().colwise().sum().transpose().array();
 }
 
@@ -181,9 +194,8 @@ void PathTube::set_progress() {
 /// Krawczyk's operator contracts in the norm of r by what r leaves of b. The matrix depends on r, but little.
 bool PathTube::contracts(const Eigen::ArrayXd& room) {
   constexpr int rounds = 3;
-  const Eigen::Index m = series_.edges();
-  Eigen::ArrayXd terms = Eigen::ArrayXd::Zero(m);
-  for (int axis = 0; axis <= series_.axes(); ++axis) terms += bounds_.size.segment(axis * m, m).square();
+  const Eigen::Index m = series_.count();
+  const Eigen::ArrayXd& terms = bounds_.terms;
   const double part = (width * (bounds_.residual + room) / terms).maxCoeff() + least_radius;
   radius_ = 2 * part * terms;
   for (int i = 0; i < rounds; ++i) {
@@ -209,28 +221,37 @@ Eigen::ArrayXd PathTube::resolved(const Eigen::ArrayXd& push) const {
 }
 
 void PathTube::set_start_defect() {
-  const Eigen::Index m = series_.edges(), axes = series_.axes();
+  const Eigen::Index m = series_.count(), forms = series_.forms();
   const Eigen::ArrayXd reach = (differences_.transpose() * radius_.matrix()).array();
-  Eigen::ArrayXd terms = bounds_.slope * (bounds_.size.tail(m) + bounds_.length_error) *
-                         row_sizes_.col(row_sizes_.cols() - 1).dot(radius_.matrix());
-  for (Eigen::Index axis = 0; axis < axes; ++axis)
-    terms += bounds_.size.segment(axis * m, m) * reach.segment(axis * m, m);
-  start_defect_ = ratio((defect_.transpose() * radius_.matrix()).array() + few_roundings * terms);
+  const double time = row_sizes_.col(row_sizes_.cols() - 1).dot(radius_.matrix());
+  Eigen::ArrayXd terms(m);
+  for (Eigen::Index e = 0; e < m; ++e)
+    terms[e] =
+        bounds_.slope[e] * (is_plain(e) ? 1 : bounds_.size[forms + e] + bounds_.length_error[e]) * time;
+  for (const auto& [e, value, moved] : series_.equations().pairs)
+    terms[e] += bounds_.size[value] * reach[moved];
+  Eigen::ArrayXd defect = (defect_.transpose() * radius_.matrix()).array() + series_.sum_rounding() * terms;
+  if (!series_.has_differences()) {
+    const Eigen::ArrayXd errors = (difference_errors_.transpose() * radius_.matrix()).array();
+    for (const auto& [e, value, moved] : series_.equations().pairs)
+      defect[e] += bounds_.size[value] * errors[moved];
+  }
+  start_defect_ = ratio(defect);
 }
 
 /// v' = −(∂F/∂v)⁻¹ ∂F/∂s, where ∂F/∂s(s, v) − ∂F/∂s(s, 0) = (J(c + P v) − J(c)) c'.
 void PathTube::set_speed() {
-  const Eigen::Index m = series_.edges(), axes = series_.axes();
+  const Eigen::Index m = series_.count(), forms = series_.forms();
   const Eigen::ArrayXd reach = (differences_.transpose() * inner_radius_.matrix()).array();
   const double time = row_sizes_.col(row_sizes_.cols() - 1).dot(inner_radius_.matrix());
   Eigen::ArrayXd push = bounds_.residual_speed;
-  for (Eigen::Index axis = 0; axis < axes; ++axis)
-    push += reach.segment(axis * m, m) * bounds_.speed.segment(axis * m, m);
+  for (const auto& [e, value, moved] : series_.equations().pairs)
+    push[e] += reach[value] * (bounds_.speed[moved] + bounds_.form_speed_error[moved]);
   for (Eigen::Index e = 0; e < m; ++e) {
     const double slope_move = bounds_.curvature[e] * time;
     const double slope = bounds_.slope[e] + slope_move, move = slope * time;
-    const double length = bounds_.size[axes * m + e] + bounds_.length_error[e] + move;
-    push[e] += (slope * move + length * slope_move) * bounds_.time_speed;
+    const double length = bounds_.size[forms + e] + bounds_.length_error[e] + move;
+    push[e] += (is_plain(e) ? slope_move : slope * move + length * slope_move) * bounds_.time_speed;
   }
   speed_ = resolved(push);
 }
@@ -241,6 +262,11 @@ Eigen::VectorXd PathTube::polynomial_error() const {
 
 Eigen::VectorXd PathTube::radius() const {
   return row_sizes_.transpose() * inner_radius_.matrix() * round_up;
+}
+
+Eigen::VectorXd PathTube::extent() const {
+  const Eigen::VectorXd moved = coordinate_size_ - series_.curve().coefficient(0).cwiseAbs();
+  return (moved.cwiseAbs() + radius() + polynomial_error()) * round_up;
 }
 
 double PathTube::section_parameter(const Eigen::VectorXd& y) const {
@@ -276,7 +302,7 @@ PlaceInTube PathTube::locate(const PointBox& box, const Eigen::MatrixXd& spread)
   PlaceInTube place{PlaceInTube::Kind::unknown, {s - ds, s + ds}};
   if (!(place.s.low > -bounds_.h && place.s.high < bounds_.h)) return place;
   const PointBox direction = polynomial_tangent({s, s});
-  const Eigen::MatrixXd sizes = section_.jacobian.cwiseAbs();
+  const Eigen::MatrixXd& sizes = jacobian_sizes_;
   const Eigen::ArrayXd v = (section_.jacobian * offset).array().abs();
   const Eigen::ArrayXd v_error =
       ((sizes * (error + ds * (direction.radius + ds * coordinate_turn_ + terms * direction.mid.cwiseAbs())) +
@@ -293,45 +319,43 @@ PlaceInTube PathTube::locate(const PointBox& box, const Eigen::MatrixXd& spread)
 
 void PathTube::residual(const Eigen::VectorXd& y, const Eigen::VectorXd& error, Eigen::ArrayXd& f,
                         Eigen::ArrayXd& f_error) const {
-  const Eigen::Index m = series_.edges(), time = y.size() - 1;
+  const Eigen::Index m = series_.count(), time = y.size() - 1;
+  Eigen::ArrayXd size(m);
   for (Eigen::Index e = 0; e < m; ++e) {
-    const int edge = static_cast<int>(e);
-    const LengthPath& path = series_.lengths()[static_cast<std::size_t>(e)].path;
-    const double a = path.value(y[time]);
+    const double a = series_.lengths()[static_cast<std::size_t>(e)].path.value(y[time]);
     // t is within 1/2 of that on c.
     const double a_error =
         bounds_.value_error[e] + (bounds_.slope[e] + bounds_.curvature[e] / 2) * error[time];
-    double sum = -a * a, size = a * a;
-    f_error[e] = (std::abs(a) + a_error) * a_error;
-    for (int axis = 0; axis < series_.axes(); ++axis) {
-      const auto [i, j] = series_.ends(axis, edge);
-      const double difference = (i <= time ? y[i] : 0) - (j <= time ? y[j] : 0);
-      const double moved = (i <= time ? error[i] : 0) + (j <= time ? error[j] : 0);
-      sum += difference * difference;
-      size += difference * difference;
-      f_error[e] += (std::abs(difference) + moved) * moved;
-    }
-    f[e] = sum / 2;
-    f_error[e] = (f_error[e] + few_roundings * size) * round_up;
+    f[e] = is_plain(e) ? -2 * a : -a * a;
+    size[e] = std::abs(f[e]);
+    f_error[e] = is_plain(e) ? a_error : (std::abs(a) + a_error) * a_error;
   }
+  for (const auto& [e, value, moved] : series_.equations().pairs) {
+    const double v = series_.form_at(value, y), d = series_.form_at(moved, y);
+    const double v_error = series_.form_error_at(value, y, error),
+                 d_error = series_.form_error_at(moved, y, error);
+    f[e] += v * d;
+    size[e] += std::abs(v * d);
+    f_error[e] += ((std::abs(v) + v_error) * d_error + (std::abs(d) + d_error) * v_error) / 2;
+  }
+  f /= 2;
+  f_error = (f_error + series_.sum_rounding() * size) * round_up;
 }
 
 Eigen::MatrixXd PathTube::section_jacobian(const Eigen::VectorXd& y) const {
-  const Eigen::Index time = y.size() - 1;
-  const auto difference = [&](int axis, int e) {
-    const auto [i, j] = series_.ends(axis, e);
-    return (i <= time ? y[i] : 0) - (j <= time ? y[j] : 0);
-  };
-  const auto pull = [&](int e) {
+  const double t = y[y.size() - 1];
+  const auto pull = [&](Eigen::Index e) {
     const LengthPath& path = series_.lengths()[static_cast<std::size_t>(e)].path;
-    return path.value(y[time]) * path.slope(y[time]);
+    return is_plain(e) ? path.slope(t) : path.value(t) * path.slope(t);
   };
-  return jacobian_times(series_, section_.rows, difference, pull).transpose();
+  return jacobian_times(
+             series_, section_.rows, [&](Eigen::Index form) { return series_.form_at(form, y); }, pull)
+      .transpose();
 }
 
 ArcPoint PathTube::at(double s) const {
   constexpr int rounds = 8;
-  Eigen::VectorXd c, v = Eigen::VectorXd::Zero(series_.edges());
+  Eigen::VectorXd c, v = Eigen::VectorXd::Zero(series_.count());
   series_.curve().evaluate(s, c);
   Eigen::VectorXd y = c, error = polynomial_error();
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(section_jacobian(c));

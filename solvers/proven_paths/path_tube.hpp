@@ -5,16 +5,16 @@
 ///
 /// With c a Taylor polynomial of S and P as in curve_section.hpp, the tube is
 ///   {c(s) + P v : |s| ≤ h, |v_i| ≤ r_i},
-/// and F(s, v) = f(c(s) + P v) is the distance system in its coordinates, with ∂F/∂v = J P near the identity.
+/// and F(s, v) = f(c(s) + P v) are the equations of S in its coordinates, with ∂F/∂v = J P near the identity.
 /// Krawczyk's operator with the identity as preconditioner,
 ///   K(s) = −F(s, 0) + (I − J(c(s) + P V) P) V,
 /// lies inside V for every |s| ≤ h. Then for every s there is exactly one v(s) in V with F(s, v(s)) = 0, and
 /// ∂F/∂v is regular there. As ν·c'(s) > 0 and ν·P = 0, s is a function of the point: the tube's solutions are
 /// one arc without double points, S is regular on it ([I] (h1)), and s grows along it.
 ///
-/// The equations are quadratic in the points, so the bound on K costs sums over the edges only: the matrices
-/// J P, its first two derivatives along c, and bounds on the rest. All rounding is enclosed, and the proof
-/// holds for all lengths within the errors of EnclosedLength at once.
+/// The equations are quadratic in X, so the bound on K costs sums over their products only: the matrices J P, its
+/// first two derivatives along c, and bounds on the rest. All rounding is enclosed, and the proof holds for all
+/// lengths and coefficients within the errors of EnclosedLength and EnclosedForm at once.
 
 #include <Eigen/LU>
 
@@ -49,7 +49,7 @@ struct PlaceInTube {
 
 class PathTube {
  public:
-  PathTube(const DistanceSystem& system, std::vector<EnclosedLength> lengths, int order);
+  PathTube(PathEquations equations, std::vector<EnclosedLength> lengths, int order);
 
   /// Takes c; false where J is singular in floating point. Nothing is proven yet.
   bool expand(const ArcSeries& c);
@@ -65,6 +65,8 @@ class PathTube {
   const ArcSeries& curve() const { return series_.curve(); }
   /// A bound on |y_i − c_i(s)| for the points of the arc.
   Eigen::VectorXd radius() const;
+  /// A bound on |y_i − c_i(0)| for the points of the arc.
+  Eigen::VectorXd extent() const;
   /// A bound on |c̃_i(s) − c_i(s)| for |s| ≤ h, with c̃(s) as the polynomial is evaluated in floating point.
   Eigen::VectorXd polynomial_error() const;
   /// A bound on |c''(s)|.
@@ -81,7 +83,11 @@ class PathTube {
   PointBox tangent(const ParameterRange& range) const;
 
  private:
+  bool is_plain(Eigen::Index equation) const {
+    return series_.lengths()[static_cast<std::size_t>(equation)].is_plain;
+  }
   void set_matrices();
+  void set_differences();
   bool contracts(const Eigen::ArrayXd& room);
   void bound_arc();
   void set_weights(const Eigen::ArrayXd& v);
@@ -107,12 +113,14 @@ class PathTube {
   TubeSeries series_;
   CurveSection section_;
   TubeBounds bounds_;
-  Eigen::MatrixXd differences_;           ///< |P_i − P_j| for every axis and edge, m × axes·edges
+  Eigen::MatrixXd differences_;           ///< |dD P| for every form D, m × forms: upper bounds
+  Eigen::MatrixXd difference_errors_;     ///< of the computed dD P; nothing where forms are differences
+  Eigen::MatrixXd jacobian_sizes_;        ///< |J| on c(0), with every product by its size
   Eigen::MatrixXd row_sizes_;             ///< |Pᵀ|
   Eigen::MatrixXd defect_, turn_, bend_;  ///< |I − J P|, |(J P)'|, |(J P)''|/2 at s = 0, transposed
   Eigen::ArrayXd radius_;                 ///< r
   Eigen::ArrayXd inner_radius_;           ///< of the arc itself
-  Eigen::ArrayXd axis_weights_, time_weights_;
+  Eigen::ArrayXd form_weights_, error_weights_, time_weights_;
   Eigen::MatrixXd moves_;                         ///< above |I − J P| on the tube, transposed
   Eigen::PartialPivLU<Eigen::MatrixXd> move_lu_;  ///< of I − moves_, for guesses that are then verified
   Eigen::VectorXd coordinate_size_, coordinate_speed_, coordinate_turn_;

@@ -102,6 +102,12 @@ void PolynomialLength::expand(const Eigen::VectorXd& t) {
   }
 }
 
+Eigen::RowVector3d PolynomialLength::pull() const {
+  if (length_.is_plain) return slope_.head<3>();
+  return {value_[0] * slope_[0], value_[1] * slope_[0] + value_[0] * slope_[1],
+          value_[2] * slope_[0] + value_[1] * slope_[1] + value_[0] * slope_[2]};
+}
+
 /// The coefficients of τ^k are off by (k − 1)(order + 2) roundings at most, relative to those of |τ|^k; sums over k add
 /// a rounding each.
 LengthBounds PolynomialLength::bound(double h) const {
@@ -130,7 +136,8 @@ LengthBounds PolynomialLength::bound(double h) const {
   const double time = std::abs(t_[0]) + tau.size + 1;
   bounds.value_error = of_errors(length_).expansion_sizes(time)[0] +
                        few_roundings(degree) * length_.path.expansion_sizes(time)[0];
-  bounds.pull_rest = product_rest(value_, slope_, h);
+  bounds.pull_rest =
+      product_rest(length_.is_plain ? Eigen::VectorXd::Unit(order_ + 1, 0) : value_, slope_, h);
   for (double* bound : {&bounds.value_error, &bounds.length_error, &bounds.length_speed_error, &bounds.slope,
                         &bounds.slope_error, &bounds.curvature, &bounds.pull_rest})
     *bound *= round_up;

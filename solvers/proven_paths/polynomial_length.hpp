@@ -17,7 +17,7 @@ struct LengthBounds {
   double length_error = 0, length_speed_error = 0;  ///< of the exact a(t(s)) and its derivative by s
   double slope = 0, slope_error = 0;  ///< |a'(t(s))| for the exact a, and against its polynomial
   double curvature = 0;               ///< |a''(t)| for |t − t(s)| ≤ 1/2
-  double pull_rest = 0;               ///< of the product of both polynomials, the terms of order ≥ 3
+  double pull_rest = 0;  ///< of the polynomial that PolynomialLength::pull begins, the terms of order ≥ 3
 };
 
 class PolynomialLength {
@@ -29,6 +29,8 @@ class PolynomialLength {
   /// Coefficients of a(t(s)) and of a'(t(s)), cut off at the order.
   const Eigen::VectorXd& value() const { return value_; }
   const Eigen::VectorXd& slope() const { return slope_; }
+  /// Coefficients 0, 1 and 2 of the product of both or, of a plain length, of a'(t(s)).
+  Eigen::RowVector3d pull() const;
   LengthBounds bound(double h) const;
 
  private:

@@ -1,7 +1,9 @@
 #include "solvers/proven_paths/tube_series.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gcs {
 namespace {
@@ -32,63 +34,104 @@ double parameter_error(const EnclosedLength& length) {
   return length.sketch_error + length.target_error + length.bend_error;
 }
 
+Eigen::Index most_pairs(const PathEquations& equations) {
+  Eigen::VectorXi pairs = Eigen::VectorXi::Zero(equations.count);
+  for (const FormPair& pair : equations.pairs) ++pairs[pair.equation];
+  return pairs.maxCoeff();
+}
+
+/// Roundings of sums beyond those of three products and a length.
+double further_products(const PathEquations& equations) {
+  return static_cast<double>(2 * std::max<Eigen::Index>(0, most_pairs(equations) - 3));
+}
+
+/// In a form and over an equation's products.
+double most_summands(const PathEquations& equations) {
+  std::size_t terms = 0;
+  for (const EnclosedForm& form : equations.forms) terms = std::max(terms, form.terms.size() + 1);
+  return static_cast<double>(terms) + static_cast<double>(most_pairs(equations));
+}
+
 }  // namespace
 
-TubeSeries::TubeSeries(const DistanceSystem& system, std::vector<EnclosedLength> lengths, int order)
-    : system_(system),
+TubeSeries::TubeSeries(PathEquations equations, std::vector<EnclosedLength> lengths, int order)
+    : equations_(std::move(equations)),
       lengths_(std::move(lengths)),
       order_(order),
-      polynomials_(Eigen::MatrixXd::Zero((axes() + 1) * edges(), order + 1)),
-      residuals_(edges(), 2 * order + 1),
-      pulls_(edges(), 3) {
-  for (int e = 0; e < edges(); ++e)
-    if (const EnclosedLength& length = lengths_[e]; !length.path.higher.empty())
+      has_differences_(std::ranges::all_of(equations_.forms, &EnclosedForm::is_difference)),
+      sum_rounding_((16 + further_products(equations_)) * epsilon),
+      residual_rounding_((order + 8 + further_products(equations_)) * epsilon),
+      form_rounding_(has_differences_ ? 0 : (16 + 2 * most_summands(equations_)) * epsilon),
+      polynomials_(Eigen::MatrixXd::Zero(forms() + count(), order + 1)),
+      left_(static_cast<Eigen::Index>(equations_.pairs.size()), order + 1),
+      right_(left_.rows(), order + 1),
+      residuals_(count(), 2 * order + 1),
+      pulls_(count(), 3) {
+  for (int e = 0; e < count(); ++e)
+    if (const EnclosedLength& length = lengths_[static_cast<std::size_t>(e)];
+        length.is_plain || !length.path.higher.empty())
       polynomial_lengths_.emplace(e, PolynomialLength(length, order));
 }
 
-std::array<int, 2> TubeSeries::ends(int axis, int edge) const {
-  const auto [a, b] = system_.edges()[edge];
-  const int i = system_.unknown(a, axis), j = system_.unknown(b, axis);
-  return {i >= 0 ? i : coordinates(), j >= 0 ? j : coordinates()};
+Eigen::MatrixXd TubeSeries::jacobian() const {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count(), coordinates());
+  for (const auto& [e, value, moved] : equations_.pairs)
+    for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(moved)].terms)
+      matrix(e, term.coordinate) += coefficient(value, 0) * term.coefficient;
+  matrix.col(coordinates() - 1) = -pulls_.col(0);
+  return matrix;
 }
 
-Eigen::MatrixXd TubeSeries::jacobian() const {
-  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(edges(), coordinates() + 1);
-  for (int axis = 0; axis < axes(); ++axis)
-    for (int e = 0; e < edges(); ++e) {
-      const auto [i, j] = ends(axis, e);
-      padded(e, i) = coefficient(axis, e, 0);
-      padded(e, j) = -coefficient(axis, e, 0);
-    }
-  padded.col(coordinates() - 1) = -pulls_.col(0);
-  return padded.leftCols(coordinates());
+Eigen::MatrixXd TubeSeries::jacobian_sizes() const {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count(), coordinates());
+  for (const auto& [e, value, moved] : equations_.pairs)
+    for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(moved)].terms)
+      matrix(e, term.coordinate) += std::abs(coefficient(value, 0) * term.coefficient);
+  matrix.col(coordinates() - 1) = pulls_.col(0).cwiseAbs();
+  return matrix;
+}
+
+double TubeSeries::form_at(Eigen::Index form, const Eigen::VectorXd& y) const {
+  const EnclosedForm& exact = equations_.forms[static_cast<std::size_t>(form)];
+  double sum = exact.constant;
+  for (const EnclosedForm::Term& term : exact.terms) sum += term.coefficient * y[term.coordinate];
+  return sum;
+}
+
+double TubeSeries::form_error_at(Eigen::Index form, const Eigen::VectorXd& y,
+                                 const Eigen::VectorXd& error) const {
+  const EnclosedForm& exact = equations_.forms[static_cast<std::size_t>(form)];
+  double sum = exact.constant_error + form_rounding_ * std::abs(exact.constant);
+  for (const EnclosedForm::Term& term : exact.terms)
+    sum += std::abs(term.coefficient) * error[term.coordinate] +
+           coefficient_error(term) * (std::abs(y[term.coordinate]) + error[term.coordinate]);
+  return sum;
 }
 
 void TubeSeries::expand(const ArcSeries& c) {
   curve_ = c;
-  set_differences();
+  set_forms();
   set_lengths();
   set_residuals();
 }
 
-void TubeSeries::set_differences() {
-  Eigen::VectorXd padded = Eigen::VectorXd::Zero(coordinates() + 1);
-  for (int n = 0; n <= order_; ++n) {
-    padded.head(coordinates()) = curve_.coefficient(n);
-    for (int axis = 0; axis < axes(); ++axis)
-      for (int e = 0; e < edges(); ++e) {
-        const auto [i, j] = ends(axis, e);
-        polynomials_(axis * edges() + e, n) = padded[i] - padded[j];
-      }
+void TubeSeries::set_forms() {
+  polynomials_.topRows(forms()).setZero();
+  const Eigen::MatrixXd& c = curve_.coefficients();
+  for (Eigen::Index k = 0; k < forms(); ++k) {
+    const EnclosedForm& form = equations_.forms[static_cast<std::size_t>(k)];
+    polynomials_(k, 0) = form.constant;
+    for (const EnclosedForm::Term& term : form.terms)
+      polynomials_.row(k) += term.coefficient * c.row(term.coordinate);
   }
 }
 
 /// a(t) = a(t_0) + a'(t_0)·τ − bend·τ² with τ = t − t_0 as a polynomial in s, cut off at its order.
 void TubeSeries::set_lengths() {
-  auto a = polynomials_.bottomRows(edges());
+  auto a = polynomials_.bottomRows(count());
   const Eigen::VectorXd t = curve_.coefficients().row(coordinates() - 1);
-  for (int e = 0; e < edges(); ++e) {
-    const LengthPath& path = lengths_[e].path;
+  for (Eigen::Index e = 0; e < count(); ++e) {
+    const LengthPath& path = lengths_[static_cast<std::size_t>(e)].path;
     const double slope = path.slope(t[0]), bend = path.bend;
     a.row(e) = slope * t.transpose();
     a(e, 0) = path.value(t[0]);
@@ -101,24 +144,39 @@ void TubeSeries::set_lengths() {
   }
   for (auto& [e, length] : polynomial_lengths_) {
     length.expand(t);
-    const Eigen::VectorXd &value = length.value(), &slope = length.slope();
-    a.row(e) = value;
-    pulls_.row(e) << value[0] * slope[0], value[1] * slope[0] + value[0] * slope[1],
-        value[2] * slope[0] + value[1] * slope[1] + value[0] * slope[2];
+    a.row(e) = length.value();
+    pulls_.row(e) = length.pull();
   }
 }
 
+/// V and D may be exchanged, so that half of their products are enough.
 void TubeSeries::set_residuals() {
-  const Eigen::Index m = edges();
-  Eigen::ArrayXd sum(polynomials_.rows());
+  const Eigen::Index pairs = left_.rows();
+  for (Eigen::Index p = 0; p < pairs; ++p) {
+    const FormPair& pair = equations_.pairs[static_cast<std::size_t>(p)];
+    left_.row(p) = polynomials_.row(pair.value);
+    right_.row(p) = polynomials_.row(pair.moved);
+  }
+  const auto a = polynomials_.bottomRows(count());
+  Eigen::ArrayXd products(pairs), squares(count());
   for (int n = 0; n <= 2 * order_; ++n) {
-    sum.setZero();
-    for (int i = std::max(0, n - order_); 2 * i < n; ++i)
-      sum += polynomials_.col(i).array() * polynomials_.col(n - i).array();
-    if (n % 2 == 0) sum += 0.5 * polynomials_.col(n / 2).array().square();
+    products.setZero();
+    squares.setZero();
+    for (int i = std::max(0, n - order_); 2 * i < n; ++i) {
+      products += left_.col(i).array() * right_.col(n - i).array();
+      squares += a.col(i).array() * a.col(n - i).array();
+    }
+    if (n % 2 == 0) {
+      products += 0.5 * (left_.col(n / 2).array() * right_.col(n / 2).array());
+      squares += 0.5 * a.col(n / 2).array().square();
+    }
     auto f = residuals_.col(n);
-    f = sum.head(m) - sum.tail(m);
-    for (int axis = 1; axis < axes(); ++axis) f += sum.segment(axis * m, m).matrix();
+    for (Eigen::Index e = 0; e < count(); ++e) {
+      const bool is_plain = lengths_[static_cast<std::size_t>(e)].is_plain;
+      f[e] = is_plain ? (n <= order_ ? -a(e, n) : 0) : -squares[e];
+    }
+    for (Eigen::Index p = 0; p < pairs; ++p)
+      f[equations_.pairs[static_cast<std::size_t>(p)].equation] += products[p];
   }
 }
 
@@ -129,8 +187,50 @@ void TubeSeries::bound(double h, TubeBounds& bounds) const {
   bounds.size = sizes * p;
   bounds.speed = sizes * power_slopes(h, order_ + 1);
   bounds.rest = sizes.rightCols(order_ - 2) * p.tail(order_ - 2);
+  bound_forms(bounds);
+  bound_terms(bounds);
   bound_lengths(bounds);
   bound_residuals(bounds);
+}
+
+void TubeSeries::bound_forms(TubeBounds& bounds) const {
+  bounds.form_error.setZero(forms());
+  bounds.form_speed_error.setZero(forms());
+  if (has_differences_) return;
+  const auto sizes = curve_.coefficients().cwiseAbs();
+  const Eigen::VectorXd size = sizes * powers(bounds.h, order_ + 1);
+  const Eigen::VectorXd speed = sizes * power_slopes(bounds.h, order_ + 1);
+  for (Eigen::Index k = 0; k < forms(); ++k) {
+    const EnclosedForm& form = equations_.forms[static_cast<std::size_t>(k)];
+    bounds.form_error[k] = form.constant_error + form_rounding_ * std::abs(form.constant);
+    for (const EnclosedForm::Term& term : form.terms) {
+      bounds.form_error[k] += coefficient_error(term) * size[term.coordinate];
+      bounds.form_speed_error[k] += coefficient_error(term) * speed[term.coordinate];
+    }
+  }
+  bounds.form_error *= round_up;
+  bounds.form_speed_error *= round_up;
+}
+
+/// A form may vanish along all of a tube, but its equation still needs room: it is taken for what its coefficients make of
+/// a small part of the largest coordinate, or more.
+void TubeSeries::bound_terms(TubeBounds& bounds) const {
+  constexpr double small = 0x1p-10;
+  const Eigen::Index unknowns = coordinates() - 1;
+  const double least = small * curve_.coefficient(0).head(unknowns).lpNorm<Eigen::Infinity>();
+  Eigen::ArrayXd room = bounds.size.head(forms());
+  for (Eigen::Index k = 0; !has_differences_ && k < forms(); ++k) {
+    double sum = 0;
+    for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(k)].terms)
+      sum += std::abs(term.coefficient);
+    room[k] = std::max(room[k], least * sum);
+  }
+  bounds.terms.setZero(count());
+  for (const auto& [e, value, moved] : equations_.pairs) bounds.terms[e] += bounds.size[value] * room[moved];
+  for (Eigen::Index e = 0; e < count(); ++e) {
+    const double a = bounds.size[forms() + e];
+    bounds.terms[e] += lengths_[static_cast<std::size_t>(e)].is_plain ? a : a * a;
+  }
 }
 
 /// The parameters' errors and rounding are taken for |t| up to 1 beyond its bound on c.
@@ -149,13 +249,14 @@ void TubeSeries::bound_lengths(TubeBounds& bounds) const {
   const double reach = 2 + bounds.time;
   for (Eigen::ArrayXd* v : {&bounds.value_error, &bounds.length_error, &bounds.length_speed_error,
                             &bounds.slope, &bounds.slope_error, &bounds.curvature, &bounds.pull_rest})
-    v->resize(edges());
-  const auto a = polynomials_.bottomRows(edges()).cwiseAbs();
+    v->resize(count());
+  const auto a = polynomials_.bottomRows(count()).cwiseAbs();
   const double rounding = (order_ + 32) * epsilon;
-  for (int e = 0; e < edges(); ++e) {
-    const double bend = std::abs(lengths_[e].path.bend);
-    const double sum = parameter_sum(lengths_[e].path), error = parameter_error(lengths_[e]);
-    const double slope = std::abs(lengths_[e].path.slope(curve_.coefficient(0)[coordinates() - 1]));
+  for (Eigen::Index e = 0; e < count(); ++e) {
+    const EnclosedLength& length = lengths_[static_cast<std::size_t>(e)];
+    const double bend = std::abs(length.path.bend);
+    const double sum = parameter_sum(length.path), error = parameter_error(length);
+    const double slope = std::abs(length.path.slope(curve_.coefficient(0)[coordinates() - 1]));
     bounds.value_error[e] = (error + 8 * epsilon * sum) * reach * reach;
     bounds.length_error[e] = (error + rounding * sum) * reach * reach + bend * cut;
     bounds.slope_error[e] = 2 * (error + rounding * sum) * reach;
@@ -189,21 +290,47 @@ void TubeSeries::bound_polynomial_lengths(TubeBounds& bounds) const {
 }
 
 void TubeSeries::bound_residuals(TubeBounds& bounds) const {
-  const Eigen::Index m = edges(), terms = residuals_.cols();
-  const double rounding = (order_ + 8) * epsilon;
+  const Eigen::Index terms = residuals_.cols();
+  const double rounding = residual_rounding_;
   const auto sizes = residuals_.cwiseAbs();
   bounds.residual = sizes * powers(bounds.h, terms);
   bounds.residual_speed = sizes * power_slopes(bounds.h, terms);
-  for (int axis = 0; axis <= axes(); ++axis) {
-    const auto size = bounds.size.segment(axis * m, m), speed = bounds.speed.segment(axis * m, m);
-    bounds.residual += rounding / 2 * size.square();
-    bounds.residual_speed += rounding * size * speed;
+  const Eigen::ArrayXd &size = bounds.size, &speed = bounds.speed;
+  for (const auto& [e, value, moved] : equations_.pairs) {
+    bounds.residual[e] += rounding / 2 * (size[value] * size[moved]);
+    bounds.residual_speed[e] +=
+        (rounding * size[value] * speed[moved] + rounding * size[moved] * speed[value]) / 2;
   }
-  const Eigen::ArrayXd length = bounds.size.tail(m) + bounds.length_error;
-  bounds.residual = (bounds.residual + length * bounds.length_error) * round_up;
-  bounds.residual_speed = (bounds.residual_speed + length * bounds.length_speed_error +
-                           (bounds.speed.tail(m) + bounds.length_speed_error) * bounds.length_error) *
-                          round_up;
+  if (!has_differences_) add_form_errors(bounds);
+  for (Eigen::Index e = 0; e < count(); ++e) {
+    const double a = size[forms() + e], a_speed = speed[forms() + e], error = bounds.length_error[e],
+                 speed_error = bounds.length_speed_error[e];
+    double &residual = bounds.residual[e], &residual_speed = bounds.residual_speed[e];
+    if (lengths_[static_cast<std::size_t>(e)].is_plain) {
+      residual = (residual + rounding * a + error) * round_up;
+      residual_speed = (residual_speed + rounding * a_speed + speed_error) * round_up;
+    } else {
+      residual += rounding / 2 * (a * a);
+      residual_speed += rounding * a * a_speed;
+      residual = (residual + (a + error) * error) * round_up;
+      residual_speed =
+          (residual_speed + (a + error) * speed_error + (a_speed + speed_error) * error) * round_up;
+    }
+  }
+}
+
+void TubeSeries::add_form_errors(TubeBounds& bounds) const {
+  for (const auto& [e, value, moved] : equations_.pairs) {
+    const double v = bounds.size[value], d = bounds.size[moved], v_error = bounds.form_error[value],
+                 d_error = bounds.form_error[moved];
+    const double v_speed = bounds.speed[value], d_speed = bounds.speed[moved],
+                 v_speed_error = bounds.form_speed_error[value],
+                 d_speed_error = bounds.form_speed_error[moved];
+    bounds.residual[e] += (v_error * (d + d_error) + v * d_error) / 2;
+    bounds.residual_speed[e] += (v_speed_error * (d + d_error) + v_speed * d_error +
+                                 v_error * (d_speed + d_speed_error) + v * d_speed_error) /
+                                2;
+  }
 }
 
 }  // namespace gcs

@@ -5,8 +5,8 @@
 /// bounded ([I] (h2)), or none. Where the Jacobian has full rank on it ([I] (h1)) S is a closed curve; it is followed
 /// through the folds of t until it is back at the sketch, and every crossing of t = 1 is a solution.
 ///
-/// Of a general scene (planes, bodies, angles, incidences) S is that of tracking/general_curve.hpp, mode=fast or newton.
-/// There it may go to infinity, and is then followed to both of its ends.
+/// Of a general scene (planes, bodies, angles, incidences) S is that of tracking/general_curve.hpp, mode=fast, certified
+/// or newton. There it may go to infinity, and is then followed to both of its ends.
 ///
 /// mode=fast is tracking/series_tracker.hpp on tracking/distance_curve.hpp, mode=paper is
 /// tracking/euler_newton_tracker.hpp on tracking/paper_homotopies.hpp, mode=certified is
@@ -81,13 +81,12 @@ class FullSpaceStrategy final : public Strategy {
   std::optional<std::string> why_no_general_path(const Scene& scene) const {
     if (mode_ == FullSpace::Mode::paper || names_jumps_)
       return "the tracker as published is for distances between points; leave out mode=paper";
-    if (mode_ == FullSpace::Mode::certified)
-      return "S is proven for distances between points only yet; mode=fast tracks it without a proof";
     return why_not_general(scene);
   }
 
   SolveReport solve_general(const Scene& scene, const TrackerContext& context) const {
     if (mode_ == FullSpace::Mode::newton) return newton_from_general_sketch(scene);
+    if (mode_ == FullSpace::Mode::certified) return solve_general_with_proof(scene, context);
     return follow_general_path(scene, options_.fast, context);
   }
 
@@ -139,8 +138,28 @@ class FullSpaceStrategy final : public Strategy {
     CertifiedTracker tracker(scene, options_.fast, context);
     SolveReport report =
         path_report(scene, tracker.run(), [&](const Eigen::VectorXd& y) { return tracker.figure(y); });
-    report.particulars = {{"tubes", report.work.iterations}, {"rejected_tubes", report.work.rejected_steps}};
+    count_tubes(report);
     return report;
+  }
+
+  /// Of a path with ends at infinity what is proven is the piece between them: S may meet more solutions further out.
+  SolveReport solve_general_with_proof(const Scene& scene, const TrackerContext& context) const {
+    const auto by_tubes = [&](const SceneSystem&, const Eigen::VectorXd&,
+                              const SeriesTrackerOptions& of_half) {
+      return CertifiedTracker(scene, of_half, context).run();
+    };
+    SolveReport report = follow_general_path(scene, options_.fast, by_tubes);
+    count_tubes(report);
+    if (report.status == SolveStatus::complete && report.paths[0].end == PathRecord::End::at_infinity) {
+      report.claim = Claim::some_real;
+      report.reason = "S goes to infinity at both ends; its crossings are proven as far as it was followed";
+    }
+    return report;
+  }
+
+  static void count_tubes(SolveReport& report) {
+    report.particulars.push_back({"tubes", report.work.iterations});
+    report.particulars.push_back({"rejected_tubes", report.work.rejected_steps});
   }
 
   FullSpace::Mode mode_;

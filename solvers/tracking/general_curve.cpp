@@ -76,7 +76,8 @@ void GeneralFamily::take_root(Eigen::Index equation) {
   if (value.is_plain || std::ranges::count_if(products, is_in) != 1) return;
   RealEquations::Product& product = *std::ranges::find_if(products, is_in);
   if (product.left != product.right) return;
-  product.right = {{}, product.left.at(sketched_) < 0 ? -1.0 : 1.0};
+  value.root_sign = product.left.at(sketched_) < 0 ? -1 : 1;
+  product.right = {{}, value.root_sign};
   value.is_plain = true;
 }
 
@@ -96,8 +97,8 @@ void GeneralFamily::jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix) 
   const double t = y[unknowns()];
   equations_.jacobian(y, matrix);
   for (Eigen::Index e = 0; e < equations_.count(); ++e) {
-    const auto& [path, is_plain] = values_[static_cast<std::size_t>(e)];
-    matrix(e, unknowns()) = -path.slope(t) * (is_plain ? 1 : path.value(t));
+    const TravellingValue& value = values_[static_cast<std::size_t>(e)];
+    matrix(e, unknowns()) = -value.path.slope(t) * (value.is_plain ? 1 : value.path.value(t));
   }
 }
 
@@ -122,8 +123,10 @@ void GeneralFamily::known(int n, Eigen::Ref<Eigen::VectorXd> result) {
 
 double GeneralFamily::shortest_length(double t) const {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& [path, is_plain] : values_)
-    if (!is_plain) shortest = std::min(shortest, path.value(t) / std::max(path.at_sketch, path.at_target));
+  for (const TravellingValue& value : values_)
+    if (!value.is_plain)
+      shortest =
+          std::min(shortest, value.path.value(t) / std::max(value.path.at_sketch, value.path.at_target));
   return shortest;
 }
 

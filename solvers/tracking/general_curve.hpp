@@ -22,6 +22,7 @@ namespace gcs {
 struct TravellingValue {
   LengthPath path;       ///< 0 where the equation has none
   bool is_plain = true;  ///< the equation has it, not half its square
+  double root_sign = 0;  ///< of the form that takes the place of its square; 0: of none
 };
 
 class GeneralFamily {

@@ -13,9 +13,6 @@
 namespace gcs {
 namespace {
 
-constexpr const char* too_far =
-    "Gauss-Newton steps from the sketch do not settle at a figure that meets the constraints without a value";
-
 /// In units of the scene. Steps grow with the coordinates, so that it takes some hundred to get there.
 constexpr double infinite_coordinate = 1e6;
 
@@ -82,13 +79,6 @@ Particular moved(const SketchedUnknowns& sketched) {
   return {"sketch_moved_millionths", std::llround(1e6 * sketched.moved)};
 }
 
-std::vector<LengthPath> bounding_lengths(const std::vector<TravellingValue>& values) {
-  std::vector<LengthPath> lengths;
-  for (const TravellingValue& value : values)
-    if (!value.is_plain) lengths.push_back(value.path);
-  return lengths;
-}
-
 /// A half of S seen the other way, from infinity to the sketch.
 TrackedPath reversed(TrackedPath path) {
   for (PathCrossing& crossing : path.crossings) {
@@ -116,26 +106,28 @@ TrackedPath joined(TrackedPath first, const TrackedPath& second) {
 
 class GeneralPath {
  public:
-  GeneralPath(const Scene& scene, const SceneSystem& system, const Eigen::VectorXd& sketched,
-              const TrackerContext& context)
-      : scene_(scene), system_(system), sketched_(sketched), context_(context) {}
+  using Follow = std::function<TrackedPath(const SeriesTrackerOptions&)>;
+
+  GeneralPath(const Scene& scene, const SceneSystem& system, Follow follow_half)
+      : scene_(scene), system_(system), follow_half_(std::move(follow_half)) {}
 
   TrackedPath follow(SeriesTrackerOptions options) const {
+    options.infinite_coordinate = infinite_coordinate;
     if (options.stops_at_first) return follow_to_first(options);
-    TrackedPath path = follow_half(options);
+    TrackedPath path = follow_half_(options);
     if (path.end != TrackedPath::End::at_infinity) return path;
     options.orientation = -options.orientation;
-    return joined(std::move(path), follow_half(options));
+    return joined(std::move(path), follow_half_(options));
   }
 
  private:
   /// The tracker does not know signs: where it stops at a solution that is not as stated, S is followed to its end and cut
   /// at the first one that is.
   TrackedPath follow_to_first(SeriesTrackerOptions options) const {
-    TrackedPath path = follow_half(options);
+    TrackedPath path = follow_half_(options);
     if (path.end == TrackedPath::End::reached && first_as_stated(path) == path.crossings.end()) {
       options.stops_at_first = false;
-      path = follow_half(options);
+      path = follow_half_(options);
       if (const auto first = first_as_stated(path); first != path.crossings.end()) {
         std::erase_if(path.touches, [&](const PathTouch& touch) { return touch.at > first->at; });
         path.crossings.erase(first + 1, path.crossings.end());
@@ -159,29 +151,42 @@ class GeneralPath {
     });
   }
 
-  TrackedPath follow_half(SeriesTrackerOptions options) const {
-    GeneralFamily family(scene_, system_, sketched_, options.order);
-    options.far = times_far_away(bounding_lengths(family.values()));
-    options.infinite_coordinate = infinite_coordinate;
-    GeneralCurve curve(std::move(family), options.tolerance);
-    return SeriesTracker(curve, options, context_).run();
-  }
-
   const Scene& scene_;
   const SceneSystem& system_;
-  const Eigen::VectorXd& sketched_;
-  const TrackerContext& context_;
+  Follow follow_half_;
 };
 
 }  // namespace
 
-SolveReport follow_general_path(const Scene& scene, SeriesTrackerOptions options,
+std::vector<LengthPath> bounding_lengths(const std::vector<TravellingValue>& values) {
+  std::vector<LengthPath> lengths;
+  for (const TravellingValue& value : values)
+    if (!value.is_plain) lengths.push_back(value.path);
+  return lengths;
+}
+
+SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& options,
                                 const TrackerContext& context) {
+  const auto by_series = [&](const SceneSystem& system, const Eigen::VectorXd& sketched,
+                             const SeriesTrackerOptions& of_half) {
+    GeneralFamily family(scene, system, sketched, of_half.order);
+    SeriesTrackerOptions with_far = of_half;
+    with_far.far = times_far_away(bounding_lengths(family.values()));
+    GeneralCurve curve(std::move(family), of_half.tolerance);
+    return SeriesTracker(curve, with_far, context).run();
+  };
+  return follow_general_path(scene, options, by_series);
+}
+
+SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& options,
+                                const FollowHalf& follow_half) {
   const SceneSystem system(scene);
   const auto sketched = sketched_unknowns(scene, system);
-  if (!sketched) return given_up(too_far);
+  if (!sketched) return given_up(too_far_from_incidences);
   const TargetValues target(system);
-  const GeneralPath path(scene, system, sketched->x, context);
+  const GeneralPath path(scene, system, [&](const SeriesTrackerOptions& of_half) {
+    return follow_half(system, sketched->x, of_half);
+  });
   SolveReport report = report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
     return path_report(scene, path.follow(refined), target);
   });
@@ -193,7 +198,7 @@ SolveReport newton_from_general_sketch(const Scene& scene) {
   constexpr int most_iterations = 200;
   const SceneSystem system(scene);
   const auto sketched = sketched_unknowns(scene, system);
-  if (!sketched) return report_of_newton(given_up(too_far));
+  if (!sketched) return report_of_newton(given_up(too_far_from_incidences));
   const TargetValues target(system);
   Eigen::VectorXd x = sketched->x;
   const Refinement refinement = target.refine(x, most_iterations);

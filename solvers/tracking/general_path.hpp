@@ -1,7 +1,11 @@
 #pragma once
 /// S of a general scene from end to end, and Newton's method in its place.
 
+#include <functional>
+#include <vector>
+
 #include "solvers/interface/strategy_interface.hpp"
+#include "solvers/tracking/general_curve.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 
 namespace gcs {
@@ -9,8 +13,20 @@ namespace gcs {
 /// Tracks S from the sketch until it closes. Where it has an end at infinity instead, the other half is tracked too, and
 /// the path in the report leads from one end to the other. Precondition: the scene has a sketch, and its equations are as
 /// many as its unknowns.
-SolveReport follow_general_path(const Scene& scene, SeriesTrackerOptions options,
+SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& options,
                                 const TrackerContext& context);
+/// The same by another tracker, which follows S from these unknowns to one side: until it closes or ends.
+using FollowHalf = std::function<TrackedPath(const SceneSystem& system, const Eigen::VectorXd& sketched,
+                                             const SeriesTrackerOptions& options)>;
+SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& options,
+                                const FollowHalf& follow_half);
+
+/// Why S has no start.
+inline constexpr const char* too_far_from_incidences =
+    "Gauss-Newton steps from the sketch do not settle at a figure that meets the constraints without a value";
+
+/// The values that do not become negative on S.
+std::vector<LengthPath> bounding_lengths(const std::vector<TravellingValue>& values);
 
 /// Newton's method at the given values, undamped, from the sketch: no path, and a claim of some real solutions.
 SolveReport newton_from_general_sketch(const Scene& scene);

@@ -83,7 +83,7 @@ struct Ellipse {
     return result;
   }
 
-  PathTube tube() const { return PathTube(system, data.lengths, order); }
+  PathTube tube() const { return PathTube(distance_equations(system), data.lengths, order); }
   static Eigen::ArrayXd no_room() { return Eigen::ArrayXd::Zero(3); }
 
   static Eigen::MatrixXd no_spread() { return Eigen::MatrixXd(0, 4); }

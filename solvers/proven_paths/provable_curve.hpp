@@ -1,0 +1,43 @@
+#pragma once
+/// S of any scene as it is proven: points near it with their series, in floating point, and what holds exactly.
+
+#include <memory>
+#include <string>
+
+#include "solvers/proven_paths/path_data.hpp"
+#include "solvers/proven_paths/path_equations.hpp"
+#include "solvers/running/work.hpp"
+
+namespace gcs {
+
+/// Of which curve a proof speaks.
+struct ProvableEquations {
+  PathEquations equations;
+  PathData data;
+  SignMasks turnings{};    ///< of the unknowns, as StartImages has them
+  TimeRange far{};         ///< S is given up beyond it
+  std::string no_start{};  ///< why it is not known where S begins; empty: it is
+};
+
+class ProvableCurve {
+ public:
+  explicit ProvableCurve(ProvableEquations exact) : exact_(std::move(exact)) {}
+  virtual ~ProvableCurve() = default;
+  /// As SeriesCurve says.
+  virtual bool start(int orientation, ArcSeries& series) = 0;
+  virtual bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) = 0;
+  virtual WorkCounters& work() = 0;
+  /// The figure of a point, in the frame.
+  virtual Figure figure(const Eigen::VectorXd& y) const = 0;
+
+  const ProvableEquations& exact() const { return exact_; }
+  Eigen::Index coordinates() const { return exact_.equations.coordinates(); }
+
+ private:
+  ProvableEquations exact_;
+};
+
+/// Precondition: see why_not_proven of certified_tracker.hpp. The scene outlives the curve.
+std::unique_ptr<ProvableCurve> provable_curve(const Scene& scene, int order, double tolerance);
+
+}  // namespace gcs

@@ -330,13 +330,18 @@ void PathTube::residual(const Eigen::VectorXd& y, const Eigen::VectorXd& error, 
     size[e] = std::abs(f[e]);
     f_error[e] = is_plain(e) ? a_error : (std::abs(a) + a_error) * a_error;
   }
+  Eigen::ArrayXd at(series_.forms()), at_error(series_.forms());
+  for (Eigen::Index k = 0; k < series_.forms(); ++k) {
+    at[k] = series_.form_at(k, y);
+    at_error[k] = series_.form_error_at(k, y, error);
+  }
   for (const auto& [e, value, moved] : series_.equations().pairs) {
-    const double v = series_.form_at(value, y), d = series_.form_at(moved, y);
-    const double v_error = series_.form_error_at(value, y, error),
-                 d_error = series_.form_error_at(moved, y, error);
-    f[e] += v * d;
-    size[e] += std::abs(v * d);
-    f_error[e] += ((std::abs(v) + v_error) * d_error + (std::abs(d) + d_error) * v_error) / 2;
+    const double product = at[value] * at[moved];
+    f[e] += product;
+    size[e] += std::abs(product);
+    f_error[e] += ((std::abs(at[value]) + at_error[value]) * at_error[moved] +
+                   (std::abs(at[moved]) + at_error[moved]) * at_error[value]) /
+                  2;
   }
   f /= 2;
   f_error = (f_error + series_.sum_rounding() * size) * round_up;

@@ -24,6 +24,7 @@ class PolynomialLength {
  public:
   PolynomialLength(const EnclosedLength& length, int order) : length_(length), order_(order) {}
 
+  bool is_plain() const { return length_.is_plain; }
   /// Expands along the polynomial with these coefficients, as many as the order and one.
   void expand(const Eigen::VectorXd& t);
   /// Coefficients of a(t(s)) and of a'(t(s)), cut off at the order.

@@ -40,6 +40,16 @@ Eigen::Index most_pairs(const PathEquations& equations) {
   return pairs.maxCoeff();
 }
 
+/// Whether pair p is the square of form p.
+bool is_each_a_square(const PathEquations& equations) {
+  if (equations.pairs.size() != equations.forms.size()) return false;
+  for (std::size_t p = 0; p < equations.pairs.size(); ++p) {
+    const auto form = static_cast<Eigen::Index>(p);
+    if (equations.pairs[p].value != form || equations.pairs[p].moved != form) return false;
+  }
+  return true;
+}
+
 /// Roundings of sums beyond those of three products and a length.
 double further_products(const PathEquations& equations) {
   return static_cast<double>(2 * std::max<Eigen::Index>(0, most_pairs(equations) - 3));
@@ -63,7 +73,8 @@ TubeSeries::TubeSeries(PathEquations equations, std::vector<EnclosedLength> leng
       residual_rounding_((order + 8 + further_products(equations_)) * epsilon),
       form_rounding_(has_differences_ ? 0 : (16 + 2 * most_summands(equations_)) * epsilon),
       polynomials_(Eigen::MatrixXd::Zero(forms() + count(), order + 1)),
-      left_(static_cast<Eigen::Index>(equations_.pairs.size()), order + 1),
+      are_squares_(is_each_a_square(equations_)),
+      left_(static_cast<Eigen::Index>(equations_.pairs.size()) + count(), order + 1),
       right_(left_.rows(), order + 1),
       residuals_(count(), 2 * order + 1),
       pulls_(count(), 3) {
@@ -151,33 +162,34 @@ void TubeSeries::set_lengths() {
 
 /// V and D may be exchanged, so that half of their products are enough.
 void TubeSeries::set_residuals() {
-  const Eigen::Index pairs = left_.rows();
-  for (Eigen::Index p = 0; p < pairs; ++p) {
-    const FormPair& pair = equations_.pairs[static_cast<std::size_t>(p)];
-    left_.row(p) = polynomials_.row(pair.value);
-    right_.row(p) = polynomials_.row(pair.moved);
-  }
-  const auto a = polynomials_.bottomRows(count());
-  Eigen::ArrayXd products(pairs), squares(count());
+  if (!are_squares_) set_factors();
+  const Eigen::MatrixXd &left = are_squares_ ? polynomials_ : left_,
+                        &right = are_squares_ ? polynomials_ : right_;
+  const Eigen::Index pairs = left.rows() - count();
+  Eigen::ArrayXd products(left.rows());
   for (int n = 0; n <= 2 * order_; ++n) {
     products.setZero();
-    squares.setZero();
-    for (int i = std::max(0, n - order_); 2 * i < n; ++i) {
-      products += left_.col(i).array() * right_.col(n - i).array();
-      squares += a.col(i).array() * a.col(n - i).array();
-    }
-    if (n % 2 == 0) {
-      products += 0.5 * (left_.col(n / 2).array() * right_.col(n / 2).array());
-      squares += 0.5 * a.col(n / 2).array().square();
-    }
+    for (int i = std::max(0, n - order_); 2 * i < n; ++i)
+      products += left.col(i).array() * right.col(n - i).array();
+    if (n % 2 == 0) products += 0.5 * (left.col(n / 2).array() * right.col(n / 2).array());
+    for (const auto& [e, length] : polynomial_lengths_)
+      if (length.is_plain()) products[pairs + e] = n <= order_ ? length.value()[n] : 0;
     auto f = residuals_.col(n);
-    for (Eigen::Index e = 0; e < count(); ++e) {
-      const bool is_plain = lengths_[static_cast<std::size_t>(e)].is_plain;
-      f[e] = is_plain ? (n <= order_ ? -a(e, n) : 0) : -squares[e];
-    }
+    f = -products.tail(count());
     for (Eigen::Index p = 0; p < pairs; ++p)
       f[equations_.pairs[static_cast<std::size_t>(p)].equation] += products[p];
   }
+}
+
+void TubeSeries::set_factors() {
+  const auto pairs = static_cast<Eigen::Index>(equations_.pairs.size());
+  for (int n = 0; n <= order_; ++n)
+    for (Eigen::Index p = 0; p < pairs; ++p) {
+      const FormPair& pair = equations_.pairs[static_cast<std::size_t>(p)];
+      left_(p, n) = polynomials_(pair.value, n);
+      right_(p, n) = polynomials_(pair.moved, n);
+    }
+  left_.bottomRows(count()) = right_.bottomRows(count()) = polynomials_.bottomRows(count());
 }
 
 void TubeSeries::bound(double h, TubeBounds& bounds) const {
@@ -212,25 +224,25 @@ void TubeSeries::bound_forms(TubeBounds& bounds) const {
   bounds.form_speed_error *= round_up;
 }
 
-/// A form may vanish along all of a tube, but its equation still needs room: it is taken for what its coefficients make of
-/// a small part of the largest coordinate, or more.
 void TubeSeries::bound_terms(TubeBounds& bounds) const {
-  constexpr double small = 0x1p-10;
-  const Eigen::Index unknowns = coordinates() - 1;
-  const double least = small * curve_.coefficient(0).head(unknowns).lpNorm<Eigen::Infinity>();
-  Eigen::ArrayXd room = bounds.size.head(forms());
-  for (Eigen::Index k = 0; !has_differences_ && k < forms(); ++k) {
-    double sum = 0;
-    for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(k)].terms)
-      sum += std::abs(term.coefficient);
-    room[k] = std::max(room[k], least * sum);
-  }
   bounds.terms.setZero(count());
-  for (const auto& [e, value, moved] : equations_.pairs) bounds.terms[e] += bounds.size[value] * room[moved];
+  for (const auto& [e, value, moved] : equations_.pairs)
+    bounds.terms[e] += bounds.size[value] * bounds.size[moved];
+  if (!has_differences_) add_least_terms(bounds);
   for (Eigen::Index e = 0; e < count(); ++e) {
     const double a = bounds.size[forms() + e];
     bounds.terms[e] += lengths_[static_cast<std::size_t>(e)].is_plain ? a : a * a;
   }
+}
+
+/// A form may vanish along all of a tube, but its equation still needs room: for what its coefficients make of a small
+/// part of the largest coordinate.
+void TubeSeries::add_least_terms(TubeBounds& bounds) const {
+  constexpr double small = 0x1p-10;
+  const double least = small * curve_.coefficient(0).head(coordinates() - 1).lpNorm<Eigen::Infinity>();
+  for (const auto& [e, value, moved] : equations_.pairs)
+    for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(moved)].terms)
+      bounds.terms[e] += bounds.size[value] * std::abs(term.coefficient) * least;
 }
 
 /// The parameters' errors and rounding are taken for |t| up to 1 beyond its bound on c.

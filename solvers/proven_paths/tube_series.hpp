@@ -72,8 +72,10 @@ class TubeSeries {
   void set_forms();
   void set_lengths();
   void set_residuals();
+  void set_factors();
   void bound_forms(TubeBounds& bounds) const;
   void bound_terms(TubeBounds& bounds) const;
+  void add_least_terms(TubeBounds& bounds) const;
   void bound_lengths(TubeBounds& bounds) const;
   void bound_polynomial_lengths(TubeBounds& bounds) const;
   void bound_residuals(TubeBounds& bounds) const;
@@ -86,7 +88,8 @@ class TubeSeries {
   double sum_rounding_, residual_rounding_, form_rounding_;
   ArcSeries curve_;
   Eigen::MatrixXd polynomials_;   ///< (forms + equations) × (order + 1)
-  Eigen::MatrixXd left_, right_;  ///< those of V and D, pairs × (order + 1)
+  bool are_squares_;              ///< of all forms in turn, so that those are V and D
+  Eigen::MatrixXd left_, right_;  ///< V and D of all pairs, then all a; unused for squares
   Eigen::MatrixXd residuals_;     ///< equations × (2·order + 1)
   Eigen::MatrixXd pulls_;         ///< equations × 3
   std::map<int, PolynomialLength>

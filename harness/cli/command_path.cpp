@@ -37,7 +37,7 @@ ExitCode write_path(const PathArguments& arguments, bool quiet) {
   const Instance instance = load_instance(arguments.instance);
   require_another_file(arguments.out, instance.origin);
   const Scene scene = instance;
-  if (const auto reason = why_not_proven(scene)) return give_up(*reason, ExitCode::not_solved);
+  if (const auto reason = why_no_path_text(scene)) return give_up(*reason, ExitCode::not_solved);
   Output out(arguments.out);
   catch_interrupts();
   const StopWatch watch(std::nullopt);

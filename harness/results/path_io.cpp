@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/reading/json_build.hpp"
 
 namespace gcs {
@@ -133,6 +134,13 @@ JsonValue crossings_value(const std::vector<PathNode>& nodes) {
 }
 
 }  // namespace
+
+std::optional<std::string> why_no_path_text(const Scene& scene) {
+  if (scene.problem().is_general())
+    return "paths are written of points with distances between them only; full-space with mode=certified "
+           "proves S";
+  return why_not_proven(scene);
+}
 
 std::string path_text(const Instance& instance, const Scene& scene, const std::vector<ProvenArc>& arcs,
                       double within) {

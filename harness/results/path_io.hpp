@@ -1,6 +1,7 @@
 #pragma once
 /// Writes gcsbench-path/1: the proven path S as a polyline, for plots.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "solvers/proven_paths/proven_path.hpp"
 
 namespace gcs {
+
+/// Why there is no such text of the scene's S, or nothing.
+std::optional<std::string> why_no_path_text(const Scene& scene);
 
 /// The closed path that `arcs`, not empty, make up, in the file's unit and the scene's frame, with few
 /// decimals. A row for each corner: t, arc length from the sketch, radius, and every coordinate that moves;

@@ -178,11 +178,7 @@ void take_trails(const RunFile& run, const Scene& scene, const std::vector<Prove
 
 /// S and all that is known of places on it; or why it is not there.
 std::optional<std::string> take_path(const Scene& scene, const RunFile& run, ShownScene& record) {
-  if (scene.problem().is_general()) {
-    record.no_path = "S is proven for distances between points only yet";
-    return std::nullopt;
-  }
-  if (const auto reason = why_not_proven(scene)) {
+  if (const auto reason = why_no_path_text(scene)) {
     record.no_path = *reason;
     return std::nullopt;
   }

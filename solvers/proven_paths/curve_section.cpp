@@ -1,6 +1,7 @@
 #include "solvers/proven_paths/curve_section.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -19,7 +20,8 @@ double grid(double largest, Eigen::Index m) {
 
 }  // namespace
 
-bool set_section(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& tangent, CurveSection& section) {
+bool set_section(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& tangent, bool has_exact_differences,
+                 CurveSection& section) {
   const Eigen::Index m = jacobian.rows();
   Eigen::Index pivot = 0;
   tangent.cwiseAbs().maxCoeff(&pivot);
@@ -34,11 +36,21 @@ bool set_section(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& tangent
   for (Eigen::Index j = 0; j < m; ++j)
     restricted.col(j) = jacobian.col(place(j)) - sign * section.normal[place(j)] * jacobian.col(pivot);
   const Eigen::MatrixXd inverse = restricted.partialPivLu().inverse();
-  const double largest = inverse.cwiseAbs().maxCoeff();
-  if (!(largest > 0) || !std::isfinite(largest)) return false;
-  const double step = grid(largest, m);
+  if (!inverse.allFinite()) return false;
+  const auto is_rounded = [&](Eigen::Index j) {
+    return has_exact_differences || section.normal[place(j)] != 0;
+  };
+  double largest = 0;
+  for (Eigen::Index j = 0; j < m; ++j)
+    if (is_rounded(j)) largest = std::max(largest, inverse.row(j).cwiseAbs().maxCoeff());
+  if (has_exact_differences && !(largest > 0)) return false;
+  const double step = largest > 0 ? grid(largest, m) : 1;
   section.rows.setZero(m, m + 1);
   for (Eigen::Index j = 0; j < m; ++j) {
+    if (!is_rounded(j)) {
+      section.rows.col(place(j)) = inverse.row(j);
+      continue;
+    }
     section.rows.col(place(j)) =
         (inverse.row(j).transpose() / step).unaryExpr([](double x) { return std::round(x); }) * step;
     section.rows.col(pivot) -= sign * section.normal[place(j)] * section.rows.col(place(j));

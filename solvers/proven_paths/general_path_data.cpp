@@ -60,20 +60,23 @@ double error_of(acb_srcptr number, double rounded) {
   return magnitude(difference);
 }
 
-/// What the sums of all equations are at x.
-BallMatrix sums_at(const SceneSystem& system, const BallMatrix& x) {
+/// What the sums of all equations are at x, of a form that takes the place of its square that form with its sign.
+BallMatrix sums_at(const SceneSystem& system, const std::vector<TravellingValue>& values,
+                   const BallMatrix& x) {
   QuadraticSystem sums = system.equations();
-  for (QuadraticEquation& equation : sums.equations) equation.given = {};
+  for (std::size_t e = 0; e < values.size(); ++e) {
+    sums.equations[e].given = {};
+    if (values[e].root_sign != 0) sums.equations[e].products[0].right = {{}, exactly(values[e].root_sign)};
+  }
   return BallKrawczyk(sums, bits).value(x);
 }
 
-/// Of the value that an equation's sum gives; infinite where it may be the root of 0.
-double error_of_value(acb_srcptr sum, double value, bool is_root) {
-  if (!is_root) return error_of(sum, value);
-  if (!arb_is_positive(acb_realref(sum))) return std::numeric_limits<double>::infinity();
+/// Infinite where the number may not be positive.
+double error_of_root(acb_srcptr number, double rounded) {
+  if (!arb_is_positive(acb_realref(number))) return std::numeric_limits<double>::infinity();
   Ball root;
-  acb_sqrt(root, sum, bits);
-  return error_of(root, value);
+  acb_sqrt(root, number, bits);
+  return error_of(root, rounded);
 }
 
 }  // namespace
@@ -92,19 +95,20 @@ PathData enclose_path_data(const Scene& scene, const SceneSystem& system,
   }
   for (Eigen::Index i = 0; i < unknowns; ++i)
     data.start.radius[i] = error_of((*start)(static_cast<slong>(i), 0), sketched[i]);
-  const BallMatrix sums = sums_at(system, *start);
+  const BallMatrix sums = sums_at(system, values, *start);
+  Ball given;
   for (std::size_t e = 0; e < values.size(); ++e) {
-    const int number = system.value_of()[e];
     EnclosedLength& length = data.lengths.emplace_back();
-    if (number < 0) continue;
-    const TravellingValue& value = values[e];
-    const bool is_root = !value.is_plain || value.root_sign != 0;
-    Ball given;
+    if (system.value_of()[e] < 0) continue;
+    const auto& [path, is_plain, root_sign] = values[e];
+    const acb_srcptr sum = sums(static_cast<slong>(e), 0);
     enclose(given, system.equations().equations[e].given, bits);
-    length = {value.path, error_of_value(sums(static_cast<slong>(e), 0), value.path.at_sketch, is_root),
-              error_of_value(given, value.path.at_target, is_root)};
+    length.path = path;
+    length.is_plain = is_plain;
+    length.sketch_error = is_plain ? error_of(sum, path.at_sketch) : error_of_root(sum, path.at_sketch);
+    length.target_error =
+        is_plain && root_sign == 0 ? error_of(given, path.at_target) : error_of_root(given, path.at_target);
     set_bend_errors(scene, length);
-    length.is_plain = value.is_plain;
   }
   return data;
 }

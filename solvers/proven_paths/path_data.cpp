@@ -82,7 +82,8 @@ EnclosedLength enclose_length(const Scene& scene, int constraint) {
 
 bool PathData::is_finite() const {
   bool finite = start.mid.allFinite() && start.radius.allFinite();
-  for (const EnclosedLength& length : lengths) finite = finite && std::isfinite(length.sketch_error);
+  for (const EnclosedLength& length : lengths)
+    finite = finite && std::isfinite(length.sketch_error) && std::isfinite(length.target_error);
   return finite;
 }
 

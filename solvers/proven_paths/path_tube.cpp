@@ -51,7 +51,7 @@ PathTube::PathTube(PathEquations equations, std::vector<EnclosedLength> lengths,
 
 bool PathTube::expand(const ArcSeries& c) {
   series_.expand(c);
-  if (!set_section(series_.jacobian(), c.coefficient(1), section_)) return false;
+  if (!set_section(series_.jacobian(), c.coefficient(1), series_.has_differences(), section_)) return false;
   set_matrices();
   return true;
 }
@@ -89,14 +89,15 @@ void PathTube::set_differences() {
 }
 
 double PathTube::promising_half_length() const {
-  Eigen::VectorXd v = Eigen::VectorXd::Ones(series_.count());
+  const Eigen::VectorXd scale = series_.equation_scales();
+  Eigen::VectorXd v = scale;
   double growth = 0;
   for (int i = 0; i < 4; ++i) {
     const Eigen::VectorXd next = turn_.transpose() * v;
-    growth = next.maxCoeff();
+    growth = next.cwiseQuotient(scale).maxCoeff();
     if (!(growth > 0)) break;
     // Entries that nothing feeds must not vanish.
-    v = (next / growth).cwiseMax(0x1p-10);
+    v = (next / growth).cwiseMax(0x1p-10 * scale);
   }
   return growth > 0 ? 0.5 / growth : std::numeric_limits<double>::infinity();
 }

@@ -102,6 +102,14 @@ Eigen::MatrixXd TubeSeries::jacobian_sizes() const {
   return matrix;
 }
 
+Eigen::VectorXd TubeSeries::equation_scales() const {
+  if (has_differences_) return Eigen::VectorXd::Ones(count());
+  TubeBounds at_centre;
+  at_centre.size = polynomials_.col(0).cwiseAbs();
+  bound_terms(at_centre);
+  return at_centre.terms;
+}
+
 double TubeSeries::form_at(Eigen::Index form, const Eigen::VectorXd& y) const {
   const EnclosedForm& exact = equations_.forms[static_cast<std::size_t>(form)];
   double sum = exact.constant;
@@ -236,10 +244,9 @@ void TubeSeries::bound_terms(TubeBounds& bounds) const {
 }
 
 /// A form may vanish along all of a tube, but its equation still needs room: for what its coefficients make of a small
-/// part of the largest coordinate.
+/// part of the scene's unit, in which lengths and unit vectors are near 1.
 void TubeSeries::add_least_terms(TubeBounds& bounds) const {
-  constexpr double small = 0x1p-10;
-  const double least = small * curve_.coefficient(0).head(coordinates() - 1).lpNorm<Eigen::Infinity>();
+  constexpr double least = 0x1p-10;
   for (const auto& [e, value, moved] : equations_.pairs)
     for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(moved)].terms)
       bounds.terms[e] += bounds.size[value] * std::abs(term.coefficient) * least;

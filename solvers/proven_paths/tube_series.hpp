@@ -64,6 +64,8 @@ class TubeSeries {
   /// df/dy on c(0), equations × coordinates, and the same with every product by its size.
   Eigen::MatrixXd jacobian() const;
   Eigen::MatrixXd jacobian_sizes() const;
+  /// About how large errors of the equations on c(0) are beside each other: what they add up. Of differences all alike.
+  Eigen::VectorXd equation_scales() const;
   /// A form at y, and a bound on its error where the exact point is off by `error`.
   double form_at(Eigen::Index form, const Eigen::VectorXd& y) const;
   double form_error_at(Eigen::Index form, const Eigen::VectorXd& y, const Eigen::VectorXd& error) const;

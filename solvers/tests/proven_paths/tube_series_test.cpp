@@ -107,7 +107,7 @@ TEST_CASE("a section's rows are exactly in the hyperplane and invert the Jacobia
     const AtSketch test(problem);
     const Eigen::MatrixXd jacobian = test.series.jacobian();
     CurveSection section;
-    REQUIRE(set_section(jacobian, test.series.curve().coefficient(1), section));
+    REQUIRE(set_section(jacobian, test.series.curve().coefficient(1), true, section));
     const Eigen::Index m = section.equations();
     for (Eigen::Index i = 0; i < m; ++i) {
       Quad along = 0;
@@ -130,7 +130,7 @@ TEST_CASE("a singular Jacobian has no section") {
   jacobian.row(0) << 1, 2, 3;
   jacobian.row(1) << 2, 4, 6;
   CurveSection section;
-  CHECK_FALSE(set_section(jacobian, Eigen::Vector3d(0, 0, 1), section));
+  CHECK_FALSE(set_section(jacobian, Eigen::Vector3d(0, 0, 1), true, section));
 }
 
 TEST_CASE("bounds along a polynomial hold for samples, and are sharp") {

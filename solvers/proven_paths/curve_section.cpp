@@ -11,6 +11,9 @@ namespace {
 
 constexpr int normal_bits = 10;
 
+/// Of no coordinate in floating point: for a grid where there is nothing to be rounded.
+constexpr double least_row = 0x1p-500;
+
 /// The largest power of two that leaves m products of an entry and a component of ν, and differences of such
 /// sums, within the 53 bits of a double.
 double grid(double largest, Eigen::Index m) {
@@ -36,15 +39,17 @@ bool set_section(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& tangent
   for (Eigen::Index j = 0; j < m; ++j)
     restricted.col(j) = jacobian.col(place(j)) - sign * section.normal[place(j)] * jacobian.col(pivot);
   const Eigen::MatrixXd inverse = restricted.partialPivLu().inverse();
-  if (!inverse.allFinite()) return false;
+  double largest = inverse.cwiseAbs().maxCoeff();
+  if (!(largest > 0) || !std::isfinite(largest)) return false;
   const auto is_rounded = [&](Eigen::Index j) {
     return has_exact_differences || section.normal[place(j)] != 0;
   };
-  double largest = 0;
-  for (Eigen::Index j = 0; j < m; ++j)
-    if (is_rounded(j)) largest = std::max(largest, inverse.row(j).cwiseAbs().maxCoeff());
-  if (has_exact_differences && !(largest > 0)) return false;
-  const double step = largest > 0 ? grid(largest, m) : 1;
+  if (!has_exact_differences) {
+    largest = least_row;
+    for (Eigen::Index j = 0; j < m; ++j)
+      if (is_rounded(j)) largest = std::max(largest, inverse.row(j).cwiseAbs().maxCoeff());
+  }
+  const double step = grid(largest, m);
   section.rows.setZero(m, m + 1);
   for (Eigen::Index j = 0; j < m; ++j) {
     if (!is_rounded(j)) {

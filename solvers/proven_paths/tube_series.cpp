@@ -50,6 +50,18 @@ bool is_each_a_square(const PathEquations& equations) {
   return true;
 }
 
+/// Of pairs whose equations follow each other.
+std::vector<PairRun> runs_of(const PathEquations& equations) {
+  std::vector<PairRun> runs;
+  for (std::size_t p = 0; p < equations.pairs.size(); ++p) {
+    const Eigen::Index e = equations.pairs[p].equation;
+    if (runs.empty() || runs.back().equation + runs.back().length != e)
+      runs.push_back({static_cast<Eigen::Index>(p), e, 0});
+    ++runs.back().length;
+  }
+  return runs;
+}
+
 /// Roundings of sums beyond those of three products and a length.
 double further_products(const PathEquations& equations) {
   return static_cast<double>(2 * std::max<Eigen::Index>(0, most_pairs(equations) - 3));
@@ -73,6 +85,7 @@ TubeSeries::TubeSeries(PathEquations equations, std::vector<EnclosedLength> leng
       residual_rounding_((order + 8 + further_products(equations_)) * epsilon),
       form_rounding_(has_differences_ ? 0 : (16 + 2 * most_summands(equations_)) * epsilon),
       polynomials_(Eigen::MatrixXd::Zero(forms() + count(), order + 1)),
+      runs_(runs_of(equations_)),
       are_squares_(is_each_a_square(equations_)),
       left_(static_cast<Eigen::Index>(equations_.pairs.size()) + count(), order + 1),
       right_(left_.rows(), order + 1),
@@ -184,8 +197,8 @@ void TubeSeries::set_residuals() {
       if (length.is_plain()) products[pairs + e] = n <= order_ ? length.value()[n] : 0;
     auto f = residuals_.col(n);
     f = -products.tail(count());
-    for (Eigen::Index p = 0; p < pairs; ++p)
-      f[equations_.pairs[static_cast<std::size_t>(p)].equation] += products[p];
+    for (const PairRun& run : runs_)
+      f.segment(run.equation, run.length) += products.segment(run.pair, run.length).matrix();
   }
 }
 

@@ -34,6 +34,11 @@ struct TubeBounds {
   Eigen::ArrayXd residual, residual_speed;  ///< |f(c(s))| and |df(c(s))/ds| for the exact equations
 };
 
+/// Pairs from `pair` on, of which each is of the next equation.
+struct PairRun {
+  Eigen::Index pair = 0, equation = 0, length = 0;
+};
+
 class TubeSeries {
  public:
   TubeSeries(PathEquations equations, std::vector<EnclosedLength> lengths, int order);
@@ -89,7 +94,8 @@ class TubeSeries {
   bool has_differences_;
   double sum_rounding_, residual_rounding_, form_rounding_;
   ArcSeries curve_;
-  Eigen::MatrixXd polynomials_;   ///< (forms + equations) × (order + 1)
+  Eigen::MatrixXd polynomials_;  ///< (forms + equations) × (order + 1)
+  std::vector<PairRun> runs_;
   bool are_squares_;              ///< of all forms in turn, so that those are V and D
   Eigen::MatrixXd left_, right_;  ///< V and D of all pairs, then all a; unused for squares
   Eigen::MatrixXd residuals_;     ///< equations × (2·order + 1)

@@ -117,6 +117,19 @@ TEST_CASE("a proof for general scenes does not depend on orders, tolerances, dir
   }
 }
 
+TEST_CASE("points with an orientation have the proven path of the points, in as many tubes") {
+  RandomNumbers random(65);
+  for (const ProblemStatement& problem :
+       {octahedron(), k33(), random_problem(2, 8, random), random_problem(3, 7, random)}) {
+    const Answer general = followed(with_orientation(problem), proven_mode),
+                 alone = followed(problem, proven_mode);
+    CAPTURE(general.reason);
+    check_is_proven(general);
+    check_same_points(general, alone);
+    CHECK(std::abs(general.work.iterations - alone.work.iterations) <= alone.work.iterations / 10);
+  }
+}
+
 TEST_CASE("an octahedron with a plane on three points has the proven path of the octahedron") {
   const ProblemStatement octahedral = octahedron();
   const Answer alone = followed(octahedral, proven_mode);

@@ -9,6 +9,7 @@
 #include "solvers/proven_paths/path_tube.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
 #include "solvers/tests/quad.hpp"
+#include "solvers/tests/sample_problems.hpp"
 #include "solvers/tests/tracking/general_path_samples.hpp"
 #include "solvers/tracking/sketched_unknowns.hpp"
 
@@ -72,13 +73,17 @@ class ExactEquations {
                        within(length.path.bend, length.bend_error)});
   }
 
-  Quad residual(Eigen::Index e, const QuadVector& y) const {
-    Quad sum = 0;
+  Quad sum(Eigen::Index e, const QuadVector& y) const {
+    Quad result = 0;
     for (const FormPair& pair : equations_.pairs)
-      if (pair.equation == e) sum += form(pair.value, y) * form(pair.moved, y) / 2;
+      if (pair.equation == e) result += form(pair.value, y) * form(pair.moved, y) / 2;
+    return result;
+  }
+
+  Quad residual(Eigen::Index e, const QuadVector& y) const {
     const auto i = static_cast<std::size_t>(e);
     const Quad t = y.back(), a = (1 - t) * ends_[i][0] + t * ends_[i][1] + ends_[i][2] * t * (1 - t);
-    return sum - (lengths_[i].is_plain ? a : a * a / 2);
+    return sum(e, y) - (lengths_[i].is_plain ? a : a * a / 2);
   }
 
  private:
@@ -116,6 +121,9 @@ std::vector<ProblemStatement> problems() {
   RandomNumbers random(52);
   result.push_back(sketched_points_and_lines(random));
   result.push_back(corner_of_lines(60, 40, 80));
+  result.push_back(point_at_an_angle(50));
+  result.back().sketch = Figure{random.points(2, 4, 1), {}};
+  result.back().interpolation.bends = {{0, {0.5}}, {3, {0.25}}};
   return result;
 }
 
@@ -168,6 +176,35 @@ TEST_CASE("the enclosed start meets the equations without a value, and its value
       CHECK(magnitude(exact.residual(e, y)) <= Quad(most[e] + value_error + coefficients));
     }
   }
+}
+
+TEST_CASE("values without incidences are enclosed as the sketch and the file's decimals have them") {
+  ProblemStatement problem = with_orientation(octahedron());
+  for (DistanceConstraint& c : problem.constraints) {
+    const long thousandths = std::lround(1000 * c.given.value);
+    c.given = {static_cast<double>(thousandths) / 1000, std::to_string(thousandths) + "e-3"};
+  }
+  const GeneralStart start(problem);
+  REQUIRE(start.system.without_value().empty());
+  CHECK(start.data.start.radius.maxCoeff() == 0);
+  const double unit = std::ldexp(1.0, start.scene.unit_exponent());
+  int inexact = 0;
+  for (Eigen::Index e = 0; e < start.equations.count; ++e) {
+    const EnclosedLength& length = start.data.lengths[static_cast<std::size_t>(e)];
+    const Quad sum =
+        ExactEquations(start.equations, start.data.lengths, 1).sum(e, in_quad(start.data.start.mid));
+    const Quad low = Quad(length.path.at_sketch) - Quad(length.sketch_error),
+               high = Quad(length.path.at_sketch) + Quad(length.sketch_error);
+    const auto of_equation = [&](Quad a) { return length.is_plain ? a : a * a / 2; };
+    CHECK(of_equation(low) <= sum);
+    CHECK(of_equation(high) >= sum);
+    CHECK(length.sketch_error <= 1e-15 * length.path.at_sketch);
+    const Quad thousandths = std::round(1000 * unit * length.path.at_target);
+    const Quad off = magnitude(thousandths / 1000 - Quad(unit) * Quad(length.path.at_target));
+    CHECK(off <= Quad(unit) * Quad(length.target_error));
+    inexact += off > 0 ? 1 : 0;
+  }
+  CHECK(inexact > 0);
 }
 
 TEST_CASE("bounds along a polynomial hold for samples of general equations, and are sharp") {

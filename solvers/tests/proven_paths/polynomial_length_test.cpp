@@ -97,10 +97,19 @@ void check_bounds(const Along& test, double h, RandomNumbers& random) {
     CHECK(magnitude(exact.at(t + Quad(random.uniform(-0.5, 0.5)), 2)) <= Quad(bounds.curvature));
     const double near = static_cast<double>(t) + random.uniform(-1, 1);
     CHECK(magnitude(exact.at(near) - Quad(test.length.path.value(near))) <= Quad(bounds.value_error));
-    Quad rest = at(test.along.value(), s) * at(test.along.slope(), s), power = 1;
-    for (int n = 0; n < 3; ++n, power *= s)
-      for (int k = 0; k <= n; ++k)
-        rest -= power * Quad(test.along.value()[k]) * Quad(test.along.slope()[n - k]);
+    const Eigen::VectorXd factor =
+        test.length.is_plain ? Eigen::VectorXd(Eigen::VectorXd::Unit(order + 1, 0)) : test.along.value();
+    Quad rest = at(factor, s) * at(test.along.slope(), s), power = 1;
+    for (int n = 0; n < 3; ++n, power *= s) {
+      Quad coefficient = 0, size = 0;
+      for (int k = 0; k <= n; ++k) {
+        const Quad term = Quad(factor[k]) * Quad(test.along.slope()[n - k]);
+        coefficient += term;
+        size += magnitude(term);
+      }
+      CHECK(magnitude(Quad(test.along.pull()[n]) - coefficient) <= Quad(1e-15) * size);
+      rest -= power * coefficient;
+    }
     CHECK(magnitude(rest) <= Quad(bounds.pull_rest) + Quad(1e-30));
   }
 }
@@ -112,7 +121,9 @@ TEST_CASE("bounds on a length of any degree hold for samples") {
   for (const int count : {1, 2, 3, 6, 16})
     for (const double error : {0.0, 1e-15, 1e-6})
       for (int trial = 0; trial < 10; ++trial) {
-        const Along test(random_length(count, error, random), random.uniform(-1, 2), random);
+        EnclosedLength length = random_length(count, error, random);
+        length.is_plain = trial % 2 == 1;
+        const Along test(length, random.uniform(-1, 2), random);
         for (const double h : {1e-3, 0.05, 0.4}) {
           CAPTURE(count, error, h);
           check_bounds(test, h, random);

@@ -125,6 +125,14 @@ ProblemStatement corner_of_lines(double sketched, double of_l, double of_m) {
   return problem;
 }
 
+ProblemStatement with_orientation(ProblemStatement problem) {
+  Relation relation{"o", "orientation", {}};
+  for (int point = 0; point <= problem.dimension; ++point) relation.of.push_back({point});
+  relation.sign = 1;
+  problem.relations.push_back(relation);
+  return problem;
+}
+
 ProblemStatement renamed_and_scaled(const ProblemStatement& problem) {
   ProblemStatement other = problem;
   const int last = static_cast<int>(problem.constraints.size()) - 1;

@@ -26,6 +26,9 @@ ProblemStatement sketched_points_and_lines(RandomNumbers& random);
 /// b are a triangle, whose sides do not change.
 ProblemStatement corner_of_lines(double sketched, double of_l, double of_m);
 
+/// With the orientation of the first points stated: a general scene with the equations of the distances.
+ProblemStatement with_orientation(ProblemStatement problem);
+
 /// The same problem with other names, orders, and lengths that are 8 times as long, the sketch 3 times.
 ProblemStatement renamed_and_scaled(const ProblemStatement& problem);
 

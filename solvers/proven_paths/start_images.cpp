@@ -75,14 +75,6 @@ bool StartImages::is_symmetric(const Eigen::VectorXd& signs) const {
   return true;
 }
 
-bool StartImages::is_alone_in(const PathTube& tube) const {
-  const Eigen::VectorXd centre = tube.curve().coefficient(0), extent = tube.extent();
-  return std::ranges::none_of(generators_, [&](SignMask generator) {
-    const Possible here = possible(generator, centre, extent);
-    return here.stays && here.turns;
-  });
-}
-
 PlaceInTube StartImages::locate(const PathTube& tube) const {
   if (generators_.empty()) return tube.locate(data_.start, known_as_box_);
   const Eigen::VectorXd centre = tube.curve().coefficient(0), extent = tube.extent();

@@ -19,8 +19,6 @@ class StartImages {
   const PointBox& start() const { return data_.start; }
   /// Where in the tube the start is or that image of it that may be there. Unknown, too, where two of them may.
   PlaceInTube locate(const PathTube& tube) const;
-  /// Whether at most one of them can be in the tube.
-  bool is_alone_in(const PathTube& tube) const;
 
  private:
   struct Possible {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solvers/proven_paths/certified_tracker.hpp"
+#include "solvers/proven_paths/start_images.hpp"
 #include "solvers/proven_paths/tube_crossings.hpp"
 #include "solvers/tests/proven_paths/thin_ellipse.hpp"
 #include "solvers/tests/random_numbers.hpp"
@@ -104,6 +105,28 @@ TEST_CASE("a tube moved off the curve is rejected, or still holds the arc") {
   REQUIRE(tube.expand(moved));
   REQUIRE(largest_proven(tube, ellipse.no_room()) > 0);
   CHECK(tube.locate(ellipse.box(0.55, 1), Ellipse::no_spread()).kind == Kind::inside);
+}
+
+TEST_CASE(
+    "the start is found with signs changed where the equations are the same with them, else nothing is "
+    "said") {
+  const Ellipse ellipse;
+  PathTube tube = ellipse.tube();
+  REQUIRE(tube.expand(ellipse.series(0.55)));
+  REQUIRE(largest_proven(tube, 2 * tube.room_for(ellipse.box(0.55, 1), Ellipse::no_spread())) > 0);
+  // Unknowns: b.x, c.x, c.y. The base lies on the first axis.
+  const auto place = [&](int changed, const SignMasks& turnings) {
+    PathData data = ellipse.data;
+    data.start = ellipse.box(0.55, 1);
+    data.start.mid[changed] *= -1;
+    return StartImages(distance_equations(ellipse.system), data, turnings).locate(tube).kind;
+  };
+  const SignMasks none, of_x(std::vector<SignMask>{0, first_turning, 0}),
+      of_y(std::vector<SignMask>{0, 0, first_turning});
+  CHECK(place(2, none) == Kind::outside);
+  CHECK(place(2, of_x) == Kind::outside);
+  CHECK(place(2, of_y) == Kind::inside);
+  CHECK(place(1, of_x) == Kind::unknown);
 }
 
 TEST_CASE("crossings near a fold are proven, and a touched level is left undecided") {

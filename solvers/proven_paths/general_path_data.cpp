@@ -88,6 +88,7 @@ PathData enclose_path_data(const Scene& scene, const SceneSystem& system,
   data.start.mid.setZero(unknowns + 1);
   data.start.mid.head(unknowns) = sketched;
   data.start.radius.setZero(unknowns + 1);
+  data.lengths.resize(values.size());
   const std::optional<BallMatrix> start = exact_start(system, sketched);
   if (!start) {
     data.start.radius.setConstant(std::numeric_limits<double>::infinity());
@@ -98,8 +99,8 @@ PathData enclose_path_data(const Scene& scene, const SceneSystem& system,
   const BallMatrix sums = sums_at(system, values, *start);
   Ball given;
   for (std::size_t e = 0; e < values.size(); ++e) {
-    EnclosedLength& length = data.lengths.emplace_back();
     if (system.value_of()[e] < 0) continue;
+    EnclosedLength& length = data.lengths[e];
     const auto& [path, is_plain, root_sign] = values[e];
     const acb_srcptr sum = sums(static_cast<slong>(e), 0);
     enclose(given, system.equations().equations[e].given, bits);

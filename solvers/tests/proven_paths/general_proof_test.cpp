@@ -288,6 +288,18 @@ TEST_CASE("until the first solution S is proven that far, and past those that ar
   }
 }
 
+TEST_CASE("where no figure beside the sketch meets the incidences the proof says so") {
+  // All points of the line are one: it has no direction.
+  RandomNumbers random(1);
+  ProblemStatement problem = on_one_line(random);
+  for (const int point : {3, 4}) problem.sketch->points.col(point) = problem.sketch->points.col(2);
+  const Scene scene = Scene::unchecked(problem);
+  const TrackedPath path = CertifiedTracker(scene, {}, {}).run();
+  CHECK(path.end == TrackedPath::End::failed);
+  CHECK_FALSE(path.proven);
+  CHECK_THAT(path.cause, Catch::Contains("without a value"));
+}
+
 TEST_CASE("a sketch off the incidences has a proven path that begins where they hold") {
   ProblemStatement problem = corner_of_lines(60, 40, 80);
   problem.sketch->points.col(2) += Eigen::Vector3d(2e-4, -3e-4, 0);

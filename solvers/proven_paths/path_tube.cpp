@@ -32,7 +32,7 @@ Eigen::MatrixXd jacobian_times(const TubeSeries& series, const Eigen::MatrixXd& 
   for (Eigen::Index e = 0; e < series.count(); ++e) product.col(e) = -pull(e) * transposed.rightCols<1>();
   for (const auto& [e, value, moved] : series.equations().pairs) {
     const double v = value_of(value);
-    for (const EnclosedForm::Term& term : series.equations().forms[static_cast<std::size_t>(moved)].terms)
+    for (const EnclosedForm::Term& term : series.terms(moved))
       product.col(e) += v * term.coefficient * transposed.col(term.coordinate);
   }
   return product;
@@ -77,11 +77,10 @@ void PathTube::set_matrices() {
 
 /// dD P, and bounds on its error; differences of rows of P are exact.
 void PathTube::set_differences() {
-  const std::vector<EnclosedForm>& forms = series_.equations().forms;
   differences_.setZero(series_.count(), series_.forms());
   if (!series_.has_differences()) difference_errors_.setZero(series_.count(), series_.forms());
   for (Eigen::Index k = 0; k < series_.forms(); ++k)
-    for (const EnclosedForm::Term& term : forms[static_cast<std::size_t>(k)].terms) {
+    for (const EnclosedForm::Term& term : series_.terms(k)) {
       differences_.col(k) += term.coefficient * section_.rows.col(term.coordinate);
       if (!series_.has_differences())
         difference_errors_.col(k) += series_.coefficient_error(term) * row_sizes_.col(term.coordinate);

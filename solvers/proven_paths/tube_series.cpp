@@ -91,6 +91,10 @@ TubeSeries::TubeSeries(PathEquations equations, std::vector<EnclosedLength> leng
       right_(left_.rows(), order + 1),
       residuals_(count(), 2 * order + 1),
       pulls_(count(), 3) {
+  for (const EnclosedForm& form : equations_.forms) {
+    terms_.insert(terms_.end(), form.terms.begin(), form.terms.end());
+    ends_.push_back(terms_.size());
+  }
   for (int e = 0; e < count(); ++e)
     if (const EnclosedLength& length = lengths_[static_cast<std::size_t>(e)];
         length.is_plain || !length.path.higher.empty())
@@ -100,7 +104,7 @@ TubeSeries::TubeSeries(PathEquations equations, std::vector<EnclosedLength> leng
 Eigen::MatrixXd TubeSeries::jacobian() const {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count(), coordinates());
   for (const auto& [e, value, moved] : equations_.pairs)
-    for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(moved)].terms)
+    for (const EnclosedForm::Term& term : terms(moved))
       matrix(e, term.coordinate) += coefficient(value, 0) * term.coefficient;
   matrix.col(coordinates() - 1) = -pulls_.col(0);
   return matrix;
@@ -109,7 +113,7 @@ Eigen::MatrixXd TubeSeries::jacobian() const {
 Eigen::MatrixXd TubeSeries::jacobian_sizes() const {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count(), coordinates());
   for (const auto& [e, value, moved] : equations_.pairs)
-    for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(moved)].terms)
+    for (const EnclosedForm::Term& term : terms(moved))
       matrix(e, term.coordinate) += std::abs(coefficient(value, 0) * term.coefficient);
   matrix.col(coordinates() - 1) = pulls_.col(0).cwiseAbs();
   return matrix;
@@ -126,7 +130,7 @@ Eigen::VectorXd TubeSeries::equation_scales() const {
 double TubeSeries::form_at(Eigen::Index form, const Eigen::VectorXd& y) const {
   const EnclosedForm& exact = equations_.forms[static_cast<std::size_t>(form)];
   double sum = exact.constant;
-  for (const EnclosedForm::Term& term : exact.terms) sum += term.coefficient * y[term.coordinate];
+  for (const EnclosedForm::Term& term : terms(form)) sum += term.coefficient * y[term.coordinate];
   return sum;
 }
 
@@ -134,7 +138,7 @@ double TubeSeries::form_error_at(Eigen::Index form, const Eigen::VectorXd& y,
                                  const Eigen::VectorXd& error) const {
   const EnclosedForm& exact = equations_.forms[static_cast<std::size_t>(form)];
   double sum = exact.constant_error + form_rounding_ * std::abs(exact.constant);
-  for (const EnclosedForm::Term& term : exact.terms)
+  for (const EnclosedForm::Term& term : terms(form))
     sum += std::abs(term.coefficient) * error[term.coordinate] +
            coefficient_error(term) * (std::abs(y[term.coordinate]) + error[term.coordinate]);
   return sum;
@@ -153,7 +157,7 @@ void TubeSeries::set_forms() {
   for (Eigen::Index k = 0; k < forms(); ++k) {
     const EnclosedForm& form = equations_.forms[static_cast<std::size_t>(k)];
     polynomials_(k, 0) = form.constant;
-    for (const EnclosedForm::Term& term : form.terms)
+    for (const EnclosedForm::Term& term : terms(k))
       polynomials_.row(k) += term.coefficient * c.row(term.coordinate);
   }
 }
@@ -236,7 +240,7 @@ void TubeSeries::bound_forms(TubeBounds& bounds) const {
   for (Eigen::Index k = 0; k < forms(); ++k) {
     const EnclosedForm& form = equations_.forms[static_cast<std::size_t>(k)];
     bounds.form_error[k] = form.constant_error + form_rounding_ * std::abs(form.constant);
-    for (const EnclosedForm::Term& term : form.terms) {
+    for (const EnclosedForm::Term& term : terms(k)) {
       bounds.form_error[k] += coefficient_error(term) * size[term.coordinate];
       bounds.form_speed_error[k] += coefficient_error(term) * speed[term.coordinate];
     }
@@ -261,7 +265,7 @@ void TubeSeries::bound_terms(TubeBounds& bounds) const {
 void TubeSeries::add_least_terms(TubeBounds& bounds) const {
   constexpr double least = 0x1p-10;
   for (const auto& [e, value, moved] : equations_.pairs)
-    for (const EnclosedForm::Term& term : equations_.forms[static_cast<std::size_t>(moved)].terms)
+    for (const EnclosedForm::Term& term : terms(moved))
       bounds.terms[e] += bounds.size[value] * std::abs(term.coefficient) * least;
 }
 

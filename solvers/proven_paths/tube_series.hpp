@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "solvers/numeric/arc_series.hpp"
@@ -54,6 +55,10 @@ class TubeSeries {
   const PathEquations& equations() const { return equations_; }
   const std::vector<EnclosedLength>& lengths() const { return lengths_; }
   const ArcSeries& curve() const { return curve_; }
+  std::span<const EnclosedForm::Term> terms(Eigen::Index form) const {
+    const auto i = static_cast<std::size_t>(form);
+    return std::span(terms_).subspan(ends_[i], ends_[i + 1] - ends_[i]);
+  }
   /// Whether forms are differences of coordinates, whose polynomials are right but for one rounding of each coefficient.
   bool has_differences() const { return has_differences_; }
   /// Of a sum over an equation's products, relative to their sizes.
@@ -91,6 +96,8 @@ class TubeSeries {
   PathEquations equations_;
   std::vector<EnclosedLength> lengths_;
   int order_;
+  std::vector<EnclosedForm::Term> terms_;  ///< of all forms in turn
+  std::vector<std::size_t> ends_{0};       ///< where those of each end, after 0
   bool has_differences_;
   double sum_rounding_, residual_rounding_, form_rounding_;
   ArcSeries curve_;

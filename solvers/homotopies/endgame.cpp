@@ -1,5 +1,6 @@
 #include "solvers/homotopies/endgame.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -115,6 +116,28 @@ CircleReading read_circle(const std::vector<ComplexVectorX>& samples, double rad
   reading.kind = CircleReading::Kind::finite;
   reading.leading = fourier(samples, 0);
   return reading;
+}
+
+/// The end is regular where the method settles and a pivoting factorisation is regular.
+void settle_one(const MonomialSystem& system, const ComplexVectorX& coefficients, PathEnd& end) {
+  constexpr int most_iterations = 6;
+  constexpr double settled = 1e-13,
+                   least_rcond = 1e-10;  // relative to 1 + the largest |x_i|; reciprocal condition
+  using Rows = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto n = static_cast<Eigen::Index>(end.x.size());
+  ComplexVectorX x = end.x;
+  for (int i = 0; i < most_iterations; ++i) {
+    const ComplexVectorX jacobian = jacobian_at(system, coefficients, x);
+    const Eigen::PartialPivLU<Rows> factors(Eigen::Map<const Rows>(jacobian.data(), n, n));
+    const ComplexVectorX value = values_at(system, coefficients, x).value;
+    const Eigen::VectorXcd change = factors.solve(Eigen::Map<const Eigen::VectorXcd>(value.data(), n));
+    for (Eigen::Index v = 0; v < n; ++v) x[static_cast<std::size_t>(v)] -= change[v];
+    if (!(factors.rcond() > least_rcond) || !change.allFinite()) return;
+    if (change.cwiseAbs().maxCoeff() > settled * (1 + largest(x))) continue;
+    end.kind = PathEnd::Kind::regular;
+    end.x = x;
+    return;
+  }
 }
 
 struct ActivePath {
@@ -329,6 +352,11 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
     progress(static_cast<double>(ends.size()) / static_cast<double>(starts.size()));
   }
   return ends;
+}
+
+void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, std::vector<PathEnd>& ends) {
+  for (PathEnd& end : ends)
+    if (end.kind == PathEnd::Kind::singular && end.winding_number == 1) settle_one(system, coefficients, end);
 }
 
 }  // namespace gcs

@@ -11,6 +11,7 @@
 /// Two circles must agree.
 
 #include "solvers/homotopies/leg_tracking.hpp"
+#include "solvers/lanes/monomial_system.hpp"
 
 namespace gcs {
 
@@ -36,5 +37,8 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
                                    const std::function<bool(const ComplexVectorX&)>& is_zero,
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work);
+
+/// Newton's method on ends that the trackers, whose order of elimination is fixed, did not take for regular ones.
+void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, std::vector<PathEnd>& ends);
 
 }  // namespace gcs

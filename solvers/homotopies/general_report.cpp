@@ -27,16 +27,6 @@ double distance_from_reals(const ComplexVectorX& x) {
   return distance / (1 + largest(x));
 }
 
-/// The real solution next to a regular end, if there is one.
-std::optional<ComplexVectorX> real_solution(const GeneralEquations& equations, const ComplexVectorX& x) {
-  if (distance_from_reals(x) > nearly_real) return std::nullopt;
-  ComplexVectorX real = x;
-  for (std::complex<double>& value : real) value = value.real();
-  if (!newton(equations.system, equations.coefficients, real)) return std::nullopt;
-  if (distance(real, x) > same_solution * (1 + largest(x))) return std::nullopt;
-  return real;
-}
-
 class GeneralReporter {
  public:
   GeneralReporter(const SceneSystem& system, const GeneralEquations& equations)
@@ -94,8 +84,8 @@ class GeneralReporter {
   }
 
   Figure figure_of(const ComplexVectorX& x, bool is_singular) const {
-    if (is_singular) return system_.figure(x, distance_from_reals(x) <= singular_uncertainty);
-    const std::optional<ComplexVectorX> real = real_solution(equations_, x);
+    const std::optional<ComplexVectorX> real =
+        real_end(equations_.system, equations_.coefficients, x, is_singular);
     return system_.figure(real.value_or(x), real.has_value());
   }
 
@@ -107,6 +97,17 @@ class GeneralReporter {
 };
 
 }  // namespace
+
+std::optional<ComplexVectorX> real_end(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                                       const ComplexVectorX& x, bool is_singular) {
+  if (distance_from_reals(x) > (is_singular ? singular_uncertainty : nearly_real)) return std::nullopt;
+  ComplexVectorX real = x;
+  for (std::complex<double>& value : real) value = value.real();
+  if (is_singular) return real;
+  if (!newton(system, coefficients, real)) return std::nullopt;
+  if (distance(real, x) > same_solution * (1 + largest(x))) return std::nullopt;
+  return real;
+}
 
 bool RegularClasses::add(ComplexVectorX x) {
   const ComplexVectorX from = x;

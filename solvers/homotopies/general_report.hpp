@@ -1,6 +1,7 @@
 #pragma once
 /// From the ends of paths to solutions of a general scene, with what they prove or leave open.
 
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -34,6 +35,11 @@ class RegularClasses {
   SolutionSet known_;
   std::vector<PathEnd> ends_;
 };
+
+/// The real zero that the finite end of a path stands for, if it does: of a regular one, where Newton's method from its
+/// real part leads to it.
+std::optional<ComplexVectorX> real_end(const MonomialSystem& system, const ComplexVectorX& coefficients,
+                                       const ComplexVectorX& x, bool is_singular);
 
 /// As complex_report: candidates from the finite ends, distinct up to signs and real where Newton's method on the real
 /// part agrees; a record for every path. Solutions that doubles hardly tell apart are proven with the file's own numbers,

@@ -10,8 +10,9 @@
 #include "solvers/interface/options.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/reduction/core_path.hpp"
-#include "solvers/reduction/independent_lines.hpp"
+#include "solvers/reduction/element_order.hpp"
 #include "solvers/reduction/part_reports.hpp"
+#include "solvers/reduction/placed_scene.hpp"
 #include "solvers/reduction/solution_product.hpp"
 #include "solvers/structure/decomposition.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 /// As many solutions are listed, where nobody says how many, as have this many coordinates together.
 constexpr std::size_t listed_coordinates = 1'000'000;
 
-/// Likewise of combinations of lines.
+/// Likewise of combinations of elements that are placed one by one.
 constexpr std::size_t most_combinations = 10'000;
 
 /// A part to be solved by a strategy, as a scene of its own.
@@ -153,10 +154,56 @@ class ReducedStrategy final : public Strategy {
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     if (request.scene.problem().is_general() && !knows_general_scenes_)
       return "it knows points, lines in space and distances between them alone";
-    for (const Scene& line : lines_of(request))
-      if (const auto reason = strategies_.front()->why_unsupported(request.on(line)))
-        return "the part " + line.problem().lines.front() + ": " + *reason;
-    if (!lines_of(request).empty()) return std::nullopt;
+    if (placing_of(request)) return std::nullopt;
+    return why_no_parts(request);
+  }
+
+  void prepare(const SolveRequest& request) override {
+    const std::optional<ElementOrder> order = placing_of(request);
+    if (!order) return prepare_parts(request);
+    if (order->core_is_given) return;  // each step is a matter of milliseconds
+    const Scene core = Scene::unchecked(order->core.problem);
+    const SceneAnalysis analysis(core.problem());
+    prepare_parts(request.on(core, &analysis));
+  }
+
+  SolveReport solve(const SolveRequest& request) override {
+    if (const std::optional<ElementOrder> order = placing_of(request)) return solve_in_order(request, *order);
+    return solve_undivided(request);
+  }
+
+ private:
+  std::vector<Part> parts_of(const SolveRequest& request) const {
+    if (!reduces_) return std::vector<Part>(1);
+    return request.analysis ? request.analysis->parts(split_) : decompose(request.scene.problem(), split_);
+  }
+
+  /// Nothing where the strategy knows neither the core nor, where that is given, what is placed on it.
+  std::optional<ElementOrder> placing_of(const SolveRequest& request) const {
+    if (!reduces_ || split_ != Split::all) return std::nullopt;
+    std::optional<ElementOrder> order = element_order(request.scene);
+    if (order && !(order->core_is_given ? knows_steps(request, *order) : knows_core(request, *order)))
+      return std::nullopt;
+    return order;
+  }
+
+  bool knows_core(const SolveRequest& request, const ElementOrder& order) const {
+    const Scene core = Scene::unchecked(order.core.problem);
+    const SceneAnalysis analysis(core.problem());
+    return (knows_general_scenes_ || !core.problem().is_general()) &&
+           !why_no_parts(request.on(core, &analysis));
+  }
+
+  /// All steps that are scenes of their own or, where it knows the equations of general ones, whatever they are.
+  bool knows_steps(const SolveRequest& request, const ElementOrder& order) const {
+    if (knows_general_scenes_ && request.scene.problem().is_general()) return true;
+    return std::ranges::all_of(order.steps, [&](const PlacingStep& step) {
+      const std::optional<SubProblem> alone = problem_of_step(order, step);
+      return alone && !strategies_.front()->why_unsupported(request.on(Scene::unchecked(alone->problem)));
+    });
+  }
+
+  std::optional<std::string> why_no_parts(const SolveRequest& request) const {
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategies_.front()->why_unsupported(request);
     for (const Part& part : parts) {
@@ -168,13 +215,9 @@ class ReducedStrategy final : public Strategy {
     return std::nullopt;
   }
 
-  void prepare(const SolveRequest& request) override {
-    if (!lines_of(request).empty()) return;  // each is a matter of milliseconds
+  void prepare_parts(const SolveRequest& request) {
     const std::vector<Part> parts = parts_of(request);
-    if (parts.size() == 1) {
-      strategy(0).prepare(request);
-      return;
-    }
+    if (parts.size() == 1) return strategy(0).prepare(request);
     std::size_t next = 0;
     for (const Part& part : parts) {
       if (part.is_hung_point()) continue;
@@ -183,38 +226,24 @@ class ReducedStrategy final : public Strategy {
     }
   }
 
-  SolveReport solve(const SolveRequest& request) override {
-    if (const std::vector<Scene> lines = lines_of(request); !lines.empty())
-      return solve_lines(request, lines);
+  SolveReport solve_undivided(const SolveRequest& request) {
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategy(0).solve(request);
     return split_ == Split::hung_points ? solve_on_path(request, parts) : solve_parts(request, parts);
   }
 
- private:
-  std::vector<Part> parts_of(const SolveRequest& request) const {
-    if (!reduces_) return std::vector<Part>(1);
-    return request.analysis ? request.analysis->parts(split_) : decompose(request.scene.problem(), split_);
-  }
-
-  std::vector<Scene> lines_of(const SolveRequest& request) const {
-    std::vector<Scene> lines;
-    if (!reduces_ || split_ != Split::all) return lines;
-    for (ProblemStatement& line : problems_of_lines(request.scene.problem()))
-      lines.push_back(Scene::unchecked(std::move(line)));
-    return lines;
-  }
-
-  SolveReport solve_lines(const SolveRequest& request, const std::vector<Scene>& lines) {
-    std::vector<SolveReport> reports;
-    for (const Scene& line : lines) {
-      const SceneAnalysis analysis(line.problem());
-      SolveRequest of_line = request.on(line, &analysis);
-      of_line.starts = &no_starts_;
-      reports.push_back(strategy(reports.size()).solve(of_line));
-    }
-    return product_of_lines(request.scene, lines, std::move(reports),
-                            request.most_listed.value_or(most_combinations));
+  /// Steps that are scenes of their own are solved by strategies of their own.
+  SolveReport solve_in_order(const SolveRequest& request, const ElementOrder& order) {
+    std::size_t next = 0;
+    const auto solve = [&](const SolveRequest& of_part) -> std::optional<SolveReport> {
+      if (!order.core_is_given) return solve_undivided(of_part);
+      if (of_part.scene.problem().is_general() && !knows_general_scenes_) return std::nullopt;
+      if (strategy(next).why_unsupported(of_part)) return std::nullopt;
+      SolveRequest alone = of_part;
+      alone.starts = &no_starts_;
+      return strategy(next++).solve(alone);
+    };
+    return solve_placed(request, order, solve, request.most_listed.value_or(most_combinations));
   }
 
   Strategy& strategy(std::size_t number) {
@@ -300,7 +329,7 @@ class ReducedStrategy final : public Strategy {
 StrategyEntry with_reduction(StrategyEntry inner) {
   StrategyEntry entry = inner;
   entry.options.push_back({reduce_option, OnOff::text(!inner.needs_sketch), OnOff::allowed(),
-                           "place hung points after the rest, and solve apart what d points separate"});
+                           "place what hangs on the rest after it, and solve apart what d points separate"});
   entry.make = [inner = std::move(inner)](const OptionMap& options) -> std::unique_ptr<Strategy> {
     return std::make_unique<ReducedStrategy>(inner, options);
   };

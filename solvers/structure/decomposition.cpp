@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "solvers/structure/core_reduction.hpp"
+#include "solvers/structure/sub_problem.hpp"
 
 namespace gcs {
 namespace {
@@ -206,80 +207,21 @@ std::vector<Part> decompose(const ProblemStatement& problem, Split split) {
 
 namespace {
 
-/// Numbers of entities of a part in the whole problem, and back.
-struct Numbering {
-  std::vector<int> entities;  ///< points, then lines
-  std::vector<int> number;    ///< of each entity of the whole; −1: not in the part
-};
-
-Numbering numbering(const ProblemStatement& whole, const Part& part) {
-  const std::vector<bool> is_there = present(whole, part);
-  Numbering result{{}, std::vector<int>(is_there.size(), -1)};
-  for (int entity = 0; entity < static_cast<int>(is_there.size()); ++entity)
-    if (is_there[entity]) {
-      result.number[entity] = static_cast<int>(result.entities.size());
-      result.entities.push_back(entity);
-    }
-  return result;
-}
-
-/// The base, or the whole problem's frame if the part has it; else none is chosen here.
-std::optional<Reference> frame_of(const ProblemStatement& whole, const Part& part,
-                                  const std::vector<int>& number) {
-  if (part.base.empty() && !whole.reference) return std::nullopt;
-  Reference frame;
-  if (part.base.empty()) {
-    frame = *whole.reference;
-  } else {
-    frame.origin = part.base[0];
-    frame.axis = part.base[1];
-    if (whole.dimension == 3) frame.plane = part.base[2];
-  }
-  bool is_inside = true;
-  for (int* point : {&frame.origin, &frame.axis, &frame.plane, &frame.height}) {
-    if (*point < 0) continue;
-    *point = number[*point];
-    is_inside = is_inside && *point >= 0;
-  }
-  return is_inside ? std::optional(frame) : std::nullopt;
-}
-
-Figure figure_of(const Figure& whole, const ProblemStatement& problem, const std::vector<int>& points) {
-  Figure figure;
-  figure.points.resize(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    figure.points.col(static_cast<Eigen::Index>(i)) = whole.points.col(points[i]);
-  if (!problem.lines.empty()) figure.lines = whole.lines;
-  return figure;
+/// The base as a frame of its problem.
+Reference frame_of(const std::vector<int>& base, const std::vector<int>& entities) {
+  std::array<int, 3> numbers{-1, -1, -1};
+  for (std::size_t i = 0; i < base.size(); ++i)
+    numbers[i] = static_cast<int>(std::ranges::find(entities, base[i]) - entities.begin());
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 }  // namespace
 
 PartProblem part_problem(const ProblemStatement& whole, const Part& part) {
-  const Numbering numbers = numbering(whole, part);
-  PartProblem result;
-  ProblemStatement& problem = result.problem;
-  problem.dimension = whole.dimension;
-  for (const int entity : numbers.entities) {
-    (whole.is_point(entity) ? problem.points : problem.lines).push_back(whole.name(entity));
-    if (whole.is_point(entity)) result.points.push_back(entity);
-  }
-  problem.interpolation.bend = whole.interpolation.bend;
-  if (whole.interpolation.bends) problem.interpolation.bends.emplace();
-  for (const int i : part.constraints) {
-    if (i == whole.interpolation.bent)
-      problem.interpolation.bent = static_cast<int>(problem.constraints.size());
-    if (whole.interpolation.bends)
-      for (const BentLength& bent : *whole.interpolation.bends)
-        if (bent.constraint == i)
-          problem.interpolation.bends->push_back(
-              {static_cast<int>(problem.constraints.size()), bent.coefficients});
-    problem.constraints.push_back(whole.constraints[i]);
-    for (int& entity : problem.constraints.back().between) entity = numbers.number[entity];
-  }
-  problem.reference = frame_of(whole, part, numbers.number);
-  if (whole.sketch) problem.sketch = figure_of(*whole.sketch, problem, result.points);
-  return result;
+  SubProblem result = sub_problem(whole, present(whole, part));
+  if (!part.base.empty()) result.problem.reference = frame_of(part.base, result.entities);
+  result.entities.resize(result.problem.points.size());
+  return {std::move(result.problem), std::move(result.entities)};
 }
 
 }  // namespace gcs

@@ -1,6 +1,5 @@
 #include "solvers/systems/system_paths.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <numbers>
 #include <numeric>
@@ -18,29 +17,6 @@ ComplexVectorX flat(const std::vector<ComplexVectorX>& coefficients, const Quadr
   for (const ComplexVectorX& equation : coefficients) all.insert(all.end(), equation.begin(), equation.end());
   for (std::size_t k = 0; k < lift.products.size(); ++k) all.insert(all.end(), {1.0, -1.0});
   return all;
-}
-
-/// Newton's method on an end that the trackers, whose order of elimination is fixed, did not take for regular; it is
-/// where the method settles and a pivoting factorisation is regular.
-void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, PathEnd& end) {
-  constexpr int most_iterations = 6;
-  constexpr double settled = 1e-13,
-                   regular = 1e-10;  // relative to 1 + the largest |x_i|; reciprocal condition
-  using Rows = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const auto n = static_cast<Eigen::Index>(end.x.size());
-  ComplexVectorX x = end.x;
-  for (int i = 0; i < most_iterations; ++i) {
-    const ComplexVectorX jacobian = jacobian_at(system, coefficients, x);
-    const Eigen::PartialPivLU<Rows> factors(Eigen::Map<const Rows>(jacobian.data(), n, n));
-    const ComplexVectorX value = values_at(system, coefficients, x).value;
-    const Eigen::VectorXcd change = factors.solve(Eigen::Map<const Eigen::VectorXcd>(value.data(), n));
-    for (Eigen::Index v = 0; v < n; ++v) x[static_cast<std::size_t>(v)] -= change[v];
-    if (!(factors.rcond() > regular) || !change.allFinite()) return;
-    if (change.cwiseAbs().maxCoeff() > settled * (1 + largest(x))) continue;
-    end.kind = PathEnd::Kind::regular;
-    end.x = x;
-    return;
-  }
 }
 
 /// The equations with x_i^(d_i) and 1 among the monomials of equation i, and the coefficients on both ends.
@@ -149,8 +125,7 @@ class Following {
     result_.ends = follow_to_end(
         tracking, starts, from, to, is_zero, stopped_,
         [&](double fraction) { request_.progress("paths to the system", fraction); }, work_);
-    for (PathEnd& end : result_.ends)
-      if (end.kind == PathEnd::Kind::singular && end.winding_number == 1) settle(system, to, end);
+    settle(system, to, result_.ends);
     for (PathEnd& end : result_.ends)
       if (!end.x.empty()) end.x.resize(static_cast<std::size_t>(lift.unknowns));
   }

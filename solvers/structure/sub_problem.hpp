@@ -1,0 +1,20 @@
+#pragma once
+/// A part of a problem as a problem of its own.
+
+#include <vector>
+
+#include "solvers/problem/problem_statement.hpp"
+
+namespace gcs {
+
+struct SubProblem {
+  ProblemStatement problem;
+  std::vector<int> entities;  ///< of each entity, its number in the whole problem
+};
+
+/// The entities that `is_there`, in their order, with what is stated between them alone, their places in the sketch and
+/// the bends; with the frame where all of it is there; without a construction plan. Precondition: all elements of
+/// bodies are there, or there are no bodies.
+SubProblem sub_problem(const ProblemStatement& whole, const std::vector<bool>& is_there);
+
+}  // namespace gcs

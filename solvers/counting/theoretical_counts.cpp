@@ -12,6 +12,7 @@
 #include "solvers/counting/ring_bound.hpp"
 #include "solvers/structure/core_reduction.hpp"
 #include "solvers/structure/decomposition.hpp"
+#include "solvers/structure/sub_problem.hpp"
 
 namespace gcs {
 namespace {
@@ -220,24 +221,61 @@ void bound_points_and_line(const ProblemStatement& problem, TheoreticalCounts& c
   counts.bound = CountBound{count_in_frame(problem, smallest->fixed_frame), {line, point}, {}};
 }
 
-/// All points are given, and nothing but lines is sought, each by its distances from four of them.
-bool seeks_common_tangents(const ProblemStatement& problem) {
-  std::vector<int> distances(problem.lines.size());
-  for (int entity = 0; entity < problem.entity_count(); ++entity)
-    if (problem.is_point(entity) != problem.is_fixed(entity)) return false;
+/// Of each entity, whether it is a line at given distances from four points: nothing else hangs on it then.
+std::vector<bool> hung_lines(const ProblemStatement& problem) {
+  std::vector<int> distances(static_cast<std::size_t>(problem.entity_count()));
   for (const DistanceConstraint& c : problem.constraints)
-    ++distances[static_cast<std::size_t>(problem.line_of(std::max(c.between[0], c.between[1])))];
-  return !distances.empty() && std::all_of(distances.begin(), distances.end(), [](int n) { return n == 4; });
+    for (const int entity : c.between) ++distances[static_cast<std::size_t>(entity)];
+  std::vector<bool> hung;
+  for (int entity = 0; entity < problem.entity_count(); ++entity)
+    hung.push_back(problem.is_line(entity) && !problem.is_fixed(entity) &&
+                   distances[static_cast<std::size_t>(entity)] == 4);
+  return hung;
 }
 
 /// For centres that span space the point of the line is eliminated linearly, and its direction is left to a
 /// cubic and a quartic in the projective plane: 12 lines, by Bézout (Macdonald, Pach, Theobald, Common
 /// tangents to four unit balls in R³, 2001; Hoffmann, Yuan 2000). Isolated lines persist when centres and
-/// radii are moved, so no four centres have more.
-void bound_tangents(const ProblemStatement& problem, TheoreticalCounts& counts) {
-  Natural product(1);
-  for (std::size_t line = 0; line < problem.lines.size(); ++line) product = product * Natural(12);
-  counts.bound = CountBound{{product, {}}, {}, {}, static_cast<int>(problem.lines.size())};
+/// radii are moved, so no four centres have more: for each solution of what the lines hang on. Nothing where
+/// no line hangs, or where that has no limit.
+std::optional<CountBound> bound_with_hung_lines(const ProblemStatement& problem) {
+  std::vector<bool> is_left = hung_lines(problem);
+  const auto lines = static_cast<int>(std::count(is_left.begin(), is_left.end(), true));
+  if (lines == 0) return std::nullopt;
+  is_left.flip();
+  const ProblemStatement rest = sub_problem(problem, is_left).problem;
+  CountBound bound{{Natural(1), frame_images(problem)}, {}, {}, lines};
+  bool is_given = true;
+  for (int entity = 0; entity < rest.entity_count(); ++entity) is_given = is_given && rest.is_fixed(entity);
+  if (!is_given) {
+    const TheoreticalCounts counts = theoretical_counts(rest);
+    if (!counts.upper_limit()) return std::nullopt;
+    bound.count.fixed_frame = counts.upper_limit()->up_to_reflection();
+    bound.parts += counts.bound ? counts.bound->parts : 1;
+  }
+  for (int line = 0; line < lines; ++line) bound.count.fixed_frame = bound.count.fixed_frame * Natural(12);
+  bound.count.fixed_frame =
+      bound.count.fixed_frame * Natural(static_cast<std::uint64_t>(bound.count.images.in_frame));
+  return bound;
+}
+
+/// The smaller of two bounds; that by its parts if they are equal.
+void bound_beyond_points(const ProblemStatement& problem, TheoreticalCounts& counts) {
+  const std::optional<CountBound> by_parts = bound_with_hung_lines(problem);
+  counts.why_no_exact = problem.is_anchored() && !by_parts
+                            ? "Positions are fixed, and the count is known only where nothing is."
+                            : "There is a line, and the exact number is known only for points.";
+  if (problem.is_anchored())
+    counts.why_no_bound = "Positions are fixed, and the bound is known only where nothing is.";
+  else if (problem.lines.size() == 1)
+    bound_points_and_line(problem, counts);
+  else
+    counts.why_no_bound = "There is more than one line, and the bound is known for one at most.";
+  if (!by_parts ||
+      (counts.bound && counts.bound->count.up_to_reflection() < by_parts->count.up_to_reflection()))
+    return;
+  counts.bound = by_parts;
+  counts.why_no_bound.clear();
 }
 
 /// Nothing but two bodies and as many distances between points of both as they have freedoms against each other.
@@ -314,20 +352,10 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std:
       counts.why_no_bound =
           "The bound is known for distances of points, of one line, of two bodies alone, and for six in a "
           "ring.";
-  } else if (seeks_common_tangents(problem)) {
-    counts.why_no_exact = "There is a line, and the exact number is known only for points.";
-    bound_tangents(problem, counts);
-  } else if (problem.is_anchored()) {
-    counts.why_no_exact = "Positions are fixed, and the count is known only where nothing is.";
-    counts.why_no_bound = "Positions are fixed, and the bound is known only where nothing is.";
-  } else if (problem.lines.empty()) {
+  } else if (problem.lines.empty() && !problem.is_anchored()) {
     count_points(problem, parts, counts);
   } else {
-    counts.why_no_exact = "There is a line, and the exact number is known only for points.";
-    if (problem.lines.size() == 1)
-      bound_points_and_line(problem, counts);
-    else
-      counts.why_no_bound = "There is more than one line, and the bound is known for one at most.";
+    bound_beyond_points(problem, counts);
   }
   return counts;
 }

@@ -140,7 +140,7 @@ std::optional<Scene> framed(const Scene& scene) {
   ProblemStatement problem = scene.problem();
   if (problem.lines.empty() && !problem.is_general()) return std::nullopt;
   if (!problem.is_general() && !problem.is_anchored() && problem.lines.size() > 1) return std::nullopt;
-  if (!stated_signs(problem).empty()) return std::nullopt;
+  if (!stated_signs(problem).empty() || (problem.is_general() && why_no_system(scene))) return std::nullopt;
   if (!problem.is_anchored() && problem.reference_body < 0) {
     if (static_cast<int>(problem.points.size()) < problem.dimension) return std::nullopt;
     problem.reference = frame_of(scene);
@@ -210,9 +210,11 @@ bool counts_alike(const ElementOrder& order, const SceneSystem& system) {
   return masks.rank() == SceneSystem(alone).equations().mirror.rank();
 }
 
-/// Whether a strategy is asked about what is as simple as a simplex.
-bool is_trivial(const ProblemStatement& core) {
-  return !core.is_anchored() && core.bodies.empty() && core.entity_count() < core.dimension + 2;
+/// Whether nothing is gained: the core is as simple as a simplex, or it is given and all else is one step.
+bool is_trivial(const ElementOrder& order) {
+  const ProblemStatement& core = order.core.problem;
+  if (order.core_is_given) return order.steps.size() < 2;
+  return core.bodies.empty() && core.entity_count() < core.dimension + 2;
 }
 
 }  // namespace
@@ -230,7 +232,7 @@ std::optional<ElementOrder> element_order(const Scene& scene) {
   for (const PlacingStep& step : order.steps) order.is_in_core[static_cast<std::size_t>(step.entity)] = false;
   order.core = sub_problem(order.scene.problem(), order.is_in_core);
   order.core_is_given = system.equations().unknowns == unknowns_of(order.steps);
-  if (is_trivial(order.core.problem) || !counts_alike(order, system)) return std::nullopt;
+  if (is_trivial(order) || !counts_alike(order, system)) return std::nullopt;
   return order;
 }
 

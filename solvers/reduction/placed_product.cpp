@@ -145,7 +145,7 @@ void PlacedProduct::list_from(int step) {
 
 /// In the scene's own frame: of a line, where the equations are in one of points.
 Figure PlacedProduct::framed(const Figure& figure) const {
-  if (scene_.reference().line < 0 || figure.is_real()) return figure;
+  if (figure.is_real() || scene_.is_anchored() || scene_.problem().is_general()) return figure;
   return polished(scene_, squares_, scene_.in_frame(figure));
 }
 

@@ -28,6 +28,66 @@ TrackingSetup setup_for(const SolveMeans& means) {
 
 int degree(const Monomial& monomial) { return (monomial.u >= 0) + (monomial.v >= 0); }
 
+/// A system with x_i^(d_i) and 1 among the monomials of equation i, and the coefficients on both ends of the way to it.
+struct FromRoots {
+  MonomialSystem system;
+  ComplexVectorX from, to;
+  std::vector<ComplexVectorX> roots{{}};  ///< all x with x_i^(d_i) = 1
+
+  FromRoots(const MonomialSystem& target, const ComplexVectorX& coefficients, std::mt19937_64& random) {
+    system.unknowns = target.unknowns;
+    for (int i = 0; i < target.equations(); ++i) {
+      int highest = 0;
+      for (int j = target.first[i]; j < target.first[i + 1]; ++j) {
+        append(target.monomials[j], 0, coefficients[j]);
+        highest = std::max(highest, degree(target.monomials[j]));
+      }
+      const Complex gamma =
+          std::polar(1.0, std::uniform_real_distribution<double>(0, 2 * std::numbers::pi)(random));
+      add_start({i, highest == 2 ? i : -1}, gamma);
+      add_start({-1, -1}, -gamma);
+      system.first.push_back(static_cast<int>(system.monomials.size()));
+      multiply_roots(highest);
+    }
+  }
+
+  /// On the way, at random, and at its start.
+  Elimination elimination(std::mt19937_64& random) const {
+    ComplexVectorX middle = from;
+    for (std::size_t j = 0; j < middle.size(); ++j) middle[j] += to[j];
+    std::vector<ComplexVectorX> jacobians{jacobian_at(system, from, roots.front())};
+    for (std::size_t i = 0; i < samples; ++i)
+      jacobians.push_back(jacobian_at(system, middle, random_complex_vector(system.unknowns, random)));
+    return order_elimination(system.unknowns, jacobians);
+  }
+
+ private:
+  void append(const Monomial& monomial, const Complex& at_start, const Complex& at_end) {
+    system.monomials.push_back(monomial);
+    from.push_back(at_start);
+    to.push_back(at_end);
+  }
+
+  void add_start(const Monomial& monomial, const Complex& coefficient) {
+    for (auto j = static_cast<std::size_t>(system.first.back()); j < from.size(); ++j)
+      if (system.monomials[j].u == monomial.u && system.monomials[j].v == monomial.v) {
+        from[j] = coefficient;
+        return;
+      }
+    append(monomial, coefficient, 0);
+  }
+
+  void multiply_roots(int degree) {
+    std::vector<ComplexVectorX> longer;
+    for (const ComplexVectorX& x : roots)
+      for (int root = 0; root < degree; ++root) {
+        longer.push_back(x);
+        longer.back().push_back(root == 0 ? 1.0 : -1.0);
+      }
+    roots = std::move(longer);
+  }
+};
+
 }  // namespace
 
 StepSolver::StepSolver(const GeneralEquations& whole, const PlacingStep& step, SignMasks signs,
@@ -57,34 +117,12 @@ void StepSolver::take_equations(const GeneralEquations& whole, const PlacingStep
                           j == whole.value_monomial[static_cast<std::size_t>(e)];
       term.addends.push_back(addend);
     }
-    int highest = 0;
     for (auto& [monomial, term] : terms) {
       system_.monomials.push_back({monomial.first, monomial.second});
-      highest = std::max(highest, degree(system_.monomials.back()));
       terms_.push_back(std::move(term));
     }
-    append_start(static_cast<int>(system_.first.size()) - 1, highest);
+    system_.first.push_back(static_cast<int>(system_.monomials.size()));
   }
-}
-
-/// The monomials x_i^d and 1 of equation i, where it has not got them, and the end of the equation.
-void StepSolver::append_start(int equation, int degree) {
-  const auto begin = static_cast<std::size_t>(system_.first.back());
-  const auto place_of = [&](int u, int v) {
-    for (std::size_t j = begin; j < system_.monomials.size(); ++j)
-      if (system_.monomials[j].u == u && system_.monomials[j].v == v) return j;
-    system_.monomials.push_back({u, v});
-    terms_.emplace_back();
-    return system_.monomials.size() - 1;
-  };
-  const std::size_t power = place_of(equation, degree == 2 ? equation : -1), one = place_of(-1, -1);
-  const Complex gamma =
-      std::polar(1.0, std::uniform_real_distribution<double>(0, 2 * std::numbers::pi)(random_));
-  first_.resize(system_.monomials.size(), 0.0);
-  first_[power] = gamma;
-  first_[one] = -gamma;
-  degrees_.push_back(degree);
-  system_.first.push_back(static_cast<int>(system_.monomials.size()));
 }
 
 ComplexVectorX StepSolver::random_parameters() {
@@ -100,30 +138,6 @@ ComplexVectorX StepSolver::random_parameters() {
     coefficients.push_back(value);
   }
   return coefficients;
-}
-
-std::vector<ComplexVectorX> StepSolver::roots_of_one() const {
-  std::vector<ComplexVectorX> roots{{}};
-  for (const int d : degrees_) {
-    std::vector<ComplexVectorX> longer;
-    for (const ComplexVectorX& x : roots)
-      for (int root = 0; root < d; ++root) {
-        longer.push_back(x);
-        longer.back().push_back(root == 0 ? 1.0 : -1.0);
-      }
-    roots = std::move(longer);
-  }
-  return roots;
-}
-
-/// At the start and on the way.
-Elimination StepSolver::first_elimination(const std::vector<ComplexVectorX>& roots) {
-  ComplexVectorX middle = first_;
-  for (std::size_t j = 0; j < middle.size(); ++j) middle[j] += parameters_[j];
-  std::vector<ComplexVectorX> jacobians{jacobian_at(system_, first_, roots.front())};
-  for (std::size_t i = 0; i < samples; ++i)
-    jacobians.push_back(jacobian_at(system_, middle, random_complex_vector(system_.unknowns, random_)));
-  return order_elimination(system_.unknowns, jacobians);
 }
 
 void StepSolver::find_starts() {
@@ -142,10 +156,10 @@ void StepSolver::find_starts() {
 }
 
 std::vector<PathEnd> StepSolver::followed_from_roots() {
-  const std::vector<ComplexVectorX> roots = roots_of_one();
-  const Elimination elimination = first_elimination(roots);
-  LegTracking tracking(system_, elimination, setup_for(means_));
-  return followed(tracking, roots, first_, parameters_, first_work_);
+  const FromRoots way(system_, parameters_, random_);
+  const Elimination elimination = way.elimination(random_);
+  LegTracking tracking(way.system, elimination, setup_for(means_));
+  return followed(way.system, tracking, way.roots, way.from, way.to, first_work_);
 }
 
 /// Of ends that are met again by another path a step has jumped.
@@ -159,14 +173,15 @@ void StepSolver::take_starts(const std::vector<PathEnd>& ends) {
 }
 
 /// Counts the paths that are lost.
-std::vector<PathEnd> StepSolver::followed(LegTracking& tracking, const std::vector<ComplexVectorX>& starts,
+std::vector<PathEnd> StepSolver::followed(const MonomialSystem& system, LegTracking& tracking,
+                                          const std::vector<ComplexVectorX>& starts,
                                           const ComplexVectorX& from, const ComplexVectorX& to,
                                           WorkCounters& work) {
-  const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(system_, to, x); };
+  const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(system, to, x); };
   const auto stopped = [&] { return means_.stop.stop_requested(); };
   std::vector<PathEnd> ends = follow_to_end(
       tracking, starts, from, to, is_zero, stopped, [](double) {}, work);
-  settle(system_, to, ends);
+  settle(system, to, ends);
   for (const PathEnd& end : ends)
     if (end.kind == PathEnd::Kind::failed) ++missing_.lost[end.cause].count;
   return ends;
@@ -190,7 +205,7 @@ std::vector<StepWay> StepSolver::ways(const ComplexVectorX& x, bool is_real, Wor
   add(std::exchange(first_work_, {}), work);
   const ComplexVectorX coefficients = coefficients_at(x);
   if (starts_.empty()) return {};
-  const std::vector<PathEnd> ends = followed(*tracking_, starts_, parameters_, coefficients, work);
+  const std::vector<PathEnd> ends = followed(system_, *tracking_, starts_, parameters_, coefficients, work);
   const DistinctEnds distinct(ends, signs_, random_);
   missing_.jumps += distinct.jumps();
   has_all_somewhere_ = has_all_somewhere_ || distinct.size() == static_cast<int>(starts_.size());

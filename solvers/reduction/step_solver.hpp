@@ -58,25 +58,21 @@ class StepSolver {
   };
 
   void take_equations(const GeneralEquations& whole, const PlacingStep& step);
-  void append_start(int equation, int degree);
   ComplexVectorX random_parameters();
   void find_starts();
   std::vector<PathEnd> followed_from_roots();
   void take_starts(const std::vector<PathEnd>& ends);
-  std::vector<PathEnd> followed(LegTracking& tracking, const std::vector<ComplexVectorX>& starts,
-                                const ComplexVectorX& from, const ComplexVectorX& to, WorkCounters& work);
+  std::vector<PathEnd> followed(const MonomialSystem& system, LegTracking& tracking,
+                                const std::vector<ComplexVectorX>& starts, const ComplexVectorX& from,
+                                const ComplexVectorX& to, WorkCounters& work);
   ComplexVectorX coefficients_at(const ComplexVectorX& x) const;
-  std::vector<ComplexVectorX> roots_of_one() const;
-  Elimination first_elimination(const std::vector<ComplexVectorX>& roots);
 
   ComplexVectorX of_whole_;  ///< coefficients
   SignMasks signs_;
   SolveMeans means_;
   std::mt19937_64 random_;
   MonomialSystem system_;
-  std::vector<Term> terms_;  ///< of each monomial
-  std::vector<int> degrees_;
-  ComplexVectorX first_;       ///< coefficients of x_i^(d_i) = 1, each times a random number
+  std::vector<Term> terms_;    ///< of each monomial
   ComplexVectorX parameters_;  ///< at random
   std::vector<ComplexVectorX> starts_;
   Elimination elimination_;

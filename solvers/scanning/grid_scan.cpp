@@ -11,6 +11,7 @@
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/running/run_on_threads.hpp"
+#include "solvers/scanning/refined_solutions.hpp"
 #include "solvers/scanning/step_places.hpp"
 
 namespace gcs {
@@ -18,47 +19,6 @@ namespace {
 
 /// Of what Newton's method has settled to: the coordinates' rounding leaves 1e-15 or so of a length.
 constexpr double solved_residual = 1e-13;
-
-/// Relative to the scene's size. Newton's method ends at the same solution to about 1e-15 times its
-/// condition.
-constexpr double same_solution = 1e-9;
-
-/// Distinct ends of Newton's method, in the order in which they came.
-class RefinedSolutions {
- public:
-  /// `axes`: see mirror_axes; −1 for all: mirror images are two.
-  RefinedSolutions(std::vector<int> axes, double tolerance) : axes_(std::move(axes)), tolerance_(tolerance) {}
-
-  void take(const Eigen::VectorXd& x) {
-    const double reach = x.lpNorm<1>();
-    const double slack = tolerance_ * static_cast<double>(x.size());
-    for (auto other = by_reach_.lower_bound(reach - slack);
-         other != by_reach_.end() && other->first <= reach + slack; ++other)
-      if (is_same(x, list_[other->second])) return;
-    by_reach_.emplace(reach, list_.size());
-    list_.push_back(x);
-  }
-  const std::vector<Eigen::VectorXd>& list() const { return list_; }
-
- private:
-  bool is_same(const Eigen::VectorXd& x, const Eigen::VectorXd& y) const {
-    for (int axis = -1; axis < 3; ++axis) {
-      double apart = 0, apart_mirrored = 0;
-      for (Eigen::Index i = 0; i < x.size(); ++i) {
-        if (axes_[static_cast<std::size_t>(i)] != axis) continue;
-        apart = std::max(apart, std::abs(x[i] - y[i]));
-        apart_mirrored = std::max(apart_mirrored, std::abs(x[i] + y[i]));
-      }
-      if (apart > tolerance_ && (axis < 0 || apart_mirrored > tolerance_)) return false;
-    }
-    return true;
-  }
-
-  std::vector<int> axes_;
-  double tolerance_;
-  std::vector<Eigen::VectorXd> list_;
-  std::multimap<double, std::size_t> by_reach_;  ///< Σ |x_i|, equal for equal ones
-};
 
 /// What the grid points of one value of the first angle give.
 struct Slice {
@@ -245,17 +205,6 @@ class GridScanRun {
   Slice all_;
 };
 
-/// Why the grid is refused, or nothing.
-std::string fault_of(const GridScan& asked) {
-  double points = 1;
-  for (const AngleGrid& grid : asked.angles) points *= static_cast<double>(grid.count);
-  if (points == 0) return "the grid is empty: an angle's range ends before its first value";
-  if (points <= static_cast<double>(asked.max_points)) return {};
-  std::ostringstream reason;
-  reason << "the grid has " << points << " points, more than max_points allows; a wider step makes fewer";
-  return reason.str();
-}
-
 }  // namespace
 
 double AngleGrid::at(std::int64_t i) const {
@@ -269,8 +218,18 @@ AngleGrid grid_over(const std::array<double, 2>& range, double start, double ste
   return {range[0] / degree + start, step, static_cast<std::int64_t>(std::max(0.0, steps))};
 }
 
+std::string fault_of_grid(const GridScan& asked) {
+  double points = 1;
+  for (const AngleGrid& grid : asked.angles) points *= static_cast<double>(grid.count);
+  if (points == 0) return "the grid is empty: an angle's range ends before its first value";
+  if (points <= static_cast<double>(asked.max_points)) return {};
+  std::ostringstream reason;
+  reason << "the grid has " << points << " points, more than max_points allows; a wider step makes fewer";
+  return reason.str();
+}
+
 SolveReport grid_scan(const SolveRequest& request, const ScanPlan& plan, const GridScan& asked) {
-  const std::string fault = fault_of(asked);
+  const std::string fault = fault_of_grid(asked);
   if (fault.empty()) return GridScanRun(request, plan, asked).run();
   SolveReport report;
   report.claim = Claim::some_real;

@@ -21,7 +21,6 @@
 
 #include "solvers/strategies/newton_multistart.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -128,26 +127,7 @@ class SceneFunction {
     const std::vector<Candidate> found = simple_solutions_near(system_, ComplexValues(x.begin(), x.end()), 1);
     return found.empty() || !found.front().figure.is_real() ? std::nullopt : std::optional(found.front());
   }
-  /// Undamped steps, until they no longer fall.
-  Refinement refined(Eigen::VectorXd& x) const {
-    constexpr int most_iterations = 20;
-    Refinement result{false, 0, std::numeric_limits<double>::infinity()};
-    Eigen::VectorXd f(values());
-    Eigen::MatrixXd jacobian(values(), inputs());
-    while (result.iterations < most_iterations) {
-      (*this)(x, f);
-      df(x, jacobian);
-      const Eigen::VectorXd step = jacobian.partialPivLu().solve(f);
-      const double last = result.last_correction;
-      ++result.iterations;
-      if (!step.allFinite()) return result;
-      x -= step;
-      result.last_correction = step.norm();
-      if (!(result.last_correction < last / 2)) break;
-    }
-    result.converged = result.last_correction <= tolerance * (1 + x.cwiseAbs().maxCoeff());
-    return result;
-  }
+  Refinement refined(Eigen::VectorXd& x) const { return refine(equations_, tolerance, x); }
 
  private:
   const Scene& scene_;

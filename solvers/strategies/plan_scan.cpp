@@ -18,13 +18,15 @@
 /// at every point T of the grid each branch with ρ(T) = max |f_j| < delta over the removed constraints, in
 /// lengths, is a coarse solution, from which Newton's method on the whole system starts. Deviations: the grid is taken once over
 /// mirror images, and coarse solutions that refine to mirror images are one. It misses what lies between the
-/// points of the grid, hence the claim: some real ones.
+/// points of the grid, hence the claim: some real ones. Of general scenes it places points and planes
+/// (scanning/element_plan.hpp), and equations of any kind that the plan does not use close the scan.
 
 #include "solvers/strategies/plan_scan.hpp"
 
 #include <cmath>
 #include <numbers>
 
+#include "solvers/scanning/element_scan.hpp"
 #include "solvers/scanning/grid_scan.hpp"
 #include "solvers/scanning/scan_report.hpp"
 
@@ -37,6 +39,11 @@ class PlanScanStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
+    if (scene.problem().is_general()) {
+      if (const auto reason = why_no_element_plan(scene)) return reason;
+      if (is_published()) return std::nullopt;
+      return "its subdivision knows distances between points only; method=published scans points and planes";
+    }
     if (scene.has_lines() && !is_published())
       return "its subdivision places points only, and the instance has a line";
     if (const auto reason = why_no_scan_plan(scene)) return reason;
@@ -46,20 +53,26 @@ class PlanScanStrategy final : public Strategy {
            std::to_string(asked_.most_angles);
   }
 
-  void prepare(const SolveRequest& request) override { plan_ = derive_scan_plan(request.scene); }
+  void prepare(const SolveRequest& request) override {
+    if (!request.scene.problem().is_general()) plan_ = derive_scan_plan(request.scene);
+  }
 
   SolveReport solve(const SolveRequest& request) override {
+    if (request.scene.problem().is_general()) {
+      const ElementPlan plan = derive_element_plan(request.scene);
+      return element_scan(request, plan, grid(request.scene, plan.ranges));
+    }
     const ScanPlan plan = plan_ ? *plan_ : derive_scan_plan(request.scene);
-    if (is_published()) return grid_scan(request, plan, grid(request.scene, plan));
+    if (is_published()) return grid_scan(request, plan, grid(request.scene, plan.ranges));
     return scan_report(request.scene, plan, scan_plan(request, plan, asked_.scan.max_cells));
   }
 
  private:
   bool is_published() const { return asked_.method == PlanScan::Method::published; }
 
-  GridScan grid(const Scene& scene, const ScanPlan& plan) const {
+  GridScan grid(const Scene& scene, const std::vector<std::array<double, 2>>& ranges) const {
     GridScan scan;
-    for (const std::array<double, 2>& range : plan.ranges)
+    for (const std::array<double, 2>& range : ranges)
       scan.angles.push_back(grid_over(range, asked_.start, asked_.step));
     scan.delta = asked_.delta ? std::ldexp(*asked_.delta, -scene.unit_exponent())
                               : scene.size() * asked_.step * std::numbers::pi / 180;
@@ -78,6 +91,7 @@ StrategyEntry plan_scan_entry() {
   entry.summary =
       "subdivides the driving angles of a construction plan until every piece is decided, with proof";
   entry.citation = "Hoffmann, Yuan 2000, section 5";
+  entry.knows_general_scenes = true;
   return entry;
 }
 

@@ -1,5 +1,8 @@
 #include "solvers/tracking/real_equations.hpp"
 
+#include <Eigen/LU>
+#include <limits>
+
 namespace gcs {
 namespace {
 
@@ -48,6 +51,24 @@ RealEquations real_equations(const QuadraticSystem& system) {
     for (const FormProduct& product : equation.products)
       result.products.push_back({e, real_form(product.left), real_form(product.right)});
   }
+  return result;
+}
+
+Refinement refine(const RealEquations& equations, double tolerance, Eigen::VectorXd& x) {
+  constexpr int most_iterations = 20;
+  Refinement result{false, 0, std::numeric_limits<double>::infinity()};
+  Eigen::MatrixXd jacobian(equations.count(), equations.unknowns);
+  while (result.iterations < most_iterations) {
+    equations.jacobian(x, jacobian);
+    const Eigen::VectorXd step = jacobian.partialPivLu().solve(equations.sums(x) - equations.given);
+    const double last = result.last_correction;
+    ++result.iterations;
+    if (!step.allFinite()) return result;
+    x -= step;
+    result.last_correction = step.norm();
+    if (!(result.last_correction < last / 2)) break;
+  }
+  result.converged = result.last_correction <= tolerance * (1 + x.cwiseAbs().maxCoeff());
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "solvers/model/distance_system.hpp"
 #include "solvers/model/quadratic_system.hpp"
 
 namespace gcs {
@@ -40,5 +41,9 @@ struct RealEquations {
 
 /// Precondition: the coefficients are real.
 RealEquations real_equations(const QuadraticSystem& system);
+
+/// Newton's method from x, undamped, until its steps no longer fall: converged where the last one is at most `tolerance`
+/// relative to 1 + the largest unknown. Precondition: as many equations as unknowns.
+Refinement refine(const RealEquations& equations, double tolerance, Eigen::VectorXd& x);
 
 }  // namespace gcs

@@ -1,0 +1,311 @@
+#include "solvers/scanning/element_scan.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+#include "solvers/elements/scene_system.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/figures/solution_classes.hpp"
+#include "solvers/running/run_on_threads.hpp"
+#include "solvers/scanning/refined_solutions.hpp"
+#include "solvers/tracking/real_equations.hpp"
+
+namespace gcs {
+namespace {
+
+using Vector = Eigen::Vector3d;
+
+/// Of the last step of Newton's method, which then is past its quadratic phase.
+constexpr double last_step = 1e-8;
+
+/// normal·x = offset
+struct Cut {
+  Vector normal;
+  double offset = 0;
+};
+
+/// Where a sphere around the origin meets its cuts: at angles what these leave open, on both sides of the cuts' common
+/// line otherwise.
+std::vector<Vector> on_sphere(double radius, const std::vector<Cut>& cuts,
+                              const std::array<double, 2>& angles) {
+  const Vector around(std::cos(angles[0]), std::sin(angles[0]), 0);
+  if (cuts.empty())
+    return {radius *
+            Vector(std::cos(angles[1]) * around.x(), std::cos(angles[1]) * around.y(), std::sin(angles[1]))};
+  const double length = cuts[0].normal.norm();
+  const Vector axis = cuts[0].normal / length;
+  const double along = cuts[0].offset / length;
+  const double square = (radius - along) * (radius + along);
+  if (!(square >= 0)) return {};
+  if (cuts.size() == 1) {
+    const Vector first = axis.unitOrthogonal();
+    return {along * axis + std::sqrt(square) * (around.x() * first + around.y() * axis.cross(first))};
+  }
+  const Vector within = cuts[1].normal - cuts[1].normal.dot(axis) * axis;
+  const double gap = within.norm();
+  const double further = (cuts[1].offset - along * cuts[1].normal.dot(axis)) / gap;
+  const double rest = square - further * further;
+  if (!(rest >= 0)) return {};
+  const Vector foot = along * axis + further * within / gap;
+  const Vector off = std::sqrt(rest) * axis.cross(within / gap);
+  return {foot + off, foot - off};
+}
+
+/// Of a step of a plan, at its own angles.
+class ElementPlaces {
+ public:
+  explicit ElementPlaces(const Scene& scene) : problem_(scene.problem()) {}
+
+  /// Every way to place the element in the figure.
+  std::vector<Figure> of(const ElementStep& step, const Figure& figure,
+                         const std::array<double, 2>& angles) const {
+    std::vector<Figure> placed;
+    if (problem_.is_plane(step.place))
+      for (const Vector& normal : on_sphere(1, cuts_of_normal(step, figure), angles))
+        with_plane(step, normal, figure, placed);
+    else
+      for (const Vector& position : positions(step, figure, angles))
+        with_point(step, position, figure, placed);
+    return placed;
+  }
+
+ private:
+  static Vector point(const Figure& figure, const GivenFrom& from) { return figure.points.col(from.other); }
+  const PlanePosition& plane(const Figure& figure, const GivenFrom& from) const {
+    return figure.planes[static_cast<std::size_t>(problem_.plane_of(from.other))];
+  }
+
+  std::vector<Vector> positions(const ElementStep& step, const Figure& figure,
+                                const std::array<double, 2>& angles) const {
+    if (step.is_origin) return {Vector::Zero()};
+    if (step.points.empty()) return {where_planes_meet(step, figure)};
+    const Vector center = point(figure, step.points.front());
+    std::vector<Vector> found = on_sphere(step.points.front().value, cuts_of_point(step, figure), angles);
+    for (Vector& position : found) position += center;
+    return found;
+  }
+
+  Vector where_planes_meet(const ElementStep& step, const Figure& figure) const {
+    Eigen::Matrix3d normals;
+    Vector offsets;
+    for (int i = 0; i < 3; ++i) {
+      const GivenFrom& from = step.planes[static_cast<std::size_t>(i)];
+      normals.row(i) = plane(figure, from).normal;
+      offsets[i] = plane(figure, from).offset + from.value;
+    }
+    return normals.partialPivLu().solve(offsets);
+  }
+
+  /// The first two, as seen from the first point's place.
+  std::vector<Cut> cuts_of_point(const ElementStep& step, const Figure& figure) const {
+    const Vector center = point(figure, step.points.front());
+    const double radius = step.points.front().value;
+    std::vector<Cut> cuts;
+    for (const int axis : step.zeros) cuts.push_back({Vector::Unit(axis), -center[axis]});
+    for (std::size_t i = 1; i < step.points.size(); ++i) {
+      const Vector way = point(figure, step.points[i]) - center;
+      const double other = step.points[i].value;
+      cuts.push_back({way, ((radius - other) * (radius + other) + way.squaredNorm()) / 2});
+    }
+    for (const GivenFrom& from : step.planes) {
+      const PlanePosition& beside = plane(figure, from);
+      cuts.push_back({beside.normal, beside.offset + from.value - beside.normal.dot(center)});
+    }
+    return first_two(std::move(cuts));
+  }
+
+  std::vector<Cut> cuts_of_normal(const ElementStep& step, const Figure& figure) const {
+    const Vector first = point(figure, step.points.front());
+    std::vector<Cut> cuts;
+    for (std::size_t i = 1; i < step.points.size(); ++i)
+      cuts.push_back(
+          {point(figure, step.points[i]) - first, step.points[i].value - step.points.front().value});
+    for (const GivenFrom& from : step.planes) cuts.push_back({plane(figure, from).normal, from.value});
+    return first_two(std::move(cuts));
+  }
+
+  static std::vector<Cut> first_two(std::vector<Cut> cuts) {
+    if (cuts.size() > 2) cuts.erase(cuts.begin() + 2, cuts.end());
+    return cuts;
+  }
+
+  static void with_point(const ElementStep& step, const Vector& position, const Figure& figure,
+                         std::vector<Figure>& placed) {
+    if (!position.allFinite() || (step.positive >= 0 && !(position[step.positive] > 0))) return;
+    placed.push_back(figure);
+    placed.back().points.col(step.place) = position;
+  }
+  void with_plane(const ElementStep& step, const Vector& normal, const Figure& figure,
+                  std::vector<Figure>& placed) const {
+    if (!normal.allFinite()) return;
+    const GivenFrom& from = step.points.front();
+    placed.push_back(figure);
+    placed.back().planes[static_cast<std::size_t>(problem_.plane_of(step.place))] = {
+        normal, normal.dot(point(figure, from)) - from.value};
+  }
+
+  const ProblemStatement& problem_;
+};
+
+/// What the grid points of one value of the first angle give.
+struct ElementSlice {
+  RefinedSolutions refined;
+  std::int64_t coarse = 0;
+  std::int64_t diverged = 0;
+  std::int64_t newton_iterations = 0;
+};
+
+class ElementScan {
+ public:
+  ElementScan(const SolveRequest& request, const ElementPlan& plan, const GridScan& asked)
+      : request_(request),
+        scene_(request.scene),
+        plan_(plan),
+        asked_(asked),
+        places_(scene_),
+        system_(scene_),
+        equations_(real_equations(system_.equations())),
+        slices_(asked.angles.empty() ? 1 : static_cast<std::size_t>(asked.angles.front().count),
+                no_solutions()) {}
+
+  SolveReport run() {
+    const auto threads = std::min(slices_.size(), static_cast<std::size_t>(std::max(1, request_.threads)));
+    std::atomic<std::size_t> begun{0};
+    run_on_threads(static_cast<int>(threads), [&](int) {
+      for (std::size_t i = begun++; i < slices_.size() && !request_.stop.stop_requested(); i = begun++)
+        follow(0, start(), {static_cast<std::int64_t>(i), slices_[i]});
+    });
+    return report();
+  }
+
+ private:
+  /// Where a branch's first angle is, and what takes its ends.
+  struct Way {
+    std::int64_t number;
+    ElementSlice& slice;
+  };
+
+  ElementSlice no_solutions() const {
+    return {RefinedSolutions(std::vector<int>(static_cast<std::size_t>(equations_.unknowns), -1),
+                             same_solution * std::max(1.0, scene_.size()))};
+  }
+
+  Figure start() const {
+    Figure figure;
+    figure.points = Eigen::Matrix3Xd::Zero(3, scene_.point_count());
+    figure.planes.resize(scene_.problem().planes.size());
+    for (int p = 0; p < scene_.point_count(); ++p)
+      if (const auto position = scene_.fixed_point(p)) figure.points.col(p) = *position;
+    return figure;
+  }
+
+  void follow(std::size_t k, const Figure& figure, const Way& way) const {
+    if (k == plan_.steps.size()) return refine_coarse(figure, way.slice);
+    const ElementStep& step = plan_.steps[k];
+    const auto first = static_cast<std::size_t>(step.first_angle);
+    const auto place = [&](const std::array<double, 2>& angles) {
+      for (const Figure& placed : places_.of(step, figure, angles)) follow(k + 1, placed, way);
+    };
+    if (step.angles == 0) return place({});
+    over(first, way, [&](double angle) {
+      if (step.angles == 1) return place({angle, 0});
+      over(first + 1, way, [&](double other) { place({angle, other}); });
+    });
+  }
+
+  template <class Call>
+  void over(std::size_t angle, const Way& way, const Call& call) const {
+    const AngleGrid& grid = asked_.angles[angle];
+    if (angle == 0) return call(grid.at(way.number));
+    for (std::int64_t i = 0; i < grid.count && !request_.stop.stop_requested(); ++i) call(grid.at(i));
+  }
+
+  bool is_in_band(const Eigen::VectorXd& x) const {
+    Eigen::MatrixXd jacobian(equations_.count(), equations_.unknowns);
+    equations_.jacobian(x, jacobian);
+    const Eigen::VectorXd f = equations_.sums(x) - equations_.given;
+    return (f.array().abs() <= asked_.delta * jacobian.rowwise().norm().array()).all();
+  }
+
+  void refine_coarse(const Figure& figure, ElementSlice& slice) const {
+    const ComplexValues values = system_.coordinates_as_drawn(scene_.in_frame(figure));
+    Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(
+        equations_.unknowns, [&](Eigen::Index i) { return values[static_cast<std::size_t>(i)].real(); });
+    if (!is_in_band(x)) return;
+    ++slice.coarse;
+    const Refinement refinement = refine(equations_, last_step, x);
+    slice.newton_iterations += refinement.iterations;
+    if (refinement.converged)
+      slice.refined.take(x);
+    else
+      ++slice.diverged;
+  }
+
+  SolveReport report() const {
+    ElementSlice all = no_solutions();
+    for (const ElementSlice& slice : slices_) {
+      all.coarse += slice.coarse;
+      all.diverged += slice.diverged;
+      all.newton_iterations += slice.newton_iterations;
+      for (const Eigen::VectorXd& x : slice.refined.list()) all.refined.take(x);
+    }
+    SolveReport report;
+    report.claim = Claim::some_real;
+    report.status = SolveStatus::complete;
+    if (request_.stop.stop_requested()) {
+      report.status = SolveStatus::stopped;
+      report.reason = "stopped on request";
+    }
+    report.candidates = one_of_each_class(all.refined.list());
+    report.work.evaluations = 1;
+    for (const AngleGrid& grid : asked_.angles) report.work.evaluations *= grid.count;
+    report.work.newton_iterations = all.newton_iterations;
+    report.particulars = {{"driving_parameters", static_cast<std::int64_t>(asked_.angles.size())},
+                          {"coarse_solutions", all.coarse},
+                          {"coarse_without_solution", all.diverged},
+                          {"refined_solutions", static_cast<std::int64_t>(report.candidates.size())}};
+    return report;
+  }
+
+  std::vector<Candidate> one_of_each_class(const std::vector<Eigen::VectorXd>& ends) const {
+    std::vector<Figure> figures;
+    std::vector<SolutionAccuracy> accuracies;
+    for (const Eigen::VectorXd& x : ends) {
+      const Figure figure = scene_.representative(system_.figure(ComplexValues(x.begin(), x.end()), true));
+      if (relative_residual(scene_, figure) > double_root_residual) continue;
+      figures.push_back(figure);
+      accuracies.push_back({jacobian_condition(scene_, figure)});
+    }
+    std::vector<Candidate> candidates;
+    for (const int first : solution_classes(scene_, figures, accuracies).first)
+      candidates.push_back({figures[static_cast<std::size_t>(first)]});
+    return candidates;
+  }
+
+  const SolveRequest& request_;
+  const Scene& scene_;
+  const ElementPlan& plan_;
+  const GridScan& asked_;
+  ElementPlaces places_;
+  SceneSystem system_;
+  RealEquations equations_;
+  std::vector<ElementSlice> slices_;
+};
+
+}  // namespace
+
+SolveReport element_scan(const SolveRequest& request, const ElementPlan& plan, const GridScan& asked) {
+  const std::string fault = fault_of_grid(asked);
+  if (fault.empty()) return ElementScan(request, plan, asked).run();
+  SolveReport report;
+  report.claim = Claim::some_real;
+  report.status = SolveStatus::gave_up;
+  report.reason = fault;
+  return report;
+}
+
+}  // namespace gcs

@@ -1,0 +1,45 @@
+/// Scans of points and planes against the real ones of all complex solutions.
+
+#include "solvers/scanning/element_scan.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <gcsbench/gcsbench.hpp>
+
+#include "solvers/tests/elements/general_samples.hpp"
+
+namespace gcs {
+namespace {
+
+std::size_t real_solutions(const Answer& answer) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(answer.solutions, [](const auto& solution) { return solution.is_real(); }));
+}
+
+}  // namespace
+
+TEST_CASE("a fine scan of points and planes finds the real solutions that determinants give") {
+  samples::RandomNumbers random(5);
+  for (const int planes : {1, 2, 3})
+    for (int i = 0; i < 3; ++i) {
+      const Scene scene(samples::random_octahedral(planes, random));
+      REQUIRE_FALSE(why_no_element_plan(scene));
+      CHECK(derive_element_plan(scene).ranges.size() == 1);
+      const Answer all = solve(scene, "cayley-menger");
+      const Answer scan =
+          solve(scene, "plan-scan", {{"method", "published"}, {"step", "0.1"}, {"delta", "0.1"}});
+      INFO(planes << " planes, scene " << i << ": " << scan.reason);
+      CHECK(scan.status == RunStatus::complete);
+      CHECK(real_solutions(scan) == real_solutions(all));
+    }
+}
+
+TEST_CASE("a scene that no plan places is refused with what has no instruction") {
+  samples::RandomNumbers random(6);
+  const auto reason = why_no_element_plan(Scene(samples::random_platform(3, random)));
+  REQUIRE(reason);
+  CHECK(reason->find("no instruction") != std::string::npos);
+  CHECK(reason->find("'b0'") != std::string::npos);
+}
+
+}  // namespace gcs

@@ -56,7 +56,9 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request,
   report.particulars = particulars;
   if (missing.empty()) {
     report.generic = solutions.size();
-    report.generic_member = GenericMember{values_of(equations, parameters), solutions};
+    // Certificates are of these equations in general scenes alone, not in those of points and several lines.
+    if (request.scene.problem().is_general())
+      report.generic_member = GenericMember{values_of(equations, parameters), solutions};
     return report;
   }
   report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);

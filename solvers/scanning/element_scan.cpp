@@ -299,13 +299,8 @@ class ElementScan {
 }  // namespace
 
 SolveReport element_scan(const SolveRequest& request, const ElementPlan& plan, const GridScan& asked) {
-  const std::string fault = fault_of_grid(asked);
-  if (fault.empty()) return ElementScan(request, plan, asked).run();
-  SolveReport report;
-  report.claim = Claim::some_real;
-  report.status = SolveStatus::gave_up;
-  report.reason = fault;
-  return report;
+  if (auto refused = refused_grid(asked)) return *refused;
+  return ElementScan(request, plan, asked).run();
 }
 
 }  // namespace gcs

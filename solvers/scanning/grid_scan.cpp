@@ -218,24 +218,25 @@ AngleGrid grid_over(const std::array<double, 2>& range, double start, double ste
   return {range[0] / degree + start, step, static_cast<std::int64_t>(std::max(0.0, steps))};
 }
 
-std::string fault_of_grid(const GridScan& asked) {
+std::optional<SolveReport> refused_grid(const GridScan& asked) {
   double points = 1;
   for (const AngleGrid& grid : asked.angles) points *= static_cast<double>(grid.count);
-  if (points == 0) return "the grid is empty: an angle's range ends before its first value";
-  if (points <= static_cast<double>(asked.max_points)) return {};
+  if (points > 0 && points <= static_cast<double>(asked.max_points)) return std::nullopt;
   std::ostringstream reason;
-  reason << "the grid has " << points << " points, more than max_points allows; a wider step makes fewer";
-  return reason.str();
-}
-
-SolveReport grid_scan(const SolveRequest& request, const ScanPlan& plan, const GridScan& asked) {
-  const std::string fault = fault_of_grid(asked);
-  if (fault.empty()) return GridScanRun(request, plan, asked).run();
+  if (points == 0)
+    reason << "the grid is empty: an angle's range ends before its first value";
+  else
+    reason << "the grid has " << points << " points, more than max_points allows; a wider step makes fewer";
   SolveReport report;
   report.claim = Claim::some_real;
   report.status = SolveStatus::gave_up;
-  report.reason = fault;
+  report.reason = reason.str();
   return report;
+}
+
+SolveReport grid_scan(const SolveRequest& request, const ScanPlan& plan, const GridScan& asked) {
+  if (auto refused = refused_grid(asked)) return *refused;
+  return GridScanRun(request, plan, asked).run();
 }
 
 }  // namespace gcs

@@ -3,7 +3,7 @@
 /// parameters, and ρ = max |f_j| of the k others is looked at.
 
 #include <limits>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "solvers/interface/strategy_interface.hpp"
@@ -33,8 +33,8 @@ struct GridScan {
   bool mirror_images_apart = false;
 };
 
-/// Why the grid is refused, or nothing.
-std::string fault_of_grid(const GridScan& asked);
+/// What is reported of a grid that is refused; nothing of any other.
+std::optional<SolveReport> refused_grid(const GridScan& asked);
 
 /// At each point of the grid every branch of the plan on which all checks hold up to `delta` is a coarse
 /// solution. Newton's method on the whole system starts from it, with residuals in double-double; equal ends

@@ -162,6 +162,16 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("two lines at distances from four given points each: 12 times 12, in one piece too") {
+  Growing scene(9);
+  scene.add_points(4, true);
+  for (int line = 0; line < 2; ++line) {
+    scene.add_line();
+    for (int point = 0; point < 4; ++point) scene.from_line(point, line);
+  }
+  for (const std::string reduce : {"on", "off"}) check_count(answer_to(scene.problem, reduce), 144);
+}
+
 TEST_CASE("a plane at signed distances from three points: 2, as a vector n with n·n = 1 on a line") {
   Growing scene(3);
   scene.add_points(3, true);

@@ -224,12 +224,11 @@ class StepPieces {
     if (!circle) return {{}, room_to_meet(centers, squares)};
     Pieces<N> pieces;
     if (circle->squared_radius.high() <= 0) return pieces;
-    constexpr double pi = std::numbers::pi;
     if (within) {
       meet_cylinder(*circle, radius_square, *within, pieces.list);
     } else {
-      meet_cylinder(*circle, radius_square, {0, -pi, 0}, pieces.list);
-      meet_cylinder(*circle, radius_square, {0, 0, pi}, pieces.list);
+      meet_cylinder(*circle, radius_square, {0, -std::numbers::pi, 0}, pieces.list);
+      meet_cylinder(*circle, radius_square, {0, 0, std::numbers::pi}, pieces.list);
     }
     for (Piece<N>& piece : pieces.list)
       piece.position = sharpened_on_cylinder(piece.position, centers, squares, radius_square);

@@ -3,15 +3,12 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
-#include "solvers/running/run_on_threads.hpp"
-#include "solvers/scanning/refined_solutions.hpp"
 #include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
@@ -151,14 +148,6 @@ class ElementPlaces {
   const ProblemStatement& problem_;
 };
 
-/// What the grid points of one value of the first angle give.
-struct ElementSlice {
-  RefinedSolutions refined;
-  std::int64_t coarse = 0;
-  std::int64_t diverged = 0;
-  std::int64_t newton_iterations = 0;
-};
-
 class ElementScan {
  public:
   ElementScan(const SolveRequest& request, const ElementPlan& plan, const GridScan& asked)
@@ -168,30 +157,29 @@ class ElementScan {
         asked_(asked),
         places_(scene_),
         system_(scene_),
-        equations_(real_equations(system_.equations())),
-        slices_(asked.angles.empty() ? 1 : static_cast<std::size_t>(asked.angles.front().count),
-                no_solutions()) {}
+        equations_(real_equations(system_.equations())) {}
 
-  SolveReport run() {
-    const auto threads = std::min(slices_.size(), static_cast<std::size_t>(std::max(1, request_.threads)));
-    std::atomic<std::size_t> begun{0};
-    run_on_threads(static_cast<int>(threads), [&](int) {
-      for (std::size_t i = begun++; i < slices_.size() && !request_.stop.stop_requested(); i = begun++)
-        follow(0, start(), {static_cast<std::int64_t>(i), slices_[i]});
-    });
-    return report();
+  SolveReport run() const {
+    return scan_slices(
+        request_, asked_, no_solutions(),
+        [&](std::int64_t number) {
+          GridSlice slice{no_solutions()};
+          follow(0, start(), {number, slice});
+          return slice;
+        },
+        [&](const RefinedSolutions& refined) { return one_of_each_class(refined.list()); });
   }
 
  private:
   /// Where a branch's first angle is, and what takes its ends.
   struct Way {
     std::int64_t number;
-    ElementSlice& slice;
+    GridSlice& slice;
   };
 
-  ElementSlice no_solutions() const {
-    return {RefinedSolutions(std::vector<int>(static_cast<std::size_t>(equations_.unknowns), -1),
-                             same_solution * std::max(1.0, scene_.size()))};
+  RefinedSolutions no_solutions() const {
+    return {std::vector<int>(static_cast<std::size_t>(equations_.unknowns), -1),
+            same_solution * std::max(1.0, scene_.size())};
   }
 
   Figure start() const {
@@ -231,7 +219,7 @@ class ElementScan {
     return (f.array().abs() <= asked_.delta * jacobian.rowwise().norm().array()).all();
   }
 
-  void refine_coarse(const Figure& figure, ElementSlice& slice) const {
+  void refine_coarse(const Figure& figure, GridSlice& slice) const {
     const ComplexValues values = system_.coordinates_as_drawn(scene_.in_frame(figure));
     Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(
         equations_.unknowns, [&](Eigen::Index i) { return values[static_cast<std::size_t>(i)].real(); });
@@ -243,32 +231,6 @@ class ElementScan {
       slice.refined.take(x);
     else
       ++slice.diverged;
-  }
-
-  SolveReport report() const {
-    ElementSlice all = no_solutions();
-    for (const ElementSlice& slice : slices_) {
-      all.coarse += slice.coarse;
-      all.diverged += slice.diverged;
-      all.newton_iterations += slice.newton_iterations;
-      for (const Eigen::VectorXd& x : slice.refined.list()) all.refined.take(x);
-    }
-    SolveReport report;
-    report.claim = Claim::some_real;
-    report.status = SolveStatus::complete;
-    if (request_.stop.stop_requested()) {
-      report.status = SolveStatus::stopped;
-      report.reason = "stopped on request";
-    }
-    report.candidates = one_of_each_class(all.refined.list());
-    report.work.evaluations = 1;
-    for (const AngleGrid& grid : asked_.angles) report.work.evaluations *= grid.count;
-    report.work.newton_iterations = all.newton_iterations;
-    report.particulars = {{"driving_parameters", static_cast<std::int64_t>(asked_.angles.size())},
-                          {"coarse_solutions", all.coarse},
-                          {"coarse_without_solution", all.diverged},
-                          {"refined_solutions", static_cast<std::int64_t>(report.candidates.size())}};
-    return report;
   }
 
   std::vector<Candidate> one_of_each_class(const std::vector<Eigen::VectorXd>& ends) const {
@@ -293,13 +255,11 @@ class ElementScan {
   ElementPlaces places_;
   SceneSystem system_;
   RealEquations equations_;
-  std::vector<ElementSlice> slices_;
 };
 
 }  // namespace
 
 SolveReport element_scan(const SolveRequest& request, const ElementPlan& plan, const GridScan& asked) {
-  if (auto refused = refused_grid(asked)) return *refused;
   return ElementScan(request, plan, asked).run();
 }
 

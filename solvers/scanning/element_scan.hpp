@@ -2,7 +2,7 @@
 /// A scan over a grid of the angles of a plan of points and planes, [H] §5.
 
 #include "solvers/scanning/element_plan.hpp"
-#include "solvers/scanning/grid_scan.hpp"
+#include "solvers/scanning/grid_slices.hpp"
 
 namespace gcs {
 

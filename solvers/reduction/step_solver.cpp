@@ -7,6 +7,7 @@
 
 #include "solvers/homotopies/distinct_ends.hpp"
 #include "solvers/homotopies/general_report.hpp"
+#include "solvers/homotopies/total_degree.hpp"
 
 namespace gcs {
 namespace {
@@ -16,7 +17,7 @@ using Complex = std::complex<double>;
 /// A search at random parameters may lose a path by rounding, and another one does not.
 constexpr int most_attempts = 3;
 
-/// Jacobians of each kind by which an order of elimination is chosen.
+/// Jacobians by which an order of elimination is chosen.
 constexpr std::size_t samples = 3;
 
 TrackingSetup setup_for(const SolveMeans& means) {
@@ -32,7 +33,7 @@ int degree(const Monomial& monomial) { return (monomial.u >= 0) + (monomial.v >=
 struct FromRoots {
   MonomialSystem system;
   ComplexVectorX from, to;
-  std::vector<ComplexVectorX> roots{{}};  ///< all x with x_i^(d_i) = 1
+  std::vector<int> degrees;
 
   FromRoots(const MonomialSystem& target, const ComplexVectorX& coefficients, std::mt19937_64& random) {
     system.unknowns = target.unknowns;
@@ -47,18 +48,8 @@ struct FromRoots {
       add_start({i, highest == 2 ? i : -1}, gamma);
       add_start({-1, -1}, -gamma);
       system.first.push_back(static_cast<int>(system.monomials.size()));
-      multiply_roots(highest);
+      degrees.push_back(highest);
     }
-  }
-
-  /// On the way, at random, and at its start.
-  Elimination elimination(std::mt19937_64& random) const {
-    ComplexVectorX middle = from;
-    for (std::size_t j = 0; j < middle.size(); ++j) middle[j] += to[j];
-    std::vector<ComplexVectorX> jacobians{jacobian_at(system, from, roots.front())};
-    for (std::size_t i = 0; i < samples; ++i)
-      jacobians.push_back(jacobian_at(system, middle, random_complex_vector(system.unknowns, random)));
-    return order_elimination(system.unknowns, jacobians);
   }
 
  private:
@@ -75,16 +66,6 @@ struct FromRoots {
         return;
       }
     append(monomial, coefficient, 0);
-  }
-
-  void multiply_roots(int degree) {
-    std::vector<ComplexVectorX> longer;
-    for (const ComplexVectorX& x : roots)
-      for (int root = 0; root < degree; ++root) {
-        longer.push_back(x);
-        longer.back().push_back(root == 0 ? 1.0 : -1.0);
-      }
-    roots = std::move(longer);
   }
 };
 
@@ -157,9 +138,10 @@ void StepSolver::find_starts() {
 
 std::vector<PathEnd> StepSolver::followed_from_roots() {
   const FromRoots way(system_, parameters_, random_);
-  const Elimination elimination = way.elimination(random_);
+  const std::vector<ComplexVectorX> roots = roots_of_unity(way.degrees);
+  const Elimination elimination = order_elimination(way.system, roots, way.from, way.to, random_);
   LegTracking tracking(way.system, elimination, setup_for(means_));
-  return followed(way.system, tracking, way.roots, way.from, way.to, first_work_);
+  return followed(way.system, tracking, roots, way.from, way.to, first_work_);
 }
 
 /// Of ends that are met again by another path a step has jumped.

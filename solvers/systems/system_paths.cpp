@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "solvers/homotopies/mirror_images.hpp"
+#include "solvers/homotopies/total_degree.hpp"
 #include "solvers/polyhedral/polyhedral_homotopies.hpp"
 #include "solvers/systems/quadratic_lift.hpp"
 
@@ -39,21 +40,6 @@ struct DegreeHomotopy {
       from[i][first] = gamma;
       from[i][second] = -gamma;
     }
-  }
-
-  /// All x with x_i^(d_i) = 1.
-  std::vector<ComplexVectorX> starts() const {
-    std::vector<ComplexVectorX> all{{}};
-    for (const int degree : degrees) {
-      std::vector<ComplexVectorX> longer;
-      for (const ComplexVectorX& x : all)
-        for (int root = 0; root < degree; ++root) {
-          longer.push_back(x);
-          longer.back().push_back(std::polar(1.0, 2 * std::numbers::pi * root / degree));
-        }
-      all = std::move(longer);
-    }
-    return all;
   }
 
  private:
@@ -111,15 +97,14 @@ class Following {
     const DegreeHomotopy homotopy(request_.system, random_);
     const QuadraticLift lift = quadratic_lift(homotopy.supports);
     std::vector<ComplexVectorX> starts;
-    for (ComplexVectorX& x : homotopy.starts()) starts.push_back(lift.lifted(std::move(x)));
+    for (ComplexVectorX& x : roots_of_unity(homotopy.degrees)) starts.push_back(lift.lifted(std::move(x)));
     follow(lift, starts, flat(homotopy.from, lift), flat(homotopy.to, lift));
   }
 
   void follow(const QuadraticLift& lift, const std::vector<ComplexVectorX>& starts,
               const ComplexVectorX& from, const ComplexVectorX& to) {
     const MonomialSystem system = monomial_system(lift.supports);
-    const Elimination elimination =
-        order_elimination(system.unknowns, sample_jacobians(system, starts, from, to));
+    const Elimination elimination = order_elimination(system, starts, from, to, random_);
     LegTracking tracking(system, elimination, request_.setup);
     const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(system, to, x); };
     result_.ends = follow_to_end(
@@ -128,20 +113,6 @@ class Following {
     settle(system, to, result_.ends);
     for (PathEnd& end : result_.ends)
       if (!end.x.empty()) end.x.resize(static_cast<std::size_t>(lift.unknowns));
-  }
-
-  std::vector<ComplexVectorX> sample_jacobians(const MonomialSystem& system,
-                                               const std::vector<ComplexVectorX>& starts,
-                                               const ComplexVectorX& from, const ComplexVectorX& to) {
-    constexpr std::size_t samples = 3;  // of each kind
-    std::vector<ComplexVectorX> jacobians;
-    for (std::size_t i = 0; i < std::min(samples, starts.size()); ++i)
-      jacobians.push_back(jacobian_at(system, from, starts[i * (starts.size() - 1) / samples]));
-    ComplexVectorX middle = from;
-    for (std::size_t j = 0; j < middle.size(); ++j) middle[j] += to[j];
-    for (std::size_t i = 0; i < samples; ++i)
-      jacobians.push_back(jacobian_at(system, middle, random_complex_vector(system.unknowns, random_)));
-    return jacobians;
   }
 
   void count_jumps() {

@@ -137,7 +137,8 @@ Named read_word(const JsonCursor& cursor, const std::array<Named, count>& all) {
   if (found != all.end()) return *found;
   std::vector<std::string> words;
   for (const Named one : all) words.emplace_back(word(one));
-  cursor.fail("'" + text + "' is no known word", "give one of " + quoted_list(words));
+  cursor.fail("'" + text + "' is no known word",
+              "did you mean '" + nearest_name(text, words) + "'? The words here are " + quoted_list(words));
 }
 
 /// Reads the members that a list visits.

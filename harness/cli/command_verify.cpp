@@ -28,10 +28,10 @@ std::string summary(const StoredResult& result, const Verification& verification
   const std::string verdict = verification.mismatches.empty()
                                   ? "verified"
                                   : fmt::format("{} mismatches", verification.mismatches.size());
-  return fmt::format("{}, {}: {}\n", result.instance.id, result.strategy, verdict) +
-         certificates_text(verification.proofs, result.listed.solutions.size(),
-                           result.claim == Claim::all_complex) +
-         standings_text(result.scene.problem(), result.listed);
+  return fmt::format("{}, {}: {}\n", result.instance.id, result.answer.strategy, verdict) +
+         certificates_text(verification.proofs, result.answer.solutions.size(),
+                           result.answer.claim == Claim::all_complex) +
+         standings_text(result.scene.problem(), result.answer);
 }
 
 ExitCode verify(const VerifyArguments& arguments, bool quiet) {

@@ -96,7 +96,7 @@ void take_path(const Scene& scene, const std::vector<AssessedCrossing>& crossing
 }
 
 /// What the program says of its answer as a whole.
-void take_status(const ProgramAnswer& answer, SolveReport& report) {
+void take_status(const Answer& answer, SolveReport& report) {
   const std::string reason = in_short(answer.reason, longest_message);
   const std::string because = reason.empty() ? "" : ": " + reason;
   if (answer.status == RunStatus::complete) {
@@ -110,12 +110,12 @@ void take_status(const ProgramAnswer& answer, SolveReport& report) {
   }
 }
 
-SolveReport report_of(const Scene& scene, const ProgramAnswer& answer) {
+SolveReport report_of(const Scene& scene, const Answer& answer) {
   SolveReport report;
-  report.claim = answer.claim;
+  report.claim = answer.claim.value_or(Claim::some_real);
   for (const AssessedSolution& solution : answer.solutions)
     report.candidates.push_back(candidate_of(solution));
-  if (answer.claim == Claim::on_path || answer.claim == Claim::on_path_of_core)
+  if (report.claim == Claim::on_path || report.claim == Claim::on_path_of_core)
     take_path(scene, answer.crossings, report);
   take_status(answer, report);
   return report;

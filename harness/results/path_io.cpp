@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/base/document_text.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/reading/json_build.hpp"
 
@@ -112,16 +113,14 @@ Coordinates name_coordinates(const Scene& scene) {
   return coordinates;
 }
 
-std::string row_text(const PathNode& node, int unit_exponent, const DecimalGrid& lengths,
-                     const DecimalGrid& radii) {
+JsonValue row_value(const PathNode& node, int unit_exponent, const DecimalGrid& lengths,
+                    const DecimalGrid& radii) {
   const auto in_file_unit = [&](double x) { return std::ldexp(x, unit_exponent); };
   const Eigen::Index time = node.point.size() - 1;
   std::vector<double> row{node.point[time], lengths.nearest(in_file_unit(node.length)),
                           radii.above(in_file_unit(node.radius))};
   for (Eigen::Index i = 0; i < time; ++i) row.push_back(in_file_unit(node.point[i]));
-  std::vector<std::string> texts;
-  for (const double number : row) texts.push_back(json_number(number).text);
-  return fmt::format("[{}]", fmt::join(texts, ","));
+  return json_array_of(row, json_number);
 }
 
 JsonValue crossings_value(const std::vector<PathNode>& nodes) {
@@ -150,28 +149,25 @@ std::string path_text(const Instance& instance, const Scene& scene, const std::v
   std::vector<PathNode> nodes = polyline(arcs, (1 - radius_step) * radius - corners.reach());
   round_corners(nodes, corners);
   const DecimalGrid lengths(in_file_unit), radii(in_file_unit * radius_step);
-  std::vector<std::string> rows;
-  for (const PathNode& node : nodes) rows.push_back(row_text(node, unit_exponent, lengths, radii));
   Coordinates coordinates = name_coordinates(scene);
   std::vector<std::string> columns{"t", "length", "radius"};
   columns.insert(columns.end(), coordinates.moving.begin(), coordinates.moving.end());
   const double length = lengths.nearest(std::ldexp(nodes.back().length, unit_exponent));
-  const JsonMembers members{{"format", json_text(std::string(format_name))},
-                            {"instance", instance.document},
-                            {"convention", json_text(std::string(convention))},
-                            {"unit", json_number(std::ldexp(1.0, unit_exponent))},
-                            {"within", json_number(within)},
-                            {"proven", json_boolean(true)},
-                            {"closed", json_boolean(true)},
-                            {"tubes", json_number(static_cast<double>(arcs.size()))},
-                            {"length", json_number(length)},
-                            {"crossings", crossings_value(nodes)},
-                            {"fixed", json_object(std::move(coordinates.fixed))},
-                            {"columns", json_texts(columns)}};
-  std::vector<std::string> lines;
-  for (const auto& [name, value] : members)
-    lines.push_back(fmt::format("\"{}\": {}", name, to_text(value, -1)));
-  return fmt::format("{{{},\n \"rows\": [\n{}]}}\n", fmt::join(lines, ",\n "), fmt::join(rows, ",\n"));
+  DocumentText document(format_name);
+  document.member("instance", instance.document);
+  document.member("convention", json_text(std::string(convention)));
+  document.member("unit", json_number(std::ldexp(1.0, unit_exponent)));
+  document.member("within", json_number(within));
+  document.member("proven", json_boolean(true));
+  document.member("closed", json_boolean(true));
+  document.member("tubes", json_number(static_cast<double>(arcs.size())));
+  document.member("length", json_number(length));
+  document.member("crossings", crossings_value(nodes));
+  document.member("fixed", json_object(std::move(coordinates.fixed)));
+  document.member("columns", json_texts(columns));
+  document.list("rows", nodes,
+                [&](const PathNode& node) { return row_value(node, unit_exponent, lengths, radii); });
+  return std::move(document).text();
 }
 
 }  // namespace gcs

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <span>
 
+#include "harness/base/document_text.hpp"
 #include "harness/results/result_io.hpp"
 #include "harness/results/verify.hpp"
 #include "solvers/answers/certify.hpp"
@@ -54,19 +54,18 @@ void require_proven(const StoredResult& result, const Verification& verification
                    "solve again, and look at what `gcsbench verify` says");
 }
 
-/// One text for each solution that is kept.
-std::vector<std::string> solution_texts(const StoredResult& result, const ReferenceSettings& settings) {
+/// Of the solutions that are kept, those that are proven to so many digits.
+std::vector<JsonValue> solution_values(const StoredResult& result, const ReferenceSettings& settings) {
   const Scene& scene = result.scene;
   const SceneEquations equations(scene);
   std::vector<Figure> kept;
-  for (const AssessedSolution& solution : result.listed.solutions)
+  for (const AssessedSolution& solution : result.answer.solutions)
     if (solution.is_real() || !settings.only_real) kept.push_back(solution.figure);
   const auto figures = decimal_figures(equations, scene, kept, settings.digits, settings.threads);
-  std::vector<std::string> texts;
+  std::vector<JsonValue> values;
   for (std::size_t i = 0; i < kept.size(); ++i)
-    if (figures[i])
-      texts.push_back(to_text(solution_value(scene.problem(), *figures[i], kept[i].is_real()), -1));
-  return texts;
+    if (figures[i]) values.push_back(solution_value(scene.problem(), *figures[i], kept[i].is_real()));
+  return values;
 }
 
 }  // namespace
@@ -75,23 +74,24 @@ std::string reference_text(const StoredResult& result, const ReferenceSettings& 
   const Verification verification = verify(result, settings.threads, &progress);
   require_proven(result, verification);
   progress.progress(fmt::format("proving {} digits", settings.digits), -1);
-  const std::vector<std::string> solutions = solution_texts(result, settings);
-  const std::size_t wanted = settings.only_real ? verification.proofs.real : result.listed.solutions.size();
+  const std::vector<JsonValue> solutions = solution_values(result, settings);
+  const std::size_t wanted = settings.only_real ? verification.proofs.real : result.answer.solutions.size();
   if (solutions.size() != wanted)
     throw InputError(result.instance.origin, "/solutions",
                      fmt::format("only {} of {} solutions are proven to {} digits", solutions.size(), wanted,
                                  settings.digits),
                      "ask for fewer digits");
-  const JsonValue origin =
-      json_object({{"strategy", json_text(result.strategy)},
-                   {"claim", json_text(result.claim ? std::string(word(*result.claim)) : "")},
-                   {"digits", json_number(settings.digits)},
-                   {"only_real", json_boolean(settings.only_real)}});
-  return fmt::format(
-      "{{\"format\": \"{}\",\n \"instance\": {},\n \"origin\": {},\n \"proofs\": {},\n "
-      "\"solutions\": [\n  {}\n ]}}\n",
-      format_name, to_text(result.instance.document, -1), to_text(origin, -1),
-      to_text(proofs_value(verification.proofs), -1), fmt::join(solutions, ",\n  "));
+  const Answer& answer = result.answer;
+  DocumentText document(format_name);
+  document.member("instance", result.instance.document);
+  document.member("origin",
+                  json_object({{"strategy", json_text(answer.strategy)},
+                               {"claim", json_text(answer.claim ? std::string(word(*answer.claim)) : "")},
+                               {"digits", json_number(settings.digits)},
+                               {"only_real", json_boolean(settings.only_real)}}));
+  document.member("proofs", proofs_value(verification.proofs));
+  document.list("solutions", solutions, [](const JsonValue& solution) { return solution; });
+  return std::move(document).text();
 }
 
 }  // namespace gcs

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "harness/base/document_text.hpp"
 #include "harness/base/record_fields.hpp"
 #include "harness/base/record_json.hpp"
 #include "harness/results/result_counts.hpp"
@@ -92,42 +93,24 @@ JsonValue totals_value(const SolutionTotals& totals) {
   return json_object(std::move(members));
 }
 
-JsonMembers result_members(const Instance& instance, const SolveRun& run, const Environment& environment) {
-  const auto solution = [&](const AssessedSolution& s) { return solution_value(instance.problem, s); };
-  JsonMembers counts, statistics, origin;
-  const ResultCounts stated = stated_counts(instance.problem, run.counts);
-  visit_result_counts(stated, RecordWriter(counts));
-  visit_work(run.work, RecordWriter(statistics));
-  visit_particulars(run.particulars, RecordWriter(statistics));
-  visit_environment(environment, RecordWriter(origin));
-  return {{"format", json_text("gcsbench-result/1")},
-          {"instance", instance.document},
-          {"strategy", json_text(run.strategy)},
-          {"options", options_value(run.options)},
-          {"seed", json_count(run.seed)},
-          {"status", json_text(std::string(word(run.status)))},
-          {"reason", json_text(run.reason)},
-          {"claim", claim_value(run.claim)},
-          {"frame", frame_value(instance)},
-          {"counts", json_object(std::move(counts))},
-          {"totals", json_or_null(run.totals, totals_value)},
-          {"proofs", proofs_value(run.proofs)},
-          {"failed_checks", json_array_of(run.failed_checks, failed_check_value)},
-          {"solutions", json_array_of(run.solutions, solution)},
-          {"path", path_value(run)},
-          {"ends", json_array_of(run.ends, ends_value)},
-          {"statistics", json_object(std::move(statistics))},
-          {"timing", timing_value(run.timing)},
-          {"environment", json_object(std::move(origin))}};
+JsonValue counts_value(const ProblemStatement& problem, const Counts& counts) {
+  JsonMembers members;
+  const ResultCounts stated = stated_counts(problem, counts);
+  visit_result_counts(stated, RecordWriter(members));
+  return json_object(std::move(members));
 }
 
-/// One element a line for the long array, one line for everything else.
-std::string member_text(const std::string& name, const JsonValue& value) {
-  if (name != "solutions" || value.elements.empty()) return to_text(value, -1);
-  std::string text = "[";
-  for (const JsonValue& element : value.elements)
-    text += (text.size() > 1 ? ",\n  " : "\n  ") + to_text(element, -1);
-  return text + "\n ]";
+JsonValue statistics_value(const SolveRun& run) {
+  JsonMembers members;
+  visit_work(run.work, RecordWriter(members));
+  visit_particulars(run.particulars, RecordWriter(members));
+  return json_object(std::move(members));
+}
+
+JsonValue environment_value(const Environment& environment) {
+  JsonMembers members;
+  visit_environment(environment, RecordWriter(members));
+  return json_object(std::move(members));
 }
 
 }  // namespace
@@ -152,10 +135,27 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs) {
 }
 
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment) {
-  std::string text = "{";
-  for (const auto& [name, value] : result_members(instance, run, environment))
-    text += (text.size() > 1 ? ",\n \"" : "\n \"") + name + "\": " + member_text(name, value);
-  return text + "\n}\n";
+  DocumentText document("gcsbench-result/1");
+  document.member("instance", instance.document);
+  document.member("strategy", json_text(run.strategy));
+  document.member("options", options_value(run.options));
+  document.member("seed", json_count(run.seed));
+  document.member("status", json_text(std::string(word(run.status))));
+  document.member("reason", json_text(run.reason));
+  document.member("claim", claim_value(run.claim));
+  document.member("frame", frame_value(instance));
+  document.member("counts", counts_value(instance.problem, run.counts));
+  document.member("totals", json_or_null(run.totals, totals_value));
+  document.member("proofs", proofs_value(run.proofs));
+  document.member("failed_checks", json_array_of(run.failed_checks, failed_check_value));
+  document.list("solutions", run.solutions,
+                [&](const AssessedSolution& s) { return solution_value(instance.problem, s); });
+  document.member("path", path_value(run));
+  document.member("ends", json_array_of(run.ends, ends_value));
+  document.member("statistics", statistics_value(run));
+  document.member("timing", timing_value(run.timing));
+  document.member("environment", environment_value(environment));
+  return std::move(document).text();
 }
 
 }  // namespace gcs

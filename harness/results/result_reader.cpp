@@ -81,24 +81,28 @@ std::vector<AssessedCrossing> read_crossings(const JsonCursor& path, std::size_t
   return crossings;
 }
 
-}  // namespace
-
-ProgramAnswer parse_answer(const std::string& text, const Scene& scene, const std::string& source) {
-  const JsonValue document = parse_json(text, source);
-  const JsonCursor root(document, source);
-  if (root.optional("format")) root.require_format(format_name);
-  ProgramAnswer answer;
-  if (const auto status = root.optional("status")) answer.status = read_word(*status, all_statuses);
+/// What a result says of the solve and its solutions; only these have to be there.
+Answer read_answer(const JsonCursor& root, const Scene& scene) {
+  Answer answer;
   const RecordReader read(root);
+  const auto status = root.optional("status");
+  answer.status = status ? read_word(*status, all_statuses) : RunStatus::complete;
   read.later("reason", answer.reason);
-  std::optional<Claim> claim;
-  read.named("claim", claim, all_claims);
-  answer.claim = claim.value_or(answer.claim);
+  read.named("claim", answer.claim, all_claims);
   for (const JsonCursor& solution : root.required("solutions").elements())
     answer.solutions.push_back(read_solution(solution, scene));
   if (const auto path = root.optional("path"))
     answer.crossings = read_crossings(*path, answer.solutions.size());
   return answer;
+}
+
+}  // namespace
+
+Answer parse_answer(const std::string& text, const Scene& scene, const std::string& source) {
+  const JsonValue document = parse_json(text, source);
+  const JsonCursor root(document, source);
+  if (root.optional("format")) root.require_format(format_name);
+  return read_answer(root, scene);
 }
 
 StoredResult parse_result(const std::string& text, const std::string& file) {
@@ -108,20 +112,16 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   const Instance instance =
       parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)");
   StoredResult result{.instance = instance, .scene = instance};
-  const RecordReader read(root);
-  read("strategy", result.strategy);
-  read.named("status", result.status, all_statuses);
-  read.named("claim", result.claim, all_claims);
-  for (const JsonCursor& solution : root.required("solutions").elements())
-    result.listed.solutions.push_back(read_solution(solution, result.scene));
-  if (const auto path = root.optional("path"))
-    result.listed.crossings = read_crossings(*path, result.listed.solutions.size());
+  const std::string strategy = root.required("strategy").text();
+  root.required("status");
+  result.answer = read_answer(root, result.scene);
+  result.answer.strategy = strategy;
   const auto passed_over = RecordReader::Missing::passed_over;
   if (const auto counts = root.optional("counts"))
     visit_result_counts(result.stated, RecordReader(*counts, passed_over));
-  result.listed.counts = counts_of(result.stated);
+  result.answer.counts = counts_of(result.stated);
   if (const auto totals = root.optional("totals"); totals && !totals->is_null())
-    visit_totals(result.listed.totals.emplace(), RecordReader(*totals, passed_over));
+    visit_totals(result.answer.totals.emplace(), RecordReader(*totals, passed_over));
   return result;
 }
 

@@ -25,14 +25,14 @@ class Verifier {
  public:
   Verifier(const StoredResult& result, int threads, Monitor* monitor)
       : result_(result), scene_(result.scene), equations_(scene_) {
-    for (const AssessedSolution& solution : result.listed.solutions) figures_.push_back(solution.figure);
+    for (const AssessedSolution& solution : result.answer.solutions) figures_.push_back(solution.figure);
     proofs_ = prove_solutions(equations_, figures_, threads, monitor);
     standings_.assign(proofs_.size(), Standing::as_stated);
   }
 
   Verification run() {
     for (std::size_t i = 0; i < proofs_.size(); ++i) check_solution(i);
-    if (result_.claim == Claim::all_complex && is_complete()) check_conjugates();
+    if (result_.answer.claim == Claim::all_complex && is_complete()) check_conjugates();
     summarise();
     check_counts();
     check_totals();
@@ -45,7 +45,7 @@ class Verifier {
     verification_.mismatches.push_back({name, std::move(what)});
   }
 
-  bool is_complete() const { return result_.status == RunStatus::complete; }
+  bool is_complete() const { return result_.answer.status == RunStatus::complete; }
 
   void check_solution(std::size_t i) {
     const SolutionProof& proof = proofs_[i];
@@ -67,7 +67,7 @@ class Verifier {
 
   /// Where the proof leaves the signs undecided that constraints state, any standing may be listed.
   void check_signs(std::size_t i) {
-    const Standing listed = result_.listed.solutions[i].signs.standing;
+    const Standing listed = result_.answer.solutions[i].signs.standing;
     standings_[i] = proven_signs(equations_, signs_, figures_[i], proofs_[i].certificate).standing;
     if (standings_[i] != Standing::undecided && standings_[i] != listed)
       mismatch("standing", fmt::format("solution {} is listed as '{}' and proven to be '{}'", i, word(listed),
@@ -77,7 +77,7 @@ class Verifier {
   void check_multiplicity(std::size_t i) {
     const Certificate& certificate = proofs_[i].certificate;
     const int proven = certificate.is_proven ? 1 : certificate.cluster;
-    const int listed = result_.listed.solutions[i].multiplicity;
+    const int listed = result_.answer.solutions[i].multiplicity;
     if (!proofs_[i].fits(listed))
       mismatch("multiplicity",
                fmt::format("solution {} is listed with multiplicity {}, and {} solutions are proven to lie "
@@ -88,7 +88,7 @@ class Verifier {
   /// Of a cluster nothing is known.
   void check_realness(std::size_t i) {
     using Realness = Certificate::Realness;
-    const bool is_real = result_.listed.solutions[i].figure.is_real();
+    const bool is_real = result_.answer.solutions[i].figure.is_real();
     if (proofs_[i].certificate.realness != (is_real ? Realness::real : Realness::not_real))
       mismatch("real",
                fmt::format("solution {} is listed as {}, which is not so", i, is_real ? "real" : "complex"));
@@ -102,7 +102,7 @@ class Verifier {
   }
 
   void check_distance(std::size_t i) {
-    const std::optional<double> stated = result_.listed.solutions[i].error_bound;
+    const std::optional<double> stated = result_.answer.solutions[i].error_bound;
     const double bound = stated.value_or(default_error * scene_.size());
     if (proofs_[i].distance <= bound) return;
     const double distance = precise_distance(i);
@@ -139,7 +139,7 @@ class Verifier {
   }
 
   void check_counts() {
-    Assessment own = result_.listed;
+    Assessment own = result_.answer;
     recount(own);
     const ResultCounts expected = stated_counts(scene_.problem(), own.counts);
     std::vector<std::optional<Natural>> given;
@@ -178,9 +178,9 @@ class Verifier {
 
   /// Of a product there may be more than are listed.
   void check_totals() {
-    if (!result_.listed.totals) return;
-    const SolutionTotals& totals = *result_.listed.totals;
-    const auto& solutions = result_.listed.solutions;
+    if (!result_.answer.totals) return;
+    const SolutionTotals& totals = *result_.answer.totals;
+    const auto& solutions = result_.answer.solutions;
     const Natural listed(solutions.size());
     const Natural real(static_cast<std::uint64_t>(
         std::ranges::count_if(solutions, [](const auto& one) { return one.figure.is_real(); })));
@@ -202,7 +202,7 @@ class Verifier {
   void check_limit() {
     const std::optional<Natural>& limit = verification_.proofs.limit;
     if (!limit) return;
-    const Counts& counts = result_.listed.counts;
+    const Counts& counts = result_.answer.counts;
     for (const auto& [name, count] : {std::pair("real_up_to_reflection", counts.real_up_to_reflection),
                                       std::pair("complex_up_to_reflection", counts.complex_up_to_reflection),
                                       std::pair("generic", counts.generic)})

@@ -2,11 +2,26 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
+#include "harness/base/document_text.hpp"
+#include "harness/base/record_json.hpp"
 #include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
+
+void visit_fields(RecordOf<PlanPlace> auto& place, const auto& visit) {
+  visit("t", place.t);
+  visit("length", place.length);
+  visit("removed", place.removed);
+}
+
+void visit_fields(RecordOf<PlanTrail> auto& trail, const auto& visit) {
+  visit("label", trail.label);
+  visit("cause", trail.cause);
+  visit("places", trail.places);
+}
+
 namespace {
 
 constexpr std::string_view format_name = "gcsbench-scene/1";
@@ -23,83 +38,53 @@ JsonValue solution_value(const ProblemStatement& problem, const ShownSolution& s
 
 JsonValue crossing_value(const std::optional<MetSolution>& met) {
   return json_or_null(met, [](const MetSolution& m) {
-    return json_object(
-        {{"solution", json_number(m.solution)}, {"signs", json_array_of(m.signs, json_number)}});
+    return json_object({{"solution", json_of(m.solution)}, {"signs", json_of(m.signs)}});
   });
-}
-
-JsonValue place_value(const PlanPlace& place) {
-  return json_object({{"t", json_number(place.t)},
-                      {"length", json_number(place.length)},
-                      {"removed", json_texts(place.removed)}});
-}
-
-JsonValue trail_value(const PlanTrail& trail) {
-  return json_object({{"label", json_text(trail.label)},
-                      {"cause", json_text(trail.cause)},
-                      {"places", json_array_of(trail.places, place_value)}});
-}
-
-template <typename List, typename Make>
-std::string lines_of(const List& list, Make make) {
-  std::vector<std::string> lines;
-  for (const auto& one : list) lines.push_back(to_text(make(one), -1));
-  return fmt::format("[{}{}]", lines.empty() ? "" : "\n  ", fmt::join(lines, ",\n  "));
 }
 
 // ---- reading
 
-/// A whole number from `low` to `high`.
-int read_whole(const JsonCursor& cursor, int low, int high) {
-  const double value = cursor.number().value;
-  if (!(value >= low && value <= high) || value != static_cast<int>(value))
-    cursor.fail(fmt::format("{} is out of place", cursor.number().text),
-                fmt::format("give a whole number from {} to {}", low, high));
-  return static_cast<int>(value);
-}
-
 ShownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& problem) {
   ShownSolution solution;
-  solution.multiplicity = read_whole(cursor.required("multiplicity"), 1, 1 << 20);
+  read_json(cursor.required("multiplicity"), solution.multiplicity);
   solution.figure = read_figure(cursor, problem, true);
   return solution;
+}
+
+int read_sign(const JsonCursor& cursor) {
+  const double sign = cursor.number().value;
+  if (std::abs(sign) != 1) cursor.fail(cursor.number().text + " is no sign", "give 1 or -1");
+  return sign > 0 ? 1 : -1;
 }
 
 std::optional<MetSolution> read_crossing(const JsonCursor& cursor, std::size_t solutions) {
   if (cursor.is_null()) return std::nullopt;
   MetSolution met;
-  met.solution = read_whole(cursor.required("solution"), 0, static_cast<int>(solutions) - 1);
-  const auto signs = cursor.required("signs").elements(3, "signs");
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    met.signs[axis] = read_whole(signs[axis], -1, 1);
-    if (met.signs[axis] == 0) signs[axis].fail("0 is no sign", "give 1 or -1");
-  }
+  const JsonCursor solution = cursor.required("solution");
+  read_json(solution, met.solution);
+  if (static_cast<std::size_t>(met.solution) >= solutions)
+    solution.fail("there is no such solution", fmt::format("give a number below {}", solutions));
+  const auto signs = cursor.required("signs").elements(met.signs.size(), "signs");
+  for (std::size_t axis = 0; axis < met.signs.size(); ++axis) met.signs[axis] = read_sign(signs[axis]);
   return met;
-}
-
-PlanTrail read_trail(const JsonCursor& cursor) {
-  PlanTrail trail{cursor.required("label").text(), {}, cursor.required("cause").text()};
-  for (const JsonCursor& entry : cursor.required("places").elements()) {
-    PlanPlace place{entry.required("t").number().value, entry.required("length").number().value, {}};
-    for (const JsonCursor& name : entry.required("removed").elements()) place.removed.push_back(name.text());
-    trail.places.push_back(std::move(place));
-  }
-  return trail;
 }
 
 }  // namespace
 
 std::string to_json_text(const ShownScene& record) {
   const ProblemStatement& problem = record.instance.problem;
-  return fmt::format(
-      "{{\"format\": \"{}\",\n \"instance\": {},\n \"source\": {},\n \"proven\": {},\n \"all_real\": {}, "
-      "\"all_real_proven\": {},\n "
-      "\"solutions\": {},\n \"no_path\": {},\n \"crossings\": {},\n \"trails\": {}}}\n",
-      format_name, to_text(record.instance.document, -1), to_text(json_text(record.source), -1),
-      record.are_proven, record.has_all_real, record.is_real_proven,
-      lines_of(record.solutions, [&](const ShownSolution& s) { return solution_value(problem, s); }),
-      to_text(json_text(record.no_path), -1), lines_of(record.crossings, crossing_value),
-      lines_of(record.trails, trail_value));
+  DocumentText document(format_name);
+  document.member("instance", record.instance.document);
+  document.member("source", json_text(record.source));
+  document.member("proven", json_boolean(record.are_proven));
+  document.member("all_real", json_boolean(record.has_all_real));
+  document.member("all_real_proven", json_boolean(record.is_real_proven));
+  document.list("solutions", record.solutions,
+                [&](const ShownSolution& solution) { return solution_value(problem, solution); });
+  document.member("no_path", json_text(record.no_path));
+  document.list("crossings", record.crossings, crossing_value);
+  document.member("trails", json_of(record.trails));
+  return std::move(document).text();
 }
 
 ShownScene parse_shown_scene(const std::string& text, const std::string& file) {
@@ -117,8 +102,7 @@ ShownScene parse_shown_scene(const std::string& text, const std::string& file) {
     record.solutions.push_back(read_solution(entry, record.instance.problem));
   for (const JsonCursor& entry : root.required("crossings").elements())
     record.crossings.push_back(read_crossing(entry, record.solutions.size()));
-  for (const JsonCursor& entry : root.required("trails").elements())
-    record.trails.push_back(read_trail(entry));
+  read_json(root.required("trails"), record.trails);
   return record;
 }
 

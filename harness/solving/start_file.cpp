@@ -7,53 +7,55 @@
 #include <utility>
 
 #include "harness/base/complex_rows.hpp"
+#include "harness/base/document_text.hpp"
+#include "harness/base/record_json.hpp"
 #include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/text_input.hpp"
 
 namespace gcs {
+
+/// What was stopped is not kept.
+constexpr std::array kept_ends{SearchEnd::complete, SearchEnd::quiet, SearchEnd::inconsistent};
+
+std::string_view word(SearchEnd end) {
+  constexpr std::array<std::string_view, 4> words{"complete", "quiet", "inconsistent", "stopped"};
+  return words[static_cast<std::size_t>(end)];
+}
+
+void visit_fields(RecordOf<GenericSolutions> auto& generic, const auto& visit) {
+  visit.named("end", generic.end, kept_ends);
+  visit("arcs", generic.arcs_used);
+  visit("paths", generic.legs);
+  visit("lost_paths", generic.lost_legs);
+}
+
+void visit_fields(RecordOf<TraceTest> auto& trace, const auto& visit) {
+  visit.named("end", trace.end, kept_ends);
+  visit("points", trace.points);
+  visit("solutions", trace.solutions);
+  visit("defect", trace.defect);
+}
 
 namespace {
 
 constexpr std::string_view format_name = "gcsbench-start/1";
 constexpr std::string_view remedy = "make it anew with --set save_start=FILE";
 
-/// In the order of SearchEnd. What was stopped is not kept.
-constexpr std::array<std::string_view, 3> end_words{"complete", "quiet", "inconsistent"};
-
-JsonValue end_value(SearchEnd end) {
-  return json_text(std::string(end_words[static_cast<std::size_t>(end)]));
-}
-
 JsonValue search_value(const GenericSolutions& generic) {
-  return json_object({{"end", end_value(generic.end)},
-                      {"solutions", json_count(generic.solutions.size())},
-                      {"arcs", json_number(generic.arcs_used)},
-                      {"paths", json_count(static_cast<std::uint64_t>(generic.legs))},
-                      {"lost_paths", json_count(static_cast<std::uint64_t>(generic.lost_legs))}});
-}
-
-JsonValue trace_value(const TraceTest& trace) {
-  return json_object({{"end", end_value(trace.end)},
-                      {"points", json_count(static_cast<std::uint64_t>(trace.points))},
-                      {"solutions", json_count(static_cast<std::uint64_t>(trace.solutions))},
-                      {"defect", json_number(trace.defect)}});
-}
-
-/// One solution a line.
-std::string solutions_text(const std::vector<ComplexVectorX>& solutions) {
-  std::vector<std::string> lines;
-  for (const ComplexVectorX& x : solutions) lines.push_back(to_text(json_array_of(x, json_complex), -1));
-  return fmt::format("[\n  {}\n ]", fmt::join(lines, ",\n  "));
+  JsonValue value = json_of(generic);
+  value.members.emplace_back("solutions", json_count(generic.solutions.size()));
+  return value;
 }
 
 std::string file_text(const StartFamily& family, const StartSystem& start) {
-  return fmt::format(
-      "{{\"format\": \"{}\",\n \"equations\": {},\n \"search\": {},\n \"trace\": {},\n \"squares\": {},\n "
-      "\"solutions\": {}}}\n",
-      format_name, to_text(json_texts(family.equations), 2), to_text(search_value(start.generic), -1),
-      to_text(json_or_null(start.trace, trace_value), -1),
-      to_text(json_array_of(start.generic.squares, json_complex), -1),
-      solutions_text(start.generic.solutions));
+  DocumentText document(format_name);
+  document.list("equations", family.equations, json_text);
+  document.member("search", search_value(start.generic));
+  document.member("trace", json_of(start.trace));
+  document.member("squares", json_array_of(start.generic.squares, json_complex));
+  document.list("solutions", start.generic.solutions,
+                [](const ComplexVectorX& solution) { return json_array_of(solution, json_complex); });
+  return std::move(document).text();
 }
 
 void require_equations(const JsonCursor& equations, const StartFamily& family) {
@@ -82,48 +84,30 @@ std::vector<ComplexVectorX> read_vectors(const JsonCursor& vectors, int size) {
   return result;
 }
 
-SearchEnd read_end(const JsonCursor& end) {
-  const std::string word = end.text();
-  const auto known = std::find(end_words.begin(), end_words.end(), word);
-  if (known == end_words.end())
-    end.fail_unknown("there is no end '" + word + "' of a search", word,
-                     {end_words.begin(), end_words.end()});
-  return static_cast<SearchEnd>(known - end_words.begin());
-}
-
-std::int64_t read_count(const JsonCursor& count) {
-  constexpr double largest = 9007199254740992;  // 2^53
-  const double value = count.number().value;
-  if (!(value >= 0 && value <= largest && value == std::floor(value)))
-    count.fail("this is no count", "give a whole number that is not negative");
-  return static_cast<std::int64_t>(value);
-}
-
 GenericSolutions read_search(const JsonCursor& search) {
   search.allow_members({"end", "solutions", "arcs", "paths", "lost_paths"});
   GenericSolutions generic;
-  generic.end = read_end(search.required("end"));
-  generic.arcs_used = static_cast<int>(read_count(search.required("arcs")));
-  generic.legs = read_count(search.required("paths"));
-  generic.lost_legs = read_count(search.required("lost_paths"));
+  read_json(search, generic);
   return generic;
 }
 
 std::optional<TraceTest> read_trace(const JsonCursor& trace) {
-  if (trace.is_null()) return std::nullopt;
-  trace.allow_members({"end", "points", "solutions", "defect"});
-  return TraceTest{read_end(trace.required("end")), read_count(trace.required("points")),
-                   read_count(trace.required("solutions")), trace.required("defect").number().value};
+  if (!trace.is_null()) trace.allow_members({"end", "points", "solutions", "defect"});
+  std::optional<TraceTest> test;
+  read_json(trace, test);
+  return test;
 }
 
 void require_solutions(const JsonCursor& document, const std::string& file, const StartFamily& family,
                        const GenericSolutions& generic) {
   const JsonCursor solutions = document.required("solutions"),
                    count = document.required("search").required("solutions");
-  if (read_count(count) != static_cast<std::int64_t>(generic.solutions.size()))
-    solutions.fail(fmt::format("there are {} solutions, and the search found {}", generic.solutions.size(),
-                               count.number().text),
-                   "some are missing or too many: " + std::string(remedy));
+  std::uint64_t found = 0;
+  read_json(count, found);
+  if (found != generic.solutions.size())
+    solutions.fail(
+        fmt::format("there are {} solutions, and the search found {}", generic.solutions.size(), found),
+        "some are missing or too many: " + std::string(remedy));
   if (const auto defect = find_defect(family, generic))
     throw InputError(file, fmt::format("{}/{}", solutions.pointer(), defect->solution), defect->what,
                      std::string(remedy));

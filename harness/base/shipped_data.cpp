@@ -1,5 +1,7 @@
 #include "harness/base/shipped_data.hpp"
 
+#include <dlfcn.h>
+
 #include <system_error>
 
 namespace gcs {
@@ -8,12 +10,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// PREFIX/bin/gcsbench has its data in PREFIX/share/gcsbench, wherever PREFIX was moved to. Empty where the
-/// system does not say which program runs.
-fs::path installed_data() {
+/// The file that this code was loaded from: the program, or a module that has taken it in. Empty where the system
+/// does not say.
+fs::path loaded_from() {
   std::error_code unknown;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
-  return unknown ? fs::path() : program.parent_path().parent_path() / "share" / "gcsbench";
+  Dl_info code{};
+  if (dladdr(reinterpret_cast<const void*>(&loaded_from), &code) != 0 && code.dli_fname != nullptr)
+    if (const fs::path module(code.dli_fname); module.extension() == ".so")
+      return fs::canonical(module, unknown);
+  return fs::read_symlink("/proc/self/exe", unknown);
+}
+
+/// Where PREFIX/bin/gcsbench, or a module at any depth in PREFIX/lib, has its data, wherever PREFIX was moved to; empty
+/// where there is none.
+fs::path installed_data() {
+  std::error_code ignored;
+  fs::path folder = loaded_from().parent_path();
+  while (folder.has_relative_path()) {
+    folder = folder.parent_path();
+    if (fs::path data = folder / "share" / "gcsbench"; fs::is_directory(data, ignored)) return data;
+  }
+  return {};
 }
 
 }  // namespace

@@ -21,6 +21,10 @@ endif()
 if(GCSBENCH_WARNINGS_AS_ERRORS)
   target_compile_options(gcs_warnings INTERFACE -Werror)
 endif()
+# A module of Python takes the library in. Hidden, its functions call each other as in a program.
+if(GCSBENCH_WITH_PYTHON)
+  target_compile_options(gcs_flags INTERFACE $<BUILD_INTERFACE:-fPIC> $<BUILD_INTERFACE:-fvisibility=hidden>)
+endif()
 if(GCSBENCH_SANITIZE)
   target_compile_options(gcs_flags INTERFACE -fsanitize=${GCSBENCH_SANITIZE} -fno-sanitize-recover=all
                                              -fno-omit-frame-pointer

@@ -17,7 +17,30 @@ foreach(room IN ITEMS strategies certificates constraints counting elements homo
   install(FILES solvers/${room}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/solvers/${room})
 endforeach()
 install(FILES harness/README.md harness/glossary.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/harness)
+install(FILES harness/python/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/harness/python)
 install(FILES instances/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/instances)
+
+# The Python module, where Debian's python3 looks for those of this prefix; others have to tell it.
+if(GCSBENCH_WITH_PYTHON)
+  install(CODE "
+    set(version \"python${PYTHON_VERSION_MAJOR}.${PYTHON_VERSION_MINOR}\")
+    cmake_path(SET prefix NORMALIZE \"\${CMAKE_INSTALL_PREFIX}\")
+    cmake_path(SET own NORMALIZE \"\$ENV{HOME}/.local\")
+    if(prefix STREQUAL /usr)
+      set(modules /usr/lib/python3/dist-packages)
+    elseif(prefix STREQUAL /usr/local)
+      set(modules /usr/local/lib/\${version}/dist-packages)
+    else()
+      set(modules \${prefix}/lib/\${version}/site-packages)
+      if(NOT prefix STREQUAL own)
+        message(STATUS \"For Python: export PYTHONPATH=\${modules}\")
+      endif()
+    endif()
+    file(INSTALL \"$<TARGET_FILE:gcs_python>\" DESTINATION \${modules}/gcsbench)
+    foreach(file IN ITEMS __init__.py _core.pyi py.typed)
+      file(INSTALL \"${PROJECT_SOURCE_DIR}/harness/python/gcsbench/\${file}\" DESTINATION \${modules}/gcsbench)
+    endforeach()")
+endif()
 
 # The program writes its manual page itself.
 set(manual ${PROJECT_BINARY_DIR}/generated/gcsbench.1)

@@ -173,6 +173,13 @@ void bind_texts(BoundAnswer& bound) {
       .def_property_readonly(
           "proofs", [](const SolvedInstance& s) { return python_of(proofs_value(s.answer.proofs)); },
           "what certificates prove; None without certify=True")
+      .def_property_readonly(
+          "motions",
+          [](const SolvedInstance& s) {
+            return python_of(motions_value(s.instance.problem, s.answer.motions));
+          },
+          "solutions that are not isolated, beside the others: which points coincide and which bars are "
+          "parallel there")
       .def_property_readonly("particulars", &particulars_of, "counts that only this strategy knows")
       .def_property_readonly("failed_checks", &failed_checks_of,
                              "(name, sentence) of what must hold in a correct answer and does not");

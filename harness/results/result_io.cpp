@@ -75,6 +75,22 @@ JsonValue failed_check_value(const FailedCheck& check) {
   return json_object({{"name", json_text(check.name)}, {"what", json_text(check.what)}});
 }
 
+JsonValue motion_value(const ProblemStatement& problem, const Motion& motion) {
+  const auto pairs = [&](const std::vector<std::array<int, 2>>& list, auto name) {
+    return json_array_of(list, [&](const std::array<int, 2>& pair) {
+      return json_texts({name(pair[0]), name(pair[1])});
+    });
+  };
+  const auto id = [&](int number) { return problem.constraints[static_cast<std::size_t>(number)].id; };
+  return json_object(
+      {{"coincident", pairs(motion.coincident, [&](int point) { return problem.name(point); })},
+       {"parallel", pairs(motion.parallel, id)},
+       {"dimension", json_number(motion.dimension)},
+       {"exact", json_boolean(motion.is_exact)},
+       {"real", json_boolean(motion.figure.is_real())},
+       {"points", json_points(problem, motion.figure)}});
+}
+
 JsonValue timing_value(const Timing& timing) {
   return json_object({{"wall_s", json_number(timing.wall_s)},
                       {"cpu_s", json_number(timing.cpu_s)},
@@ -134,6 +150,10 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs) {
   });
 }
 
+JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motion>& motions) {
+  return json_array_of(motions, [&](const Motion& motion) { return motion_value(problem, motion); });
+}
+
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment) {
   DocumentText document("gcsbench-result/1");
   document.member("instance", instance.document);
@@ -152,6 +172,7 @@ std::string result_text(const Instance& instance, const SolveRun& run, const Env
                 [&](const AssessedSolution& s) { return solution_value(instance.problem, s); });
   document.member("path", path_value(run));
   document.member("ends", json_array_of(run.ends, ends_value));
+  document.member("motions", motions_value(instance.problem, run.motions));
   document.member("statistics", statistics_value(run));
   document.member("timing", timing_value(run.timing));
   document.member("environment", environment_value(environment));

@@ -13,6 +13,9 @@ namespace gcs {
 /// What certificates prove, as in a result; null unless that was asked for.
 JsonValue proofs_value(const std::optional<Proofs>& proofs);
 
+/// Solutions that are not isolated, as in a result.
+JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motion>& motions);
+
 /// The result as JSON text that ends in a newline: one top-level member a line, one solution a line. What
 /// does not apply is null; so is an infinite condition. The instance keeps the decimal text of its numbers.
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment);

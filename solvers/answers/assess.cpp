@@ -179,6 +179,10 @@ class Assessor {
     check_residuals();
     for (const PathRecord& path : report_.paths) take_crossings(path);
     if (report_.claim == Claim::on_path) check_all_met();
+    for (Motion motion : report_.motions) {
+      motion.figure = motion.figure.scaled(scene_.unit_exponent());
+      assessment_.motions.push_back(std::move(motion));
+    }
     count();
     return std::move(assessment_);
   }

@@ -76,7 +76,8 @@ struct Assessment {
   std::vector<AssessedSolution> solutions;
   std::vector<AssessedCrossing> crossings;  ///< in the order met
   Counts counts;
-  std::vector<PathEnds> ends;  ///< of all paths
+  std::vector<PathEnds> ends;   ///< of all paths
+  std::vector<Motion> motions;  ///< beside the solutions, which are isolated then; figures in the file's unit
   std::vector<FailedCheck> failed_checks;
   std::optional<Proofs> proofs;  ///< empty unless asked for (see certify)
 };

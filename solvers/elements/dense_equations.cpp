@@ -35,21 +35,11 @@ Eigen::MatrixXcd jacobian_at(const QuadraticSystem& system, const std::vector<st
   return result;
 }
 
-namespace {
-
-/// The Gauss–Newton method from a start at random. Nothing where it does not settle, or so far off that rounding would
-/// count.
-std::optional<std::vector<std::complex<double>>> zero_from_random_start(const QuadraticSystem& system,
-                                                                        const std::vector<int>& equations,
-                                                                        std::mt19937_64& random) {
+std::optional<std::vector<std::complex<double>>> zero_near(const QuadraticSystem& system,
+                                                           const std::vector<int>& equations,
+                                                           std::vector<std::complex<double>> x) {
   constexpr int most_iterations = 60;
   constexpr double settled = 1e-14, far = 1e3;
-  std::normal_distribution<double> normal;
-  std::vector<std::complex<double>> x;
-  for (int i = 0; i < system.unknowns; ++i) {
-    const double re = normal(random), im = normal(random);
-    x.emplace_back(re, im);
-  }
   Eigen::Map<Eigen::VectorXcd> point(x.data(), system.unknowns);
   for (int i = 0; i < most_iterations && point.allFinite(); ++i) {
     const EquationResiduals here = residuals_at(system, x);
@@ -59,6 +49,18 @@ std::optional<std::vector<std::complex<double>>> zero_from_random_start(const Qu
     point -= jacobian.completeOrthogonalDecomposition().solve(Eigen::VectorXcd(here.value(equations)));
   }
   return std::nullopt;
+}
+
+namespace {
+
+std::vector<std::complex<double>> random_point(int unknowns, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::vector<std::complex<double>> x;
+  for (int i = 0; i < unknowns; ++i) {
+    const double re = normal(random), im = normal(random);
+    x.emplace_back(re, im);
+  }
+  return x;
 }
 
 Eigen::Index rank_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x) {
@@ -81,7 +83,7 @@ std::optional<std::vector<std::complex<double>>> random_zero(const QuadraticSyst
   std::optional<std::vector<std::complex<double>>> best;
   Eigen::Index best_rank = -1;
   for (int start = 0; start < most_starts && best_rank < full; ++start) {
-    auto zero = zero_from_random_start(system, equations, random);
+    auto zero = zero_near(system, equations, random_point(system.unknowns, random));
     if (!zero) continue;
     const Eigen::Index rank = rank_at(system, *zero);
     if (rank <= best_rank) continue;

@@ -20,6 +20,12 @@ EquationResiduals residuals_at(const QuadraticSystem& system, const std::vector<
 /// Equations × unknowns.
 Eigen::MatrixXcd jacobian_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x);
 
+/// The zero of these equations that the Gauss–Newton method leads to from x, to rounding, by the shortest steps where they
+/// are fewer than the unknowns. Nothing where it does not settle, or so far off that rounding would count.
+std::optional<std::vector<std::complex<double>>> zero_near(const QuadraticSystem& system,
+                                                           const std::vector<int>& equations,
+                                                           std::vector<std::complex<double>> x);
+
 /// A point at random that solves these equations, to rounding, by the Gauss–Newton method. They may have components of
 /// their own, such as lines through two points that are one: of some starts the one counts at which all equations of the
 /// system have the highest rank, the first one of full rank. Nothing where no start leads to a zero.

@@ -18,6 +18,7 @@
 #include "solvers/homotopies/shortcomings.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/wide_reference.hpp"
+#include "solvers/motions/motion_finder.hpp"
 
 namespace gcs {
 namespace {
@@ -92,18 +93,23 @@ class ComplexReporter {
   SolveReport run(const std::vector<PathEnd>& ends, const WorkCounters& work, std::mt19937_64& random) {
     report_.work = work;
     const DistinctEnds distinct(ends, mirror_axes(scene_, system_), random);
+    MotionFinder finder(scene_, system_, random);
     missing_.jumps = distinct.jumps();
-    for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
+    for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i, finder);
+    report_.motions = finder.motions();
     prove_neighbours();
     for (const PathEnd& end : ends) add_path(end);
-    conclude(ends, missing_.in_words(), report_);
+    conclude(ends, in_words(scene_.problem(), report_.motions), missing_.in_words(), report_);
     return std::move(report_);
   }
 
  private:
-  void add_end(const DistinctEnds& distinct, int i) {
+  void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder) {
     const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
     const Figure figure = is_singular ? singular_figure(distinct[i]) : figure_of(distinct[i], next_to_real);
+    if ((is_singular || jacobian_condition(scene_, figure) >= rank_lost) &&
+        finder.lies_on_motion(distinct[i], singular_uncertainty))
+      return;
     const bool is_isolated = !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
     missing_.too_far += loses_distances(scene_, figure);
     missing_.lonely += is_lonely;
@@ -265,11 +271,14 @@ class ComplexReporter {
 
 }  // namespace
 
-void conclude(const std::vector<PathEnd>& ends, const std::string& missing, SolveReport& report) {
+void conclude(const std::vector<PathEnd>& ends, const std::string& moving, const std::string& missing,
+              SolveReport& report) {
   const bool stopped =
       std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
-  report.reason = stopped ? "stopped on the way" : missing;
+  report.reason =
+      stopped ? "stopped on the way" : moving + (moving.empty() || missing.empty() ? "" : "; ") + missing;
   report.status = stopped                 ? SolveStatus::stopped
+                  : !moving.empty()       ? SolveStatus::infinite
                   : report.reason.empty() ? SolveStatus::complete
                                           : SolveStatus::partial;
 }

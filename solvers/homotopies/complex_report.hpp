@@ -14,14 +14,16 @@ namespace gcs {
 /// The end of a path as reports have it.
 PathRecord path_record(const PathEnd& end);
 
-/// Status and reason of a report on all these paths: stopped where one was, and otherwise partial where something is
-/// missing, which is said in words.
-void conclude(const std::vector<PathEnd>& ends, const std::string& missing, SolveReport& report);
+/// Status and reason of a report on all these paths: stopped where one was; infinite where it has motions, which is said
+/// in words; partial where something is missing, likewise.
+void conclude(const std::vector<PathEnd>& ends, const std::string& moving, const std::string& missing,
+              SolveReport& report);
 
 /// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
 /// Newton's method on the real part agrees; a record for every path. The status is partial where paths
 /// failed, where two ended at one regular solution (a step has jumped), where the conjugate of a finite end
-/// is not among the ends, or where a singular end is no multiple solution but lies between some.
+/// is not among the ends, or where a singular end is no multiple solution but lies between some; infinite where ends lie
+/// on motions, which are reported instead of them.
 SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
                            const WorkCounters& work, std::mt19937_64& random);
 

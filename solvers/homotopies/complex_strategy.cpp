@@ -43,7 +43,7 @@ void add_start(const GenericStart& start, SolveReport& report) {
     return;
   }
   report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
-  if (report.status != SolveStatus::stopped)
+  if (report.status != SolveStatus::stopped && report.status != SolveStatus::infinite)
     report.status = start.is_stopped() ? SolveStatus::stopped : SolveStatus::partial;
 }
 

@@ -40,7 +40,7 @@ class GeneralReporter {
     missing_.jumps = distinct.jumps();
     for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
     for (const PathEnd& end : ends) add_path(end);
-    conclude(ends, missing_.in_words(), report_);
+    conclude(ends, "", missing_.in_words(), report_);
     return std::move(report_);
   }
 

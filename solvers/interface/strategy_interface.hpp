@@ -3,6 +3,7 @@
 /// `StrategyEntry my_idea_entry()`, and the line gcs_add_strategy(my_idea) in
 /// solvers/strategies/CMakeLists.txt.
 
+#include <array>
 #include <complex>
 #include <cstdint>
 #include <functional>
@@ -90,6 +91,16 @@ struct PathRecord {
   std::vector<PlanUse> plans{};
 };
 
+/// Solutions that are not isolated, proven: where points coincide, or bars of one length are parallel, some distances say
+/// the same, and what is left of them is loose (motions/collapse.hpp).
+struct Motion {
+  std::vector<std::array<int, 2>> coincident;  ///< pairs of points
+  std::vector<std::array<int, 2>> parallel;    ///< pairs of constraints
+  int dimension = 1;  ///< of the solutions around `figure`; at least, unless it is exact
+  bool is_exact = false;
+  Figure figure;  ///< one of them, in the scene's frame and unit; real where a real one is known
+};
+
 /// A count that only this strategy knows, such as the candidates of a scan.
 struct Particular {
   std::string name;  ///< a fixed word of lower-case letters and underscores, unique in a report
@@ -122,6 +133,7 @@ struct SolveReport {
   /// Distinct points of S or solutions; the harness groups them into classes.
   std::vector<Candidate> candidates;
   std::vector<PathRecord> paths;
+  std::vector<Motion> motions;                  ///< no candidate lies on one of them
   std::optional<std::uint64_t> generic;         ///< number of classes at generic lengths, where it is known
   std::optional<GenericMember> generic_member;  ///< proves `generic`, where certificates reach it
   /// How many of these have escaped; with paths, their ends say it.

@@ -229,7 +229,25 @@ class ReducedStrategy final : public Strategy {
   SolveReport solve_undivided(const SolveRequest& request) {
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategy(0).solve(request);
-    return split_ == Split::hung_points ? solve_on_path(request, parts) : solve_parts(request, parts);
+    if (split_ == Split::hung_points) return solve_on_path(request, parts);
+    SolveReport report = solve_parts(request, parts);
+    return may_move(request.scene, report) ? with_motions(request, std::move(report)) : report;
+  }
+
+  /// Where points coincide, parts do not say whether the whole moves. So small scenes take no second in one piece.
+  static bool may_move(const Scene& scene, const SolveReport& report) {
+    constexpr int most_points = 12;
+    const bool is_open = report.status == SolveStatus::partial || report.status == SolveStatus::infinite;
+    return is_open && report.claim == Claim::all_complex && scene.point_count() <= most_points;
+  }
+
+  /// The answer in one piece where that has motions, otherwise that of the parts.
+  SolveReport with_motions(const SolveRequest& request, SolveReport of_parts) {
+    if (strategies_.front()->why_unsupported(request)) return of_parts;
+    SolveRequest alone = request;
+    alone.starts = &no_starts_;
+    SolveReport whole = make_()->solve(alone);
+    return whole.motions.empty() ? of_parts : whole;
   }
 
   /// Steps that are scenes of their own are solved by strategies of their own.

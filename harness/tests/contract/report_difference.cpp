@@ -14,8 +14,8 @@ namespace {
 class Fields {
  public:
   explicit Fields(const SolveReport& report) {
-    const auto& [status, reason, claim, candidates, paths, generic, generic_member, at_infinity, totals, work,
-                 particulars] = report;
+    const auto& [status, reason, claim, candidates, paths, motions, generic, generic_member, at_infinity,
+                 totals, work, particulars] = report;
     add("status", status);
     add("reason", reason);
     add("claim", claim);
@@ -23,6 +23,8 @@ class Fields {
     for (std::size_t i = 0; i < candidates.size(); ++i) add(fmt::format("candidates[{}]", i), candidates[i]);
     add("paths.size()", paths.size());
     for (std::size_t i = 0; i < paths.size(); ++i) add(fmt::format("paths[{}]", i), paths[i]);
+    add("motions.size()", motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) add(fmt::format("motions[{}]", i), motions[i]);
     add("generic", generic);
     add("generic_member", generic_member);
     add("at_infinity", at_infinity);
@@ -65,8 +67,7 @@ class Fields {
     add(name + ".generic", generic);
   }
 
-  void add(const std::string& name, const Candidate& candidate) {
-    const auto& [figure, multiplicity, error] = candidate;
+  void add(const std::string& name, const Figure& figure) {
     const auto& [points, lines, imaginary, imaginary_lines, planes, imaginary_planes] = figure;
     add(name + ".points", points);
     add(name + ".imaginary", imaginary);
@@ -74,8 +75,30 @@ class Fields {
     add(name + ".imaginary_lines", imaginary_lines);
     add(name + ".planes", planes);
     add(name + ".imaginary_planes", imaginary_planes);
+  }
+
+  void add(const std::string& name, const Candidate& candidate) {
+    const auto& [figure, multiplicity, error] = candidate;
+    add(name, figure);
     add(name + ".multiplicity", multiplicity);
     add(name + ".error", error);
+  }
+
+  void add(const std::string& name, const std::vector<std::array<int, 2>>& pairs) {
+    add(name + ".size()", pairs.size());
+    for (const auto& [one, other] : pairs) {
+      add(name + ".one", one);
+      add(name + ".other", other);
+    }
+  }
+
+  void add(const std::string& name, const Motion& motion) {
+    const auto& [coincident, parallel, dimension, is_exact, figure] = motion;
+    add(name + ".coincident", coincident);
+    add(name + ".parallel", parallel);
+    add(name + ".dimension", dimension);
+    add(name + ".is_exact", is_exact);
+    add(name, figure);
   }
 
   void add(const std::string& name, const std::vector<std::complex<double>>& numbers) {

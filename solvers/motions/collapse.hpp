@@ -1,0 +1,37 @@
+#pragma once
+/// Figures in which points coincide, or bars of one length are parallel: there some of the distances say the same, and
+/// what is left of them may leave the figure loose.
+///
+/// Such coincidences are linear: p_a = p_b, or p_a − p_b = ±(p_c − p_d). On the linear space that they leave, constraints of
+/// equal length between differences that are equal up to the sign are one equation. What solves the linear equations and
+/// one of each such set of distances solves the scene, exactly. Of fewer equations than unknowns every component of the
+/// solutions has dimension unknowns − equations at least (Krull's height theorem): no solution there is isolated.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "solvers/model/complex_points.hpp"
+#include "solvers/model/distance_system.hpp"
+#include "solvers/model/quadratic_system.hpp"
+
+namespace gcs {
+
+struct Collapse {
+  std::vector<std::array<int, 2>> coincident;  ///< points
+  std::vector<std::array<int, 2>> parallel;    ///< constraints of one length whose bars are parallel
+  /// In the unknowns of the scene: independent linear equations, and the different distances.
+  QuadraticSystem equations;
+
+  /// The least dimension of a component of its solutions, if there are any.
+  int looseness() const { return equations.unknowns - static_cast<int>(equations.equations.size()); }
+};
+
+/// The coincidences of `points`, as far as `tolerance`, a length, tells; without parallel bars if not asked for. Nothing
+/// where distances contradict them. Preconditions: points and distances alone, no given positions; `system` is the
+/// scene's and `distances` are its equations with the exact numbers, one for each constraint.
+std::optional<Collapse> collapse_at(const Scene& scene, const DistanceSystem& system,
+                                    const QuadraticSystem& distances, const ComplexPoints& points,
+                                    double tolerance, bool with_parallel_bars);
+
+}  // namespace gcs

@@ -1,0 +1,203 @@
+#include "solvers/motions/motion_finder.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "solvers/certificates/scene_equations.hpp"
+#include "solvers/elements/dense_equations.hpp"
+#include "solvers/figures/complex_distances.hpp"
+#include "solvers/running/words.hpp"
+
+namespace gcs {
+namespace {
+
+using Point = std::vector<std::complex<double>>;
+
+Eigen::Map<const Eigen::VectorXcd> as_vector(const Point& x) {
+  return {x.data(), static_cast<Eigen::Index>(x.size())};
+}
+
+/// As many unknowns as are too many held at x, those on which the others depend best.
+QuadraticSystem held_at(QuadraticSystem system, const Point& x) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(jacobian_at(system, x));
+  const auto& order = factors.colsPermutation().indices();
+  for (auto i = static_cast<Eigen::Index>(system.equations.size()); i < system.unknowns; ++i) {
+    const int unknown = order[i];
+    system.equations.push_back({{{LinearForm{{{unknown}}, {}}, LinearForm{{}, exactly(1)}}},
+                                exactly(x[static_cast<std::size_t>(unknown)])});
+  }
+  return system;
+}
+
+std::vector<int> all_of(const QuadraticSystem& system) {
+  std::vector<int> numbers(system.equations.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// Whether no matrix whose entries differ from these by at most `radius` is singular: |1 − BA| < 1 for a B near the
+/// inverse, with the rounding of the product.
+bool is_proven_regular(const Eigen::MatrixXcd& a, double radius) {
+  const Eigen::Index n = a.rows();
+  const Eigen::MatrixXcd inverse = a.fullPivLu().inverse();
+  if (!inverse.allFinite()) return false;
+  const double rounding = 8 * static_cast<double>(n + 2) * std::numeric_limits<double>::epsilon();
+  const Eigen::MatrixXd size = inverse.cwiseAbs();
+  const Eigen::MatrixXd off = (Eigen::MatrixXcd::Identity(n, n) - inverse * a).cwiseAbs() +
+                              rounding * (size * a.cwiseAbs()) +
+                              size * Eigen::MatrixXd::Constant(n, n, radius);
+  return off.rowwise().sum().maxCoeff() < 0.5;
+}
+
+/// Pairs that share something, together.
+std::vector<std::vector<int>> groups_of(const std::vector<std::array<int, 2>>& pairs) {
+  std::vector<std::vector<int>> groups;
+  for (const auto& [a, b] : pairs) {
+    const auto holds = [](int one) {
+      return [one](const auto& group) { return std::ranges::count(group, one) > 0; };
+    };
+    const auto found = std::ranges::find_if(groups, holds(a));
+    std::vector<int>& group = found == groups.end() ? groups.emplace_back(1, a) : *found;
+    if (std::ranges::count(group, b) == 0) group.push_back(b);
+  }
+  return groups;
+}
+
+std::string place_in_words(const ProblemStatement& problem, const Motion& motion) {
+  std::string text;
+  for (const std::vector<int>& group : groups_of(motion.coincident)) {
+    text += text.empty() ? "" : ", ";
+    for (const int point : group)
+      text += (point == group.front() ? "" : " = ") + problem.points[static_cast<std::size_t>(point)];
+  }
+  for (const auto& [one, other] : motion.parallel)
+    text += (text.empty() ? "" : ", ") + problem.constraints[static_cast<std::size_t>(one)].id + " ∥ " +
+            problem.constraints[static_cast<std::size_t>(other)].id;
+  return text;
+}
+
+std::string kind_in_words(const Motion& motion) {
+  const std::string least = motion.is_exact ? "" : " or more";
+  if (motion.dimension == 1) return "a curve" + least;
+  return motion.dimension == 2 ? "a surface" + least
+                               : "dimension " + std::to_string(motion.dimension) + least;
+}
+
+}  // namespace
+
+MotionFinder::MotionFinder(const Scene& scene, const DistanceSystem& system, std::mt19937_64& random)
+    : scene_(scene),
+      system_(system),
+      random_(random),
+      is_asked_(!scene.problem().is_general() && !scene.has_lines() && !scene.is_anchored()) {
+  if (is_asked_) distances_ = SceneEquations(scene).system();
+}
+
+bool MotionFinder::lies_on_motion(const Point& x, double uncertainty) {
+  if (!is_asked_) return false;
+  const double tolerance = uncertainty * (1 + as_vector(x).cwiseAbs().maxCoeff());
+  const std::optional<Collapse> collapse = loose_at(x, tolerance);
+  if (!collapse) return false;
+  const auto is_same = [&](const Motion& motion) {
+    return motion.coincident == collapse->coincident && motion.parallel == collapse->parallel;
+  };
+  const std::optional<LoosePoint> near = proven_near(collapse->equations, x);
+  if (near && std::ranges::none_of(motions_, is_same)) add_motion(*collapse, *near);
+  return near.has_value();
+}
+
+std::optional<Collapse> MotionFinder::loose_at(const Point& x, double tolerance) const {
+  const ComplexPoints points = complex_points(complex_figure(system_, Eigen::VectorXcd(as_vector(x))));
+  for (const bool with_parallel_bars : {false, true}) {
+    auto collapse = collapse_at(scene_, system_, distances_, points, tolerance, with_parallel_bars);
+    if (collapse && collapse->looseness() > 0) return collapse;
+  }
+  return std::nullopt;
+}
+
+std::optional<MotionFinder::LoosePoint> MotionFinder::proven(const QuadraticSystem& loose,
+                                                             const Point& start) const {
+  const auto zero = zero_near(loose, all_of(loose), start);
+  if (!zero) return std::nullopt;
+  const Certificate certificate = Certifier(held_at(loose, *zero)).certify(*zero);
+  if (!certificate.is_proven) return std::nullopt;
+  return LoosePoint{*zero, certificate.enclosure, certificate.realness == Certificate::Realness::real};
+}
+
+/// At x, or as near to it as another component that goes through x lets be.
+std::optional<MotionFinder::LoosePoint> MotionFinder::proven_near(const QuadraticSystem& loose,
+                                                                  const Point& x) {
+  constexpr int tries = 4;
+  constexpr double nearby = 1e-2;
+  std::normal_distribution<double> normal(0, 0.1 * nearby);
+  Point start = x;
+  for (int i = 0; i < tries; ++i) {
+    const auto point = proven(loose, start);
+    if (point && (as_vector(point->x) - as_vector(x)).cwiseAbs().maxCoeff() <=
+                     nearby * (1 + as_vector(x).cwiseAbs().maxCoeff()))
+      return point;
+    start = x;
+    for (std::complex<double>& entry : start) {
+      const double re = normal(random_), im = normal(random_);
+      entry += std::complex(re, im);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<MotionFinder::LoosePoint> MotionFinder::proven_real(const QuadraticSystem& loose) {
+  constexpr int tries = 20;
+  std::normal_distribution<double> normal(0, scene_.size());
+  for (int i = 0; i < tries; ++i) {
+    Point start(static_cast<std::size_t>(loose.unknowns));
+    for (std::complex<double>& entry : start) entry = normal(random_);
+    if (auto point = proven(loose, start); point && point->is_real) return point;
+  }
+  return std::nullopt;
+}
+
+/// Whether the scene's Jacobian is proven to have a rank of at least unknowns − dimension at the solution: no component
+/// through it is larger.
+bool MotionFinder::has_corank(const LoosePoint& point, int dimension) const {
+  const Eigen::MatrixXcd jacobian = jacobian_at(distances_, point.enclosure.mid);
+  const Eigen::FullPivLU<Eigen::MatrixXcd> factors(jacobian);
+  const Eigen::Index order = distances_.unknowns - dimension;
+  const Eigen::PermutationMatrix<Eigen::Dynamic> order_of_rows(factors.permutationP().inverse());
+  const Eigen::VectorXi rows = order_of_rows.indices().head(order),
+                        columns = factors.permutationQ().indices().head(order);
+  double radius = 0;
+  for (const std::complex<double>& r : point.enclosure.radius)
+    radius = std::max({radius, r.real(), r.imag()});
+  // An entry is twice a difference of two coordinates, each off by at most √2 radius, and rounded.
+  const double off = 6 * radius + 4 * std::numeric_limits<double>::epsilon() * jacobian.cwiseAbs().maxCoeff();
+  return is_proven_regular(jacobian(rows, columns), off);
+}
+
+void MotionFinder::add_motion(const Collapse& collapse, const LoosePoint& near) {
+  const std::optional<LoosePoint> real = near.is_real ? near : proven_real(collapse.equations);
+  const LoosePoint& shown = real ? *real : near;
+  const int dimension = collapse.looseness();
+  Figure figure = complex_figure(system_, Eigen::VectorXcd(as_vector(shown.enclosure.mid)));
+  if (shown.is_real) figure = system_.figure(as_vector(shown.enclosure.mid).real());
+  motions_.push_back(
+      {collapse.coincident, collapse.parallel, dimension, has_corank(shown, dimension), std::move(figure)});
+}
+
+std::string in_words(const ProblemStatement& problem, const std::vector<Motion>& motions) {
+  if (motions.empty()) return "";
+  constexpr std::size_t most_named = 3;
+  std::string text = "infinitely many solutions, proven: ";
+  for (std::size_t i = 0; i < std::min(motions.size(), most_named); ++i)
+    text += (i == 0 ? "" : "; ") + kind_in_words(motions[i]) +
+            (motions[i].figure.is_real() ? "" : " of complex ones") + " where " +
+            place_in_words(problem, motions[i]);
+  if (motions.size() > most_named) text += "; and " + counted(std::ssize(motions) - 3, "motion") + " more";
+  return text;
+}
+
+}  // namespace gcs

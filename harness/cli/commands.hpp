@@ -31,6 +31,7 @@ void add_tables_command(CLI::App& app, Invocation& invocation);
 void add_precision_command(CLI::App& app, Invocation& invocation);
 void add_stability_command(CLI::App& app, Invocation& invocation);
 void add_verify_command(CLI::App& app, Invocation& invocation);
+void add_follow_command(CLI::App& app, Invocation& invocation);
 void add_path_command(CLI::App& app, Invocation& invocation);
 void add_reference_command(CLI::App& app, Invocation& invocation);
 void add_report_command(CLI::App& app, Invocation& invocation);

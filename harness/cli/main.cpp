@@ -36,6 +36,7 @@ void add_commands(CLI::App& app, gcs::Invocation& invocation) {
   gcs::add_precision_command(app, invocation);
   gcs::add_stability_command(app, invocation);
   gcs::add_verify_command(app, invocation);
+  gcs::add_follow_command(app, invocation);
   gcs::add_path_command(app, invocation);
   gcs::add_reference_command(app, invocation);
   gcs::add_report_command(app, invocation);

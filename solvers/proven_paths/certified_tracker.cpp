@@ -58,6 +58,7 @@ TrackedPath CertifiedTracker::run() {
   if (failure != Failure::none) return finish(TrackedPath::End::failed, cause(failure));
   take();
   while (!stretch_.closes) {
+    if (stretch_.end_of_rise) return finish_rise();
     if (options_.stops_at_first && !path_.crossings.empty()) return finish(TrackedPath::End::reached, "");
     if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
     if (work.iterations >= options_.max_steps)
@@ -136,6 +137,7 @@ CertifiedTracker::Failure CertifiedTracker::link(const PathTube& tube, Stretch& 
 /// The sketch cannot lie on the first stretch again: s grows along a tube's arc.
 CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bool is_first,
                                                         Stretch& stretch) const {
+  if (options_.stops_at_fold) return rise(tube, stretch);
   const double used = used_parts[0] * tube.half_length();
   std::optional<ParameterRange> close;
   if (!is_first) {
@@ -159,6 +161,48 @@ CertifiedTracker::Failure CertifiedTracker::end_stretch(const PathTube& tube, bo
   return Failure::crossing;
 }
 
+/// As t grows, the sketch is not met again.
+CertifiedTracker::Failure CertifiedTracker::rise(const PathTube& tube, Stretch& stretch) const {
+  for (const double part : used_parts) {
+    const double last = part * tube.half_length();
+    const TubeGrowth growth = growth_of(tube, stretch.entry.low, last);
+    if (growth.until < last && !growth.falls_at) continue;
+    stretch.exit = {growth.until, growth.until};
+    const int side = side_of(tube, 1, growth.until);
+    if (growth.until == last && side < 0) return Failure::none;
+    if (side > 0) return end_of_rise(tube, growth.until, stretch);
+    if (!growth.falls_at) continue;
+    stretch.exit.high = *growth.falls_at;
+    stretch.end_of_rise = arc_between(tube, stretch.exit);
+    const Eigen::Index time = curve_->coordinates() - 1;
+    return stretch.end_of_rise->mid[time] + stretch.end_of_rise->radius[time] < 1 ? Failure::none
+                                                                                  : Failure::crossing;
+  }
+  return Failure::growth;
+}
+
+/// The crossing of t = 1 on the part used.
+CertifiedTracker::Failure CertifiedTracker::end_of_rise(const PathTube& tube, double until,
+                                                        Stretch& stretch) const {
+  stretch.end_of_rise = enclosed_crossing(tube, 1, {stretch.entry.high, until});
+  if (!stretch.end_of_rise) return Failure::crossing;
+  stretch.crossings = {{until, 1}};
+  return Failure::none;
+}
+
+TrackedPath CertifiedTracker::finish_rise() {
+  const PointBox& end = *stretch_.end_of_rise;
+  const Eigen::Index time = curve_->coordinates() - 1;
+  const double reach =
+      end.radius[time] + std::numeric_limits<double>::epsilon();  // t ≤ 1 and its sums are rounded
+  if (path_.crossings.empty())
+    path_.fold = {end.mid, {end.mid[time] - reach, end.mid[time] + reach}};
+  else
+    path_.crossings.back().point = end.mid;
+  path_.proven = true;
+  return finish(TrackedPath::End::reached, "");
+}
+
 void CertifiedTracker::take() {
   WorkCounters& work = curve_->work();
   std::swap(here_, there_);
@@ -174,7 +218,7 @@ void CertifiedTracker::take() {
     path_.crossings.push_back({here_.at(crossing.s).point.mid, crossing.direction});
   exit_s_ = stretch_.exit.low;
   ahead_ = first_reach * here_.half_length();
-  if (!stretch_.closes) exit_ = here_.at(exit_s_);
+  if (!stretch_.closes && !stretch_.end_of_rise) exit_ = here_.at(exit_s_);
 }
 
 std::string CertifiedTracker::cause(Failure failure) const {
@@ -193,6 +237,8 @@ std::string CertifiedTracker::cause(Failure failure) const {
       return "the direction of travel could not be proven" + where;
     case Failure::crossing:
       return "the crossings of t = 1 could not be decided" + where + ": S touches it there or nearly so";
+    case Failure::growth:
+      return "it could not be decided whether t still grows" + where + ": S is singular there or nearly so";
     case Failure::closing:
       return "it could not be decided whether S is back at the sketch" + where;
   }

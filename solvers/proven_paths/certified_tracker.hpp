@@ -20,6 +20,9 @@
 /// Infinity. S of a general scene may not close. Where a coordinate is beyond a given size the path ends, and what is
 /// proven is the piece up to there, with its crossings.
 ///
+/// Folds. A tracker that is to stop there proves in every tube that t grows along the part used, from the sketch on, to the
+/// crossing of t = 1 or to a point shortly beyond which t is proven to fall.
+///
 /// Steps. The next centre is tried well beyond the end of the last tube, so that tubes reach to both sides of
 /// their centre; where a tube is not proven, not linked, or leaves a crossing undecided, the next one is
 /// tried nearer and shorter. Below the smallest step the tracker gives up with the last reason: S is singular
@@ -52,18 +55,21 @@ class CertifiedTracker {
   void keep_arcs() { keeps_arcs_ = true; }
   TrackedPath run();
   const std::vector<ProvenArc>& arcs() const { return arcs_; }
+  /// Encloses the crossing or the fold at which t was proven to stop growing. Precondition: the path is proven so.
+  const PointBox& end_of_rise() const { return *stretch_.end_of_rise; }
   /// The figure of a crossing's point, in the frame.
   Figure figure(const Eigen::VectorXd& y) const { return curve_->figure(y); }
 
  private:
   /// Why a tube was not taken, in the order of the tests.
-  enum class Failure { none, corrector, proof, link, direction, closing, crossing };
+  enum class Failure { none, corrector, proof, link, direction, closing, crossing, growth };
 
   /// The part of a tube's arc that the path uses.
   struct Stretch {
     ParameterRange entry, exit;
     bool closes = false;
     std::vector<TubeCrossing> crossings;
+    std::optional<PointBox> end_of_rise;  ///< the crossing or, without one, the fold
   };
 
   Failure first_tube(double half_length);
@@ -71,6 +77,9 @@ class CertifiedTracker {
   Failure prove(PathTube& tube, const ArcSeries& series, double needed, double most);
   Failure link(const PathTube& tube, Stretch& stretch) const;
   Failure end_stretch(const PathTube& tube, bool is_first, Stretch& stretch) const;
+  Failure rise(const PathTube& tube, Stretch& stretch) const;
+  Failure end_of_rise(const PathTube& tube, double until, Stretch& stretch) const;
+  TrackedPath finish_rise();
   bool advance();
   void take();
   std::string cause(Failure failure) const;

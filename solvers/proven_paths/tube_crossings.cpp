@@ -1,5 +1,6 @@
 #include "solvers/proven_paths/tube_crossings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -41,6 +42,8 @@ class TimeCurve {
   struct Piece {
     bool misses_zero = false;
     bool is_monotone = false;
+    bool rises = false;
+    bool falls = false;
   };
   Piece piece(double first, double last) const {
     Eigen::VectorXd shifted = coefficients_;
@@ -53,8 +56,9 @@ class TimeCurve {
       power *= half;
       spread += std::abs(shifted[n]) * power;
     }
-    return {std::abs(shifted[0]) > (spread + error_) * round_up,
-            std::abs(shifted[1]) > (slope_spread + slope_error_) * round_up};
+    const double slope_reach = (slope_spread + slope_error_) * round_up;
+    return {std::abs(shifted[0]) > (spread + error_) * round_up, std::abs(shifted[1]) > slope_reach,
+            shifted[1] > slope_reach, shifted[1] < -slope_reach};
   }
 
   double root(double low, double high, int side_of_high) const {
@@ -69,6 +73,14 @@ class TimeCurve {
   Eigen::VectorXd coefficients_;
   double error_ = 0, slope_error_ = 0;
 };
+
+/// How far from `first` on, in steps of at least `smallest`, t is proven to grow.
+double grown_until(const TimeCurve& curve, double first, double last, double smallest) {
+  if (curve.piece(first, last).rises) return last;
+  if (last - first < smallest) return first;
+  const double middle = (first + last) / 2, until = grown_until(curve, first, middle, smallest);
+  return until < middle ? until : grown_until(curve, middle, last, smallest);
+}
 
 struct End {
   double s = 0;
@@ -117,6 +129,49 @@ std::optional<std::vector<TubeCrossing>> crossings_of(const PathTube& tube, doub
   Isolation isolation(curve, smallest_piece * tube.half_length());
   if (!isolation.decide(start, end)) return std::nullopt;
   return isolation.found;
+}
+
+TubeGrowth growth_of(const PathTube& tube, double first, double last) {
+  const TimeCurve curve(tube, 0);
+  const double smallest = smallest_piece * tube.half_length();
+  TubeGrowth growth{grown_until(curve, first, last, smallest), std::nullopt};
+  for (double ahead = smallest; growth.until + ahead <= last && growth.until < last; ahead *= 2) {
+    const double s = growth.until + ahead;
+    if (!curve.piece(s, s).falls) continue;
+    growth.falls_at = s;
+    break;
+  }
+  return growth;
+}
+
+PointBox arc_between(const PathTube& tube, const ParameterRange& s) {
+  PointBox box = tube.at((s.low + s.high) / 2).hull();
+  const PointBox tangent = tube.tangent(s);
+  box.radius += (s.high - s.low) / 2 * round_up * (tangent.mid.cwiseAbs() + tangent.radius);
+  box.radius *= round_up;
+  return box;
+}
+
+std::optional<PointBox> enclosed_crossing(const PathTube& tube, double level, const ParameterRange& s) {
+  constexpr int most_widenings = 12;
+  const Eigen::Index time = tube.curve().coefficients().rows() - 1;
+  double near = TimeCurve(tube, level).root(s.low, s.high, 1), reach = 0;
+  for (int i = 0; i < 2; ++i) {
+    const ArcPoint at = tube.at(near);
+    const double slope = at.tangent.mid[time], step = (at.point.mid[time] - level) / slope;
+    near = std::clamp(near - step, s.low, s.high);
+    reach = (1.25 * at.hull().radius[time] + std::abs(at.point.mid[time]) * 0x1p-50) / slope;
+  }
+  if (!(reach > 0)) return std::nullopt;
+  const auto side_at = [&](double place) {
+    const PointBox box = tube.at(place).hull();
+    return box.mid[time] - box.radius[time] > level ? 1 : box.mid[time] + box.radius[time] < level ? -1 : 0;
+  };
+  for (int i = 0; i < most_widenings; ++i, reach *= 2) {
+    const ParameterRange around{std::max(near - reach, s.low), std::min(near + reach, s.high)};
+    if (side_at(around.low) < 0 && side_at(around.high) > 0) return arc_between(tube, around);
+  }
+  return std::nullopt;
 }
 
 }  // namespace gcs

@@ -1,5 +1,5 @@
 #pragma once
-/// The crossings of a value of t on a piece of a tube's arc, proven.
+/// Where the arc of a tube crosses a value of t, and where t stops growing along it, proven.
 
 #include <optional>
 #include <vector>
@@ -23,5 +23,22 @@ int side_of(const PathTube& tube, double level, double s);
 std::optional<std::vector<TubeCrossing>> crossings_of(const PathTube& tube, double level,
                                                       const ParameterRange& first,
                                                       const ParameterRange& last);
+
+/// Along a piece of a tube's arc, t is proven to grow up to here and, where that is not the piece's end, to fall further on.
+struct TubeGrowth {
+  double until = 0;
+  std::optional<double> falls_at;
+};
+
+/// Of the piece between two of the arc's points. Where it does not end the piece, the fold is as near beyond `until` as the
+/// bounds of dt/ds tell.
+TubeGrowth growth_of(const PathTube& tube, double first, double last);
+
+/// A box that holds the arc between two of its points.
+PointBox arc_between(const PathTube& tube, const ParameterRange& s);
+
+/// A box around the arc's only point with t = `level` between two of its points. Nothing where t is not proven to differ
+/// from it close by. Precondition: t grows between the two.
+std::optional<PointBox> enclosed_crossing(const PathTube& tube, double level, const ParameterRange& s);
 
 }  // namespace gcs

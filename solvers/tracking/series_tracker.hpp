@@ -73,6 +73,7 @@ struct SeriesTrackerOptions {
   std::int64_t max_steps = 1'000'000;
   int orientation = 1;
   bool stops_at_first = false;  ///< at the first solution
+  bool stops_at_fold = false;   ///< there, too, or where t stops growing before
   TimeRange far{};              ///< S is given up beyond it
   /// A path with a coordinate beyond this has its end at infinity.
   double infinite_coordinate = std::numeric_limits<double>::infinity();
@@ -127,6 +128,7 @@ class SeriesTracker {
     while (curve_.work().iterations < options_.max_steps) {
       if (context_.stop.stop_requested()) return finish(TrackedPath::End::stopped, "stopped on request");
       if (!step()) return finish(TrackedPath::End::failed, too_small());
+      if (options_.stops_at_fold && ends_rise()) return finish_rise();
       const double closing = closing_length();
       record_crossings(closing > 0 ? closing : step_);
       path_.length += closing > 0 ? closing : step_;
@@ -259,6 +261,47 @@ class SeriesTracker {
     const double terms = (coefficient(last) * s + coefficient(last - 1)) * std::pow(s, last - 1);
     return CorrectorTest::first_limit * terms +
            CorrectorTest::settled_limit(here_.coefficient(0).lpNorm<Eigen::Infinity>());
+  }
+
+  /// Whether t comes to 1 on this step, or turns round before.
+  bool ends_rise() {
+    const std::vector<double> above = height(here_), rate = derivative(above);
+    const std::vector<double> turns = sign_changes(rate, step_, there_.coefficient(1)[t_row()]);
+    const double end = turns.empty() ? step_ : turns.front();
+    if (!turns.empty()) path_.fold = fold_near(end);
+    const double t_at_end = turns.empty() ? there_.coefficient(0)[t_row()] : path_.fold->point[t_row()];
+    if (t_at_end >= 1) {
+      const double s = sign_changes(above, end, t_at_end - 1).front();
+      here_.evaluate(s, predicted_);
+      path_.crossings.push_back({predicted_, 1, path_.length + s});
+    }
+    path_.length += path_.crossings.empty() ? end : path_.crossings.back().at - path_.length;
+    return t_at_end >= 1 || !turns.empty();
+  }
+
+  /// The extremum of t near this place on the step: that of the polynomial at a point of the curve beside it.
+  PathFold fold_near(double s) {
+    double error = time_error_at(s);
+    here_.evaluate(s, predicted_);
+    here_.tangent(s, tangent_);
+    if (curve_.advance(predicted_, tangent_, there_)) {
+      curve_.accept();
+      curve_.renew(there_);
+      const std::vector<double> rate = derivative(height(there_));
+      there_.evaluate(-rate[0] / rate[1], predicted_);
+      error = CorrectorTest::settled_limit(predicted_.lpNorm<Eigen::Infinity>());
+    } else {
+      curve_.reject();
+    }
+    const double t = predicted_[t_row()];
+    return {predicted_, {t - error, t + error}};
+  }
+
+  TrackedPath finish_rise() {
+    if (path_.fold && path_.fold->t.low <= 1 && path_.fold->t.high >= 1)
+      return finish(TrackedPath::End::failed, touches_target);
+    if (!path_.crossings.empty()) path_.fold.reset();
+    return finish(TrackedPath::End::reached, "");
   }
 
   /// The sign changes of a polynomial in (0, end], of which the next one has the value `at_end` at its start.

@@ -29,16 +29,25 @@ struct PathTouch {
   double reach = 0;        ///< a crossing further from here is another one; infinite: not known
 };
 
+/// Where t stops growing along S.
+struct PathFold {
+  Eigen::VectorXd point;
+  TimeRange t;  ///< the extremum is within it: proven with the path, else by an estimate of the error
+};
+
 struct TrackedPath {
   enum class End { closed, reached, at_infinity, failed, stopped };
-  End end = End::failed;  ///< reached: the solution at which the tracker was to stop
+  End end = End::failed;  ///< reached: the solution, or the fold, at which the tracker was to stop
   std::string cause;      ///< a sentence where it failed or was stopped
   double length = 0;      ///< arc length tracked, in the coordinates of the tracker
   std::vector<PathCrossing> crossings;
+  std::optional<PathFold> fold;    ///< of a tracker that was to stop there
   std::vector<PathTouch> touches;  ///< what the tracker takes for crossings near them is in `crossings` too
   /// Accepted ones, the start first, where the tracker was to keep them.
   std::vector<Eigen::VectorXd> points;
-  bool proven = false;  ///< that it is closed, and the order and number of its crossings
+  /// That it is closed, and the order and number of its crossings; or that t grows all the way to its end, a fold or the
+  /// only crossing.
+  bool proven = false;
   WorkCounters work;
 };
 
@@ -57,6 +66,10 @@ inline std::optional<std::string> runs_off(const TimeRange& far, double t) {
   return "S runs off to t = " + std::string(t > 0 ? "" : "-") +
          "infinity: no length vanishes on that side (hypothesis h2)";
 }
+
+/// Why a fold is not told from a solution.
+inline constexpr const char* touches_target =
+    "t stops growing so near to 1 that it is not known whether there is a solution";
 
 /// The outside world of a tracker.
 struct TrackerContext {

@@ -33,6 +33,7 @@ LONG = {
 WRITING = {
     "solve": ["solve", "k33", "--strategy", "rcp"],
     "path": ["path", "k33"],
+    "follow": ["follow", "k33"],
 }
 
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solvers/certificates/krawczyk.hpp"
 #include "solvers/model/wide_reference.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/tracking/distance_curve.hpp"
@@ -117,7 +118,29 @@ class ArcFollower {
     take(path, tracker.figure(tracker.end_of_rise().mid));
     arc_.proven = true;
     arc_.error = error_within(tracker.end_of_rise());
+    if (!system_ && arc_.end == ArcEnd::reached) sharpen(tracker.end_of_rise());
     return true;
+  }
+
+  /// The solution of points that is proven to be in the box, in a smaller one. Krawczyk's test holds in a box around both, so
+  /// that they hold the same.
+  void sharpen(const PointBox& end) {
+    const DistanceSystem system(scene_);
+    const std::vector<DoubleDouble> squares = target_squares(scene_);
+    const Eigen::Index m = system.unknowns();
+    Eigen::VectorXd x = end.mid.head(m);
+    refine(system, squares, x);
+    const double reach = ((x - end.mid.head(m)).cwiseAbs() + end.radius.head(m)).maxCoeff() * round_up;
+    const auto holds_one = [&](double radius) {
+      return krawczyk(system, squares, Box{x, Eigen::VectorXd::Constant(m, radius)}) ==
+             BoxContent::one_solution;
+    };
+    if (!holds_one(reach)) return;
+    double radius = 0x1p-51 * scene_.size();
+    while (radius < reach && !holds_one(radius)) radius *= 8;
+    if (radius >= reach) return;
+    arc_.figure = system.figure(x);
+    arc_.error = 2 * radius;  // 2 > √3
   }
 
   /// Of the figure at the middle of a box that holds the end of the arc.

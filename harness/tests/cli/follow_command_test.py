@@ -35,7 +35,7 @@ class Follow(command_line.CommandLine):
         self.assertLess(math.dist(leg["figure"]["points"]["c"], corner(length)), 1e-13)
 
     def test_a_triangle_follows_its_side(self):
-        triangle = self.write(TRIANGLE)
+        triangle = self.write(TRIANGLE, "triangle.json")
         for proof in ("on", "off"):
             leg, = self.followed(triangle, "--to", "ca=6.5", "--proof", proof)
             self.assert_at(leg, 6.5)
@@ -43,7 +43,7 @@ class Follow(command_line.CommandLine):
             self.assertEqual(leg["to"], {"ca": 6.5})
 
     def test_a_fold_is_enclosed(self):
-        triangle = self.write(TRIANGLE)
+        triangle = self.write(TRIANGLE, "triangle.json")
         leg, = self.followed(triangle, "--to", "ca=8")
         low, high = leg["fold"]["values"]["ca"]
         self.assertTrue(leg["proven"] and low <= 7 <= high < low + 1e-9, leg)
@@ -55,7 +55,7 @@ class Follow(command_line.CommandLine):
         self.assertIn("0 solutions on S", text)
 
     def test_a_polyline_ends_at_its_first_fold(self):
-        triangle = self.write(TRIANGLE)
+        triangle = self.write(TRIANGLE, "triangle.json")
         legs = self.followed(triangle, "--to", "ca=6,4.5,7.5,5")
         self.assertEqual([leg["end"] for leg in legs], ["reached", "reached", "folds"])
         self.assert_at(legs[0], 6)
@@ -81,7 +81,7 @@ class Follow(command_line.CommandLine):
                 self.assertLess(math.dist(legs[1]["figure"]["points"][name], place), 1e-9)
 
     def test_what_is_not_decided_has_a_reason(self):
-        done = run("follow", self.write(TRIANGLE), "--to", "ca=7")
+        done = run("follow", self.write(TRIANGLE, "triangle.json"), "--to", "ca=7")
         self.assertEqual(done.returncode, NOT_SOLVED)
         self.assertIn("undecided: ", done.stdout)
         self.assertIn("unsupported: ", run("follow", "hoffmann-yuan", "--from", self.line_result()).stdout)
@@ -92,7 +92,7 @@ class Follow(command_line.CommandLine):
         return result
 
     def test_bad_input(self):
-        triangle = self.write(TRIANGLE)
+        triangle = self.write(TRIANGLE, "triangle.json")
         for options, words in ((["--to", "cd=1"], ["cd", "'ca'"]), (["--to", "ca=-1"], ["> 0"]),
                                (["--to", "ca=long"], ["ca=long"]), (["--from", self.folder / "none.json"], ["none.json"])):
             with self.subTest(options):
@@ -101,8 +101,8 @@ class Follow(command_line.CommandLine):
                                (["--to", "ca=5,6", "--to", "ab=3"], ["as many"]), (["--proof", "maybe"], ["maybe"])):
             with self.subTest(options):
                 self.assert_usage_error(run("follow", triangle, *options), *words)
-        other = {name: value for name, value in TRIANGLE.items() if name != "sketch"}
-        self.assert_usage_error(run("follow", self.write(other, "other.json")), "no sketch")
+        blank = {name: value for name, value in TRIANGLE.items() if name != "sketch"}
+        self.assert_usage_error(run("follow", self.write(blank, "triangle.json")), "no sketch")
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "solvers/elements/scene_system.hpp"
@@ -71,6 +72,15 @@ class ElementPlaces {
   }
 
  private:
+  /// What the step has from points, and from planes.
+  std::span<const GivenFrom> from_points(const ElementStep& step) const {
+    const auto end = std::ranges::find_if_not(
+        step.given, [this](const GivenFrom& from) { return problem_.is_point(from.other); });
+    return {step.given.begin(), end};
+  }
+  std::span<const GivenFrom> from_planes(const ElementStep& step) const {
+    return std::span(step.given).subspan(from_points(step).size());
+  }
   static Vector point(const Figure& figure, const GivenFrom& from) { return figure.points.col(from.other); }
   const PlanePosition& plane(const Figure& figure, const GivenFrom& from) const {
     return figure.planes[static_cast<std::size_t>(problem_.plane_of(from.other))];
@@ -79,9 +89,10 @@ class ElementPlaces {
   std::vector<Vector> positions(const ElementStep& step, const Figure& figure,
                                 const std::array<double, 2>& angles) const {
     if (step.is_origin) return {Vector::Zero()};
-    if (step.points.empty()) return {where_planes_meet(step, figure)};
-    const Vector center = point(figure, step.points.front());
-    std::vector<Vector> found = on_sphere(step.points.front().value, cuts_of_point(step, figure), angles);
+    if (from_points(step).empty()) return {where_planes_meet(step, figure)};
+    const GivenFrom& first = step.given.front();
+    const Vector center = point(figure, first);
+    std::vector<Vector> found = on_sphere(first.value, cuts_of_point(step, figure), angles);
     for (Vector& position : found) position += center;
     return found;
   }
@@ -90,7 +101,7 @@ class ElementPlaces {
     Eigen::Matrix3d normals;
     Vector offsets;
     for (int i = 0; i < 3; ++i) {
-      const GivenFrom& from = step.planes[static_cast<std::size_t>(i)];
+      const GivenFrom& from = step.given[static_cast<std::size_t>(i)];
       normals.row(i) = plane(figure, from).normal;
       offsets[i] = plane(figure, from).offset + from.value;
     }
@@ -99,16 +110,16 @@ class ElementPlaces {
 
   /// The first two, as seen from the first point's place.
   std::vector<Cut> cuts_of_point(const ElementStep& step, const Figure& figure) const {
-    const Vector center = point(figure, step.points.front());
-    const double radius = step.points.front().value;
+    const Vector center = point(figure, step.given.front());
+    const double radius = step.given.front().value;
     std::vector<Cut> cuts;
     for (const int axis : step.zeros) cuts.push_back({Vector::Unit(axis), -center[axis]});
-    for (std::size_t i = 1; i < step.points.size(); ++i) {
-      const Vector way = point(figure, step.points[i]) - center;
-      const double other = step.points[i].value;
+    for (const GivenFrom& from : from_points(step).subspan(1)) {
+      const Vector way = point(figure, from) - center;
+      const double other = from.value;
       cuts.push_back({way, ((radius - other) * (radius + other) + way.squaredNorm()) / 2});
     }
-    for (const GivenFrom& from : step.planes) {
+    for (const GivenFrom& from : from_planes(step)) {
       const PlanePosition& beside = plane(figure, from);
       cuts.push_back({beside.normal, beside.offset + from.value - beside.normal.dot(center)});
     }
@@ -116,12 +127,11 @@ class ElementPlaces {
   }
 
   std::vector<Cut> cuts_of_normal(const ElementStep& step, const Figure& figure) const {
-    const Vector first = point(figure, step.points.front());
+    const GivenFrom& first = step.given.front();
     std::vector<Cut> cuts;
-    for (std::size_t i = 1; i < step.points.size(); ++i)
-      cuts.push_back(
-          {point(figure, step.points[i]) - first, step.points[i].value - step.points.front().value});
-    for (const GivenFrom& from : step.planes) cuts.push_back({plane(figure, from).normal, from.value});
+    for (const GivenFrom& from : from_points(step).subspan(1))
+      cuts.push_back({point(figure, from) - point(figure, first), from.value - first.value});
+    for (const GivenFrom& from : from_planes(step)) cuts.push_back({plane(figure, from).normal, from.value});
     return first_two(std::move(cuts));
   }
 
@@ -139,7 +149,7 @@ class ElementPlaces {
   void with_plane(const ElementStep& step, const Vector& normal, const Figure& figure,
                   std::vector<Figure>& placed) const {
     if (!normal.allFinite()) return;
-    const GivenFrom& from = step.points.front();
+    const GivenFrom& from = step.given.front();
     placed.push_back(figure);
     placed.back().planes[static_cast<std::size_t>(problem_.plane_of(step.place))] = {
         normal, normal.dot(point(figure, from)) - from.value};

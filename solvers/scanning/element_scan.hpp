@@ -1,7 +1,7 @@
 #pragma once
 /// A scan over a grid of the angles of a plan of points and planes, [H] §5.
 
-#include "solvers/scanning/element_plan.hpp"
+#include "solvers/construction/element_plan.hpp"
 #include "solvers/scanning/grid_slices.hpp"
 
 namespace gcs {

@@ -19,7 +19,7 @@
 /// lengths, is a coarse solution, from which Newton's method on the whole system starts. Deviations: the grid is taken once over
 /// mirror images, and coarse solutions that refine to mirror images are one. It misses what lies between the
 /// points of the grid, hence the claim: some real ones. Of general scenes it places points and planes
-/// (scanning/element_plan.hpp), and equations of any kind that the plan does not use close the scan.
+/// (construction/element_plan.hpp), and equations of any kind that the plan does not use close the scan.
 
 #include "solvers/strategies/plan_scan.hpp"
 
@@ -40,7 +40,7 @@ class PlanScanStrategy final : public Strategy {
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
     if (scene.problem().is_general()) {
-      if (const auto reason = why_no_element_plan(scene)) return reason;
+      if (const auto reason = why_no_element_plan(scene, Instructions::all_places)) return reason;
       if (is_published()) return std::nullopt;
       return "its subdivision knows distances between points only; method=published scans points and planes";
     }
@@ -59,7 +59,7 @@ class PlanScanStrategy final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     if (request.scene.problem().is_general()) {
-      const ElementPlan plan = derive_element_plan(request.scene);
+      const ElementPlan plan = derive_element_plan(request.scene, Instructions::all_places);
       return element_scan(request, plan, grid(request.scene, plan.ranges));
     }
     const ScanPlan plan = plan_ ? *plan_ : derive_scan_plan(request.scene);

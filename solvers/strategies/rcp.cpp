@@ -37,6 +37,8 @@
 
 #include "solvers/construction/derive.hpp"
 #include "solvers/construction/hypotheses.hpp"
+#include "solvers/homotopies/general_start.hpp"
+#include "solvers/tracking/general_path.hpp"
 #include "solvers/tracking/newton_from_sketch.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_options.hpp"
@@ -66,17 +68,19 @@ class RcpStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
+    if (scene.problem().is_general()) return why_no_general_plan(scene);
     if (const auto reason = why_no_path(scene)) return reason;
     return why_no_plan(scene);
   }
 
   void prepare(const SolveRequest& request) override {
-    plan_ = first_plan(request.scene, plan_options_.rule);
+    if (!request.scene.problem().is_general()) plan_ = first_plan(request.scene, plan_options_.rule);
   }
 
   SolveReport solve(const SolveRequest& request) override {
     const Scene& scene = request.scene;
     const TrackerContext context{request.stop, request.monitor};
+    if (scene.problem().is_general()) return solve_general(scene, context);
     const Plan plan = plan_ ? *plan_ : first_plan(scene, plan_options_.rule);
     const Figure sketch = in_plan_frame(scene, plan, *scene.sketch());
     if (mode_ == Rcp::Mode::newton) return solve_by_newton(scene, plan, sketch, context);
@@ -94,6 +98,18 @@ class RcpStrategy final : public Strategy {
   bool ends_where_undefined() const {
     return plan_options_.rule.shift.towards_projection || plan_options_.rule.restores_as_printed ||
            plan_options_.turns_as_printed;
+  }
+
+  std::optional<std::string> why_no_general_plan(const Scene& scene) const {
+    if (mode_ != Rcp::Mode::fast) return "mode=paper and mode=newton are for distances between points";
+    if (const auto reason = why_not_general(scene)) return reason;
+    return why_no_element_plan(scene, Instructions::one_place);
+  }
+
+  SolveReport solve_general(const Scene& scene, const TrackerContext& context) const {
+    const ElementPlan plan = derive_element_plan(scene, Instructions::one_place);
+    return follow_general_plan(scene, plan, options_.fast,
+                               {.swap = plan_options_.swap, .alpha = plan_options_.rule.alpha}, context);
   }
 
   SolveReport solve_as_published(const Scene& scene, const Plan& plan, const Figure& sketch,
@@ -146,6 +162,7 @@ StrategyEntry rcp_entry() {
       "tracks S in the driving parameters of a construction plan changed on the fly (Algorithm 1)";
   entry.citation = "Imbach, Mathis, Schreck 2016, Algorithms 1 to 4";
   entry.needs_sketch = true;
+  entry.knows_general_scenes = true;
   entry.accuracy_settings = path_accuracy_settings();
   return entry;
 }

@@ -156,6 +156,27 @@ class GeneralPath {
   Follow follow_half_;
 };
 
+/// Follows a half of S by series of the curve that is made of its equations.
+template <class CurveOf>
+FollowHalf by_series(const Scene& scene, const TrackerContext& context, const CurveOf& curve_of) {
+  return [&scene, &context, curve_of](const SceneSystem& system, const Eigen::VectorXd& sketched,
+                                      const SeriesTrackerOptions& options) {
+    GeneralFamily family(scene, system, sketched, options.order);
+    SeriesTrackerOptions with_far = options;
+    with_far.far = times_far_away(bounding_lengths(family.values()));
+    auto curve = curve_of(system, std::move(family), options.tolerance);
+    return SeriesTracker(curve, with_far, context).run();
+  };
+}
+
+/// The scene in the frame of these points; as it is where there are none.
+Scene with_reference(const Scene& scene, const Reference& reference) {
+  if (reference.origin < 0) return scene;
+  ProblemStatement problem = scene.problem();
+  problem.reference = reference;
+  return Scene::unchecked(std::move(problem));
+}
+
 }  // namespace
 
 std::vector<LengthPath> bounding_lengths(const std::vector<TravellingValue>& values) {
@@ -167,15 +188,23 @@ std::vector<LengthPath> bounding_lengths(const std::vector<TravellingValue>& val
 
 SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& options,
                                 const TrackerContext& context) {
-  const auto by_series = [&](const SceneSystem& system, const Eigen::VectorXd& sketched,
-                             const SeriesTrackerOptions& of_half) {
-    GeneralFamily family(scene, system, sketched, of_half.order);
-    SeriesTrackerOptions with_far = of_half;
-    with_far.far = times_far_away(bounding_lengths(family.values()));
-    GeneralCurve curve(std::move(family), of_half.tolerance);
-    return SeriesTracker(curve, with_far, context).run();
+  return follow_general_path(
+      scene, options,
+      by_series(scene, context, [](const SceneSystem&, GeneralFamily family, double tolerance) {
+        return GeneralCurve(std::move(family), tolerance);
+      }));
+}
+
+SolveReport follow_general_plan(const Scene& scene, const ElementPlan& plan,
+                                const SeriesTrackerOptions& options, const ElementCurveOptions& of_curve,
+                                const TrackerContext& context) {
+  const Scene in_plan_frame = with_reference(scene, plan.frame());
+  const auto curve_of = [&](const SceneSystem& system, GeneralFamily family, double tolerance) {
+    ElementCurveOptions refined = of_curve;
+    refined.tolerance = tolerance;
+    return ElementCurve(std::move(family), plan_blocks(system, plan), refined);
   };
-  return follow_general_path(scene, options, by_series);
+  return follow_general_path(in_plan_frame, options, by_series(in_plan_frame, context, curve_of));
 }
 
 SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& options,

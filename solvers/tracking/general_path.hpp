@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solvers/interface/strategy_interface.hpp"
-#include "solvers/tracking/general_curve.hpp"
+#include "solvers/tracking/element_curve.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 
 namespace gcs {
@@ -20,6 +20,10 @@ using FollowHalf = std::function<TrackedPath(const SceneSystem& system, const Ei
                                              const SeriesTrackerOptions& options)>;
 SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& options,
                                 const FollowHalf& follow_half);
+/// The same in the driving parameters of the plan, where full-space does in all coordinates.
+SolveReport follow_general_plan(const Scene& scene, const ElementPlan& plan,
+                                const SeriesTrackerOptions& options, const ElementCurveOptions& of_curve,
+                                const TrackerContext& context);
 
 /// Why S has no start.
 inline constexpr const char* too_far_from_incidences =

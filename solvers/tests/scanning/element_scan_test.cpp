@@ -23,8 +23,8 @@ TEST_CASE("a fine scan of points and planes finds the real solutions that determ
   for (const int planes : {1, 2, 3})
     for (int i = 0; i < 3; ++i) {
       const Scene scene(samples::random_octahedral(planes, random));
-      REQUIRE_FALSE(why_no_element_plan(scene));
-      CHECK(derive_element_plan(scene).ranges.size() == 1);
+      REQUIRE_FALSE(why_no_element_plan(scene, Instructions::all_places));
+      CHECK(derive_element_plan(scene, Instructions::all_places).ranges.size() == 1);
       const Answer all = solve(scene, "cayley-menger");
       const Answer scan =
           solve(scene, "plan-scan", {{"method", "published"}, {"step", "0.1"}, {"delta", "0.1"}});
@@ -36,10 +36,11 @@ TEST_CASE("a fine scan of points and planes finds the real solutions that determ
 
 TEST_CASE("a scene that no plan places is refused with what has no instruction") {
   samples::RandomNumbers random(6);
-  const auto reason = why_no_element_plan(Scene(samples::random_platform(3, random)));
+  const auto reason =
+      why_no_element_plan(Scene(samples::random_platform(3, random)), Instructions::all_places);
   REQUIRE(reason);
   CHECK(reason->find("no instruction") != std::string::npos);
-  CHECK(reason->find("'b0'") != std::string::npos);
+  CHECK(reason->find("the body 'b1', which is met by: distance 'p0'") != std::string::npos);
 }
 
 }  // namespace gcs

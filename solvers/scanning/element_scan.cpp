@@ -230,9 +230,7 @@ class ElementScan {
   }
 
   void refine_coarse(const Figure& figure, GridSlice& slice) const {
-    const ComplexValues values = system_.coordinates_as_drawn(scene_.in_frame(figure));
-    Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(
-        equations_.unknowns, [&](Eigen::Index i) { return values[static_cast<std::size_t>(i)].real(); });
+    Eigen::VectorXd x = real_parts(system_.coordinates_as_drawn(scene_.in_frame(figure)));
     if (!is_in_band(x)) return;
     ++slice.coarse;
     const Refinement refinement = refine(equations_, last_step, x);

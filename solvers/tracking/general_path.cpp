@@ -16,7 +16,7 @@ namespace {
 /// In units of the scene. Steps grow with the coordinates, so that it takes some hundred to get there.
 constexpr double infinite_coordinate = 1e6;
 
-class TargetValues final : public TargetEquations {
+class TargetValues : public TargetEquations {
  public:
   explicit TargetValues(const SceneSystem& system)
       : system_(system), equations_(real_equations(system.equations())) {}
@@ -66,6 +66,22 @@ Refinement TargetValues::refine(Eigen::VectorXd& x, int most_iterations) const {
   if (!result.converged) x = start;
   return result;
 }
+
+/// Of points that are tracked in another frame: solutions are refined in the scene's.
+class TargetValuesInFrame final : public TargetValues {
+ public:
+  TargetValuesInFrame(const Scene& scene, const SceneSystem& system, const SceneSystem& tracked)
+      : TargetValues(system), scene_(scene), system_(system), tracked_(tracked) {}
+
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const override {
+    const Figure figure = tracked_.figure(ComplexValues(point.begin(), point.end() - 1), true);
+    return real_parts(system_.coordinates(scene_.in_frame(figure)));
+  }
+
+ private:
+  const Scene& scene_;
+  const SceneSystem &system_, &tracked_;
+};
 
 SolveReport given_up(const std::string& reason) {
   SolveReport report;
@@ -156,6 +172,22 @@ class GeneralPath {
   Follow follow_half_;
 };
 
+/// S by the system of `tracked`, which is the scene in this frame or another one; its crossings in the scene's.
+SolveReport follow_in_frame(const Scene& tracked, const SceneSystem& system, const Scene& scene,
+                            const TargetEquations& target, const SeriesTrackerOptions& options,
+                            const FollowHalf& follow_half) {
+  const auto sketched = sketched_unknowns(tracked, system);
+  if (!sketched) return given_up(too_far_from_incidences);
+  const GeneralPath path(scene, system, [&](const SeriesTrackerOptions& of_half) {
+    return follow_half(system, sketched->x, of_half);
+  });
+  SolveReport report = report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
+    return path_report(scene, path.follow(refined), target);
+  });
+  report.particulars.push_back(moved(*sketched));
+  return report;
+}
+
 /// Follows a half of S by series of the curve that is made of its equations.
 template <class CurveOf>
 FollowHalf by_series(const Scene& scene, const TrackerContext& context, const CurveOf& curve_of) {
@@ -204,23 +236,15 @@ SolveReport follow_general_plan(const Scene& scene, const ElementPlan& plan,
     refined.tolerance = tolerance;
     return ElementCurve(std::move(family), plan_blocks(system, plan), refined);
   };
-  return follow_general_path(in_plan_frame, options, by_series(in_plan_frame, context, curve_of));
+  const SceneSystem system(scene), tracked(in_plan_frame);
+  return follow_in_frame(in_plan_frame, tracked, scene, TargetValuesInFrame(scene, system, tracked), options,
+                         by_series(in_plan_frame, context, curve_of));
 }
 
 SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& options,
                                 const FollowHalf& follow_half) {
   const SceneSystem system(scene);
-  const auto sketched = sketched_unknowns(scene, system);
-  if (!sketched) return given_up(too_far_from_incidences);
-  const TargetValues target(system);
-  const GeneralPath path(scene, system, [&](const SeriesTrackerOptions& of_half) {
-    return follow_half(system, sketched->x, of_half);
-  });
-  SolveReport report = report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
-    return path_report(scene, path.follow(refined), target);
-  });
-  report.particulars.push_back(moved(*sketched));
-  return report;
+  return follow_in_frame(scene, system, scene, TargetValues(system), options, follow_half);
 }
 
 SolveReport newton_from_general_sketch(const Scene& scene) {

@@ -41,6 +41,12 @@ void RealEquations::jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) 
   }
 }
 
+Eigen::VectorXd real_parts(const std::vector<std::complex<double>>& values) {
+  return Eigen::VectorXd::NullaryExpr(static_cast<Eigen::Index>(values.size()), [&](Eigen::Index i) {
+    return values[static_cast<std::size_t>(i)].real();
+  });
+}
+
 RealEquations real_equations(const QuadraticSystem& system) {
   RealEquations result;
   result.unknowns = system.unknowns;

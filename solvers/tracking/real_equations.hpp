@@ -2,6 +2,7 @@
 /// The equations of a general scene at real unknowns, in doubles.
 
 #include <Eigen/Core>
+#include <complex>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct RealEquations {
   /// Their derivatives, into the first rows and columns.
   void jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) const;
 };
+
+Eigen::VectorXd real_parts(const std::vector<std::complex<double>>& values);
 
 /// Precondition: the coefficients are real.
 RealEquations real_equations(const QuadraticSystem& system);

@@ -57,10 +57,8 @@ std::optional<SketchedUnknowns> sketched_unknowns(const Scene& scene, const Scen
   constexpr double settled = 1e-14, settled_at_all = 1e-10;
   const RealEquations equations = real_equations(system.equations());
   const std::vector<int> fixed = system.without_value();
-  const ComplexValues sketched =
-      system.coordinates_as_drawn(with_body_at_rest(scene, with_rigid_bodies(scene, *scene.sketch())));
-  Eigen::VectorXd x(equations.unknowns);
-  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = sketched[static_cast<std::size_t>(i)].real();
+  Eigen::VectorXd x = real_parts(
+      system.coordinates_as_drawn(with_body_at_rest(scene, with_rigid_bodies(scene, *scene.sketch()))));
   const Eigen::VectorXd start = x;
   Eigen::MatrixXd jacobian(equations.count(), equations.unknowns);
   double last = std::numeric_limits<double>::infinity();

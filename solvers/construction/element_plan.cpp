@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "solvers/construction/closed_forms.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/model/given_numbers.hpp"
 
@@ -79,12 +80,6 @@ std::vector<ElementPair> pairs_of(const Scene& scene) {
   return pairs;
 }
 
-/// Points first, then planes, then lines.
-int rank_of(const ProblemStatement& problem, int element) {
-  if (problem.is_point(element)) return 0;
-  return problem.is_plane(element) ? 1 : 2;
-}
-
 /// What is given of an element from others.
 template <class Taken>
 std::vector<GivenFrom> given_of(const ProblemStatement& problem, const std::vector<ElementPair>& pairs,
@@ -105,22 +100,6 @@ std::vector<GivenFrom> given_of(const ProblemStatement& problem, const std::vect
 int coordinates_of(const ProblemStatement& problem, int element) {
   if (problem.is_line(element)) return problem.dimension == 2 ? 2 : 4;
   return 3;
-}
-
-/// Whether closed forms of an element's places know what is given from the other one.
-bool is_in_closed_form(const ProblemStatement& problem, int element, const GivenFrom& from) {
-  if (problem.is_line(element) || problem.is_line(from.other)) return false;
-  if (problem.is_point(element) || problem.is_point(from.other)) return from.met_by == MetBy::distance;
-  return from.met_by == MetBy::product;
-}
-
-/// Whether all places of the step are known in closed form.
-bool has_all_places(const ProblemStatement& problem, const ElementStep& step) {
-  const auto from = [&](int rank) {
-    return std::ranges::count_if(step.given,
-                                 [&](const GivenFrom& one) { return rank_of(problem, one.other) == rank; });
-  };
-  return from(0) > 0 || (problem.is_point(step.place) && from(1) >= 3);
 }
 
 /// Places elements one after the other.
@@ -191,7 +170,6 @@ class Placing {
  private:
   const ProblemStatement& problem() const { return scene_->problem(); }
   bool is_placed(int element) const { return placed_[static_cast<std::size_t>(element)]; }
-  bool finds_all() const { return instructions_ == Instructions::all_places; }
   bool has_resting_body() const { return !scene_->is_anchored() && problem().reference_body >= 0; }
   std::vector<GivenFrom> given_before(int element) const {
     return given_of(problem(), pairs_, element, [this](int other) { return is_placed(other); });
@@ -219,11 +197,9 @@ class Placing {
     take_frame(step);
     if (step.positive >= 0 && !problem().is_point(element)) return std::nullopt;
     step.given = given_before(element);
-    if (finds_all())
-      std::erase_if(step.given,
-                    [&](const GivenFrom& from) { return !is_in_closed_form(problem(), element, from); });
-    const bool has_instruction = finds_all() ? has_all_places(problem(), step) : !step.given.empty();
-    if (!has_instruction) return std::nullopt;
+    if (instructions_ == Instructions::all_places)
+      step.given = used_in_closed_form(problem(), element, static_cast<int>(step.zeros.size()), step.given);
+    if (step.given.empty()) return std::nullopt;
     int open = coordinates_of(problem(), element) - static_cast<int>(step.zeros.size());
     for (const GivenFrom& from : step.given) open -= from.conditions;
     step.first_angle = static_cast<int>(plan_.ranges.size());

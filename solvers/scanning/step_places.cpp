@@ -23,6 +23,30 @@ TwoHarmonics outside_cylinder(const Point& center, const Point& u, const Point& 
   return f;
 }
 
+TwoHarmonics derivative(const TwoHarmonics& f) {
+  TwoHarmonics slope;
+  slope.cos1 = f.sin1;
+  slope.sin1 = -f.cos1;
+  slope.cos2 = 2 * f.sin2;
+  slope.sin2 = -2 * f.cos2;
+  return slope;
+}
+
+/// center + u·cos φ + v·sin φ
+struct CirclePoints {
+  CirclePoints(const Point& origin, const Point& axis, const HingeCircle& circle)
+      : center(origin + circle.offset * axis), u(circle.radius * axis.unitOrthogonal()), v(axis.cross(u)) {}
+
+  template <class Angles>
+  Places at(const Angles& angles) const {
+    Places places;
+    for (const double angle : angles) places.append(center + std::cos(angle) * u + std::sin(angle) * v);
+    return places;
+  }
+
+  Point center, u, v;
+};
+
 /// The length that a constraint gives between two points, the same in every placing.
 std::optional<double> given_length(const Scene& scene, int a, int b) {
   const auto& constraints = scene.problem().constraints;
@@ -51,13 +75,13 @@ std::optional<HingeCircle> hinge_circle(double a, double b, double base) {
 }
 
 Places meet_cylinder(const Point& origin, const Point& axis, const HingeCircle& circle, double around_line) {
-  const Point center = origin + circle.offset * axis;
-  const Point u = circle.radius * axis.unitOrthogonal();
-  const Point v = axis.cross(u);
-  Places places;
-  for (const double angle : real_zeros(outside_cylinder(center, u, v, around_line)))
-    places.append(center + std::cos(angle) * u + std::sin(angle) * v);
-  return places;
+  const CirclePoints points(origin, axis, circle);
+  return points.at(real_zeros(outside_cylinder(points.center, points.u, points.v, around_line)));
+}
+
+Places extreme_distances_from_x_axis(const Point& origin, const Point& axis, const HingeCircle& circle) {
+  const CirclePoints points(origin, axis, circle);
+  return points.at(real_zeros(derivative(outside_cylinder(points.center, points.u, points.v, 0))));
 }
 
 StepPlaces::StepPlaces(const Scene& scene, const ScanPlan& plan) : scene_(scene), plan_(plan) {

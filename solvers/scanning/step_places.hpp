@@ -38,6 +38,10 @@ struct Places {
 Places meet_cylinder(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis, const HingeCircle& circle,
                      double around_line);
 
+/// Where the distance of the circle's points from the x-axis has its minima and maxima.
+Places extreme_distances_from_x_axis(const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
+                                     const HingeCircle& circle);
+
 class StepPlaces {
  public:
   /// Keeps references.

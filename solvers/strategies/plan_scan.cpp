@@ -18,8 +18,9 @@
 /// at every point T of the grid each branch with ρ(T) = max |f_j| < delta over the removed constraints, in
 /// lengths, is a coarse solution, from which Newton's method on the whole system starts. Deviations: the grid is taken once over
 /// mirror images, and coarse solutions that refine to mirror images are one. It misses what lies between the
-/// points of the grid, hence the claim: some real ones. Of general scenes it places points and planes
-/// (construction/element_plan.hpp), and equations of any kind that the plan does not use close the scan.
+/// points of the grid, hence the claim: some real ones. Of general scenes it places points, lines and planes
+/// (construction/closed_forms.hpp, scanning/element_scan.hpp); equations of any kind that the plan does not use close the
+/// scan. There it also starts where the surfaces of an instruction miss each other by little.
 
 #include "solvers/strategies/plan_scan.hpp"
 
@@ -42,7 +43,7 @@ class PlanScanStrategy final : public Strategy {
     if (scene.problem().is_general()) {
       if (const auto reason = why_no_element_plan(scene, Instructions::all_places)) return reason;
       if (is_published()) return std::nullopt;
-      return "its subdivision knows distances between points only; method=published scans points and planes";
+      return "its subdivision knows distances between points only; method=published scans points, lines and planes";
     }
     if (scene.has_lines() && !is_published())
       return "its subdivision places points only, and the instance has a line";

@@ -30,6 +30,12 @@
 /// finds the branch again (§3.4): an ablation. Baselines: until=first stops at the first solution; mode=newton
 /// is Newton's method on the reduced system, as [I]'s reference 4 has it.
 ///
+/// Of a general scene (points, lines and planes with whatever is stated between them) S is that of
+/// tracking/general_curve.hpp, mode=fast, and a plan places element by element (construction/element_plan.hpp): a step's
+/// equations are solved by Newton's method from where the element was, so that they need no closed form. α bounds how
+/// near the surfaces of a step may come to a tangency, for any surfaces (construction/plan_blocks.hpp); exchanged is an
+/// equation for a linear form. No instruction places a body that moves.
+///
 /// Claims the solutions on S, or some real ones of a baseline. Imbach, Mathis, Schreck, A Robust and Efficient
 /// Method for Solving Point Distance Problems by Homotopy, 2016.
 

@@ -1,4 +1,4 @@
-/// Scans of points and planes against the real ones of all complex solutions.
+/// Scans of points, lines and planes against the real ones of all complex solutions.
 
 #include "solvers/scanning/element_scan.hpp"
 
@@ -7,6 +7,7 @@
 #include <gcsbench/gcsbench.hpp>
 
 #include "solvers/tests/elements/general_samples.hpp"
+#include "solvers/tests/elements/measured_scenes.hpp"
 
 namespace gcs {
 namespace {
@@ -32,6 +33,30 @@ TEST_CASE("a fine scan of points and planes finds the real solutions that determ
       CHECK(scan.status == RunStatus::complete);
       CHECK(real_solutions(scan) == real_solutions(all));
     }
+}
+
+TEST_CASE("a scan of points and planes at the default spacing finds what lies between folds") {
+  samples::RandomNumbers random(7);
+  for (const int planes : {1, 2, 3})
+    for (int i = 0; i < 8; ++i) {
+      const Scene scene(samples::random_octahedral(planes, random));
+      INFO(planes << " planes, scene " << i);
+      CHECK(real_solutions(solve(scene, "plan-scan", {{"method", "published"}})) ==
+            real_solutions(solve(scene, "cayley-menger")));
+    }
+}
+
+TEST_CASE("a scan of points, lines and planes finds the real ones of all complex solutions") {
+  samples::RandomNumbers random(51);
+  for (const auto& [name, problem] : samples::measured_scenes(random)) {
+    const Scene scene = Scene::unchecked(problem);
+    CAPTURE(name);
+    const Answer scan = solve(scene, "plan-scan", {{"method", "published"}, {"step", "0.2"}});
+    CHECK(scan.failed_checks.empty());
+    const std::size_t real = real_solutions(solve(scene, "monodromy"));
+    CHECK(real > 0);
+    CHECK(real_solutions(scan) == real);
+  }
 }
 
 TEST_CASE("a scene that no plan places is refused with what has no instruction") {

@@ -43,7 +43,8 @@ class PlanScanStrategy final : public Strategy {
     if (scene.problem().is_general()) {
       if (const auto reason = why_no_element_plan(scene, Instructions::all_places)) return reason;
       if (is_published()) return std::nullopt;
-      return "its subdivision knows distances between points only; method=published scans points, lines and planes";
+      return "its subdivision knows distances between points only; method=published scans points, lines and "
+             "planes";
     }
     if (scene.has_lines() && !is_published())
       return "its subdivision places points only, and the instance has a line";

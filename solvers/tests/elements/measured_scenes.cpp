@@ -85,6 +85,17 @@ void lines(MeasuredProblem& p) {
   p.distance(2, 5).holds("on", 3, 4).distance(2, 3);
 }
 
+/// Two points and a line through one of them beside a body at rest.
+Figure beside_body_figure(RandomNumbers& random) {
+  Figure figure{random.points(3, 6, 2), {}};
+  figure.lines.push_back(line_through(figure.points.col(5), 3, random));
+  return figure;
+}
+void beside_body(MeasuredProblem& p) {
+  p.at_rest(4).distance(1, 5).distance(3, 5).distance(4, 5).distance(0, 4).distance(2, 4);
+  p.holds("on", 5, 6).distance(4, 6).distance(0, 6).distance(1, 6);
+}
+
 struct Kind {
   std::string name;
   int dimension;
@@ -143,12 +154,27 @@ MeasuredProblem& MeasuredProblem::holds(const std::string& type, int a, int b) {
   return *this;
 }
 
+MeasuredProblem& MeasuredProblem::at_rest(int points) {
+  RigidBody body{"base", {}};
+  for (int i = 0; i < points; ++i) {
+    BodyElement element{i, {}};
+    for (int axis = 0; axis < problem_.dimension; ++axis)
+      element.numbers.push_back({figure_.points(axis, i), ""});
+    body.elements.push_back(element);
+  }
+  problem_.bodies = {body};
+  problem_.reference_body = 0;
+  problem_.reference.reset();
+  return *this;
+}
+
 std::vector<NamedProblem> measured_scenes(RandomNumbers& random) {
   const std::vector<Kind> kinds{{"cylinders", 3, cylinders_figure, cylinders},
                                 {"planes", 3, planes_figure, planes},
                                 {"line beside", 3, line_beside_figure, line_beside},
                                 {"tangents", 2, tangents_figure, tangents},
-                                {"lines", 2, lines_figure, lines}};
+                                {"lines", 2, lines_figure, lines},
+                                {"beside a body", 3, beside_body_figure, beside_body}};
   std::vector<NamedProblem> scenes;
   for (const Kind& kind : kinds) {
     MeasuredProblem measured(kind.dimension, kind.figure(random));

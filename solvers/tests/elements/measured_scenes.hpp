@@ -22,6 +22,9 @@ class MeasuredProblem {
   /// What has no value: "on", "parallel", "perpendicular".
   MeasuredProblem& holds(const std::string& type, int a, int b);
 
+  /// The first points rest in the frame as a body.
+  MeasuredProblem& at_rest(int points);
+
   const ProblemStatement& problem() const { return problem_; }
 
  private:

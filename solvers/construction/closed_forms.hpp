@@ -3,9 +3,26 @@
 
 #include <vector>
 
-#include "solvers/construction/element_plan.hpp"
+#include "solvers/problem/problem_statement.hpp"
 
 namespace gcs {
+
+/// What instructions see in a constraint between two elements.
+enum class MetBy {
+  distance,       ///< of a point from a point, a line or a plane, from its side; 0 on a line or a plane
+  product,        ///< of unit directions and normals, of a line its size alone: the cosine of two planes
+  one_direction,  ///< two lines are parallel, or a line is perpendicular to a plane
+  anything        ///< else
+};
+
+/// One end of a constraint as seen from the other, in the scene's unit.
+struct GivenFrom {
+  int other = -1;
+  MetBy met_by = MetBy::anything;
+  double value = 0;
+  int conditions = 1;   ///< how many coordinates it takes
+  int constraint = -1;  ///< its number, as of values
+};
 
 /// Points come first in what is given, then planes, then lines.
 int rank_of(const ProblemStatement& problem, int element);

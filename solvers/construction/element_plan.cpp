@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "solvers/construction/closed_forms.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/model/given_numbers.hpp"
 

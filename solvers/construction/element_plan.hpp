@@ -7,26 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "solvers/construction/closed_forms.hpp"
 #include "solvers/model/scene.hpp"
 
 namespace gcs {
-
-/// What instructions see in a constraint between two elements.
-enum class MetBy {
-  distance,       ///< of a point from a point, a line or a plane, from its side; 0 on a line or a plane
-  product,        ///< of unit directions and normals, of a line its size alone: the cosine of two planes
-  one_direction,  ///< two lines are parallel, or a line is perpendicular to a plane
-  anything        ///< else
-};
-
-/// One end of a constraint as seen from the other, in the scene's unit.
-struct GivenFrom {
-  int other = -1;
-  MetBy met_by = MetBy::anything;
-  double value = 0;
-  int conditions = 1;   ///< how many coordinates it takes
-  int constraint = -1;  ///< its number, as of values
-};
 
 struct ElementStep {
   int place = -1;

@@ -1,9 +1,19 @@
 #include "solvers/elements/pose_features.hpp"
 
+#include <Eigen/LU>
+
 #include "solvers/elements/body_motion.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
+namespace {
+
+Eigen::Vector3cd second_vector(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, int dimension) {
+  const Eigen::Vector3cd up = Eigen::Vector3cd::UnitZ();
+  return dimension == 2 ? cross_product(up, a) : b;
+}
+
+}  // namespace
 
 BodyVectors body_vectors(const ProblemStatement& problem, const RigidBody& body, int exponent, int origin) {
   BodyVectors result;
@@ -38,6 +48,31 @@ Eigen::Matrix3cd triad(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b) {
   Eigen::Matrix3cd result;
   result << a, b, cross_product(a, b);
   return result;
+}
+
+PoseFeatures pose_features(const ProblemStatement& problem, const RigidBody& body, int exponent) {
+  PoseFeatures features{body_vectors(problem, body, exponent), {}, {}};
+  const Eigen::Vector3cd up = Eigen::Vector3cd::UnitZ();
+  for (const BodyVector& a : features.from.vectors)
+    for (const BodyVector& b : features.from.vectors) {
+      const double area = cross_product(a.given, problem.dimension == 2 ? up : b.given).norm();
+      if (!(area > features.area)) continue;
+      features.area = area;
+      features.first = a;
+      features.second = b;
+    }
+  return features;
+}
+
+BodyPose body_pose(const PoseFeatures& body, const Placement& placement, int dimension) {
+  const auto triad_of = [dimension](const Eigen::Vector3cd& a, const Eigen::Vector3cd& b) {
+    return triad(a, second_vector(a, b, dimension));
+  };
+  const int from = body.from.origin;
+  const Eigen::Matrix3cd axes =
+      triad_of(moved_vector(body.first, from, placement), moved_vector(body.second, from, placement)) *
+      triad_of(body.first.given, body.second.given).inverse();
+  return {placement.points.col(from) - axes * body.from.origin_given, axes};
 }
 
 }  // namespace gcs

@@ -26,6 +26,24 @@ BodyVectors body_vectors(const ProblemStatement& problem, const RigidBody& body,
 /// Where a placement has a vector from that origin.
 Eigen::Vector3cd moved_vector(const BodyVector& vector, int origin, const Placement& placement);
 
+/// What tells the pose of a body: a point, and of all pairs of vectors the one of largest area; in the plane the second is
+/// the first turned by a right angle.
+struct PoseFeatures {
+  BodyVectors from;
+  BodyVector first, second;
+  double area = 0;
+};
+
+PoseFeatures pose_features(const ProblemStatement& problem, const RigidBody& body, int exponent);
+
+/// The body's coordinates c become origin + axes·c.
+struct BodyPose {
+  Eigen::Vector3cd origin;
+  Eigen::Matrix3cd axes;
+};
+
+BodyPose body_pose(const PoseFeatures& body, const Placement& placement, int dimension);
+
 /// Columns: a, b and their vector product.
 Eigen::Matrix3cd triad(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b);
 

@@ -1,60 +1,12 @@
 #include <fmt/format.h>
 
-#include <Eigen/LU>
-
 #include "solvers/elements/body_placing.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/elements/exact_coordinates.hpp"
 #include "solvers/elements/pose_features.hpp"
-#include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
 namespace {
-
-/// What tells the pose of a body: a point, and two vectors that are not parallel.
-struct PoseFeatures {
-  BodyVectors from;
-  BodyVector first, second;
-  double area = 0;  ///< of the two vectors
-};
-
-/// In the plane the second vector is the first turned by a right angle.
-Eigen::Vector3cd second_vector(const Eigen::Vector3cd& a, const Eigen::Vector3cd& b, int dimension) {
-  const Eigen::Vector3cd up = Eigen::Vector3cd::UnitZ();
-  return dimension == 2 ? cross_product(up, a) : b;
-}
-
-/// Of all pairs of vectors the one of largest area; in the plane one vector is enough.
-PoseFeatures pose_features(const ProblemStatement& problem, const RigidBody& body, int exponent) {
-  PoseFeatures features{body_vectors(problem, body, exponent), {}, {}};
-  const Eigen::Vector3cd up = Eigen::Vector3cd::UnitZ();
-  for (const BodyVector& a : features.from.vectors)
-    for (const BodyVector& b : features.from.vectors) {
-      const double area = cross_product(a.given, problem.dimension == 2 ? up : b.given).norm();
-      if (!(area > features.area)) continue;
-      features.area = area;
-      features.first = a;
-      features.second = b;
-    }
-  return features;
-}
-
-/// t, then the images of the axes.
-struct Pose {
-  Eigen::Vector3cd origin;
-  Eigen::Matrix3cd axes;
-};
-
-Pose pose(const PoseFeatures& body, const Placement& placement, int dimension) {
-  const auto triad_of = [dimension](const Eigen::Vector3cd& a, const Eigen::Vector3cd& b) {
-    return triad(a, second_vector(a, b, dimension));
-  };
-  const int from = body.from.origin;
-  const Eigen::Matrix3cd axes =
-      triad_of(moved_vector(body.first, from, placement), moved_vector(body.second, from, placement)) *
-      triad_of(body.first.given, body.second.given).inverse();
-  return {placement.points.col(from) - axes * body.from.origin_given, axes};
-}
 
 /// The axes of the file's coordinates, from its origin or a point of the body.
 class FileBasis final : public BodyBasis {
@@ -123,7 +75,7 @@ PlacedBody placed_body(const BodyPlacing& placing, const RigidBody& body,
 }
 
 /// The axes, after t where the pose has one.
-ComplexValues values_of(const Pose& pose, int dimension, int axes, bool has_origin) {
+ComplexValues values_of(const BodyPose& pose, int dimension, int axes, bool has_origin) {
   ComplexValues values;
   if (has_origin) values = components(pose.origin, dimension);
   for (int axis = 0; axis < axes; ++axis) {
@@ -163,7 +115,7 @@ PlacedBody free_body(SystemBuilder& builder, const RigidBody& body, std::optiona
   const int exponent = -builder.scene().unit_exponent();
   builder.define([features = pose_features(builder.problem(), body, exponent), d, count, joint](
                      const Placement& at, const ComplexValues&) {
-    return values_of(pose(features, at, d), d, count, !joint);
+    return values_of(body_pose(features, at, d), d, count, !joint);
   });
   builder.add(Equation().plus(axes[0], axes[0]).equals(exactly(1)));
   if (d == 2) axes[1] = {negated(axes[0][1]), axes[0][0], LinearForm{}};

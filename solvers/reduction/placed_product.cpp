@@ -4,9 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "solvers/figures/complex_distances.hpp"
-#include "solvers/model/distance_system.hpp"
-
 namespace gcs {
 namespace {
 
@@ -16,17 +13,16 @@ constexpr std::int64_t most_solves = 20'000;
 }  // namespace
 
 PlacedProduct::PlacedProduct(const Scene& scene, const ElementOrder& order, const SceneSystem& system,
-                             const GeneralEquations& equations, std::vector<PlacedWay> core,
-                             std::vector<PlacedStep>& steps, const std::stop_token& stop, WorkCounters& work)
-    : scene_(scene),
-      squares_(target_squares(scene)),
+                             const GeneralEquations& equations, std::vector<PlacedStep>& steps,
+                             const std::stop_token& stop, WorkCounters& work)
+    : to_frame_(scene, order.scene),
       order_(order),
       system_(system),
       equations_(equations),
-      core_(std::move(core)),
       steps_(steps),
       stop_(stop),
       work_(work),
+      x_(static_cast<std::size_t>(equations.system.unknowns)),
       choices_(steps.size()),
       ways_(steps.size()),
       solved_for_(steps.size()) {}
@@ -35,19 +31,19 @@ bool PlacedProduct::is_exhausted() const { return solves_ > most_solves || stop_
 
 bool PlacedProduct::is_real_before(int step) const {
   const auto& after = order_.steps[static_cast<std::size_t>(step)].after;
-  return core_[core_choice_].way.is_real && std::ranges::all_of(after, [&](int other) {
-           const auto i = static_cast<std::size_t>(other);
-           return (steps_[i].given ? *steps_[i].given : ways_[i])[choices_[i]].way.is_real;
-         });
+  return std::ranges::all_of(after, [&](int other) {
+    const auto i = static_cast<std::size_t>(other);
+    return (steps_[i].given ? *steps_[i].given : ways_[i])[choices_[i]].way.is_real;
+  });
 }
 
 /// Precondition: what the step depends on is chosen.
 const std::vector<PlacedWay>& PlacedProduct::ways(int step) {
   const auto i = static_cast<std::size_t>(step);
   if (steps_[i].given) return *steps_[i].given;
-  std::vector<std::size_t> now{core_choice_};
+  std::vector<std::size_t> now;
   for (const int other : order_.steps[i].after) now.push_back(choices_[static_cast<std::size_t>(other)]);
-  if (now == solved_for_[i]) return ways_[i];
+  if (solved_for_[i] == now) return ways_[i];
   solved_for_[i] = std::move(now);
   ways_[i].clear();
   ++solves_;
@@ -70,12 +66,8 @@ std::optional<Natural> PlacedProduct::count(bool only_real) {
   solves_ = 0;
   std::vector<int> all(steps_.size());
   std::iota(all.begin(), all.end(), 0);
-  Natural sum;
-  for (core_choice_ = 0; core_choice_ < core_.size(); ++core_choice_) {
-    x_ = core_[core_choice_].way.values;
-    if (!only_real || core_[core_choice_].way.is_real) sum += weigh(all, only_real);
-  }
-  return is_exhausted() ? std::nullopt : std::optional(sum);
+  const Natural number = weigh(all, only_real);
+  return is_exhausted() ? std::nullopt : std::optional(number);
 }
 
 Natural PlacedProduct::weigh(const std::vector<int>& open, bool only_real) {
@@ -126,10 +118,7 @@ std::vector<std::vector<int>> PlacedProduct::connected(const std::vector<int>& o
 std::vector<Candidate> PlacedProduct::list(bool only_real, std::size_t limit) {
   only_real_ = only_real;
   limit_ = limit;
-  for (core_choice_ = 0; core_choice_ < core_.size(); ++core_choice_) {
-    x_ = core_[core_choice_].way.values;
-    if (!only_real || core_[core_choice_].way.is_real) list_from(0);
-  }
+  list_from(0);
   return std::move(listed_);
 }
 
@@ -143,12 +132,6 @@ void PlacedProduct::list_from(int step) {
   }
 }
 
-/// In the scene's own frame: of a line, where the equations are in one of points.
-Figure PlacedProduct::framed(const Figure& figure) const {
-  if (figure.is_real() || scene_.is_anchored() || scene_.problem().is_general()) return figure;
-  return polished(scene_, squares_, scene_.in_frame(figure));
-}
-
 /// Ways that were followed are polished together with all that they hang on.
 Candidate PlacedProduct::candidate() const {
   Candidate result;
@@ -160,7 +143,6 @@ Candidate PlacedProduct::candidate() const {
     result.multiplicity *= placed.way.multiplicity;
     result.error = std::max(result.error, placed.error);
   };
-  take(core_[core_choice_]);
   bool is_followed = false;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     is_followed = is_followed || steps_[i].solver;
@@ -168,7 +150,8 @@ Candidate PlacedProduct::candidate() const {
   }
   ComplexVectorX x = x_;
   if (is_followed && is_polished && !newton(equations_.system, equations_.coefficients, x)) x = x_;
-  result.figure = framed(system_.figure(x, is_real));
+  result.figure = to_frame_(system_.figure(x, is_real), is_polished);
+  if (to_frame_.moves_bodies()) result.error = std::numeric_limits<double>::infinity();
   return result;
 }
 

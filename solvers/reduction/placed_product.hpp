@@ -1,6 +1,5 @@
 #pragma once
-/// The solutions of a scene whose elements are placed one after another on the solutions of its core: for each of these
-/// and each way of every step before, the ways of a step.
+/// The solutions of a scene in steps: for each way of every step before, the ways of a step.
 ///
 /// They are counted without being listed: steps that do not depend on each other are multiplied (recursive
 /// conditioning; Darwiche 2001). They are listed one after another, as far as asked for.
@@ -13,11 +12,12 @@
 
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/numeric/natural.hpp"
+#include "solvers/reduction/frame_change.hpp"
 #include "solvers/reduction/step_solver.hpp"
 
 namespace gcs {
 
-/// A solution of the core, or a way to place an element that needs nothing but what is given.
+/// A way as it was found.
 struct PlacedWay {
   StepWay way;
   double error = std::numeric_limits<double>::infinity();  ///< see Candidate
@@ -31,11 +31,11 @@ struct PlacedStep {
 
 class PlacedProduct {
  public:
-  /// `scene`: the one that is ordered, in its own frame. `core`: values of all unknowns, those of steps of no meaning.
-  /// `steps`: one for each of the order's. Keeps references to all but the core. Adds to `work`.
+  /// `scene`: the one that is ordered, in its own frame. `steps`: one for each of the order's. Keeps references. Adds to
+  /// `work`.
   PlacedProduct(const Scene& scene, const ElementOrder& order, const SceneSystem& system,
-                const GeneralEquations& equations, std::vector<PlacedWay> core,
-                std::vector<PlacedStep>& steps, const std::stop_token& stop, WorkCounters& work);
+                const GeneralEquations& equations, std::vector<PlacedStep>& steps,
+                const std::stop_token& stop, WorkCounters& work);
 
   /// How many there are, real ones or all; nothing where that takes too long, or on a stop.
   std::optional<Natural> count(bool only_real);
@@ -51,24 +51,20 @@ class PlacedProduct {
   void choose(int step, std::size_t number);
   void list_from(int step);
   Candidate candidate() const;
-  Figure framed(const Figure& figure) const;
   bool is_exhausted() const;
 
-  const Scene& scene_;
-  std::vector<DoubleDouble> squares_;  ///< of the lengths
+  FrameChange to_frame_;
   const ElementOrder& order_;
   const SceneSystem& system_;
   const GeneralEquations& equations_;
-  std::vector<PlacedWay> core_;
   std::vector<PlacedStep>& steps_;
   std::stop_token stop_;
   WorkCounters& work_;
 
-  ComplexVectorX x_;  ///< as chosen
-  std::size_t core_choice_ = 0;
+  ComplexVectorX x_;                          ///< as chosen
   std::vector<std::size_t> choices_;          ///< of each step
   std::vector<std::vector<PlacedWay>> ways_;  ///< of each step that is solved: for `solved_for_`
-  std::vector<std::vector<std::size_t>> solved_for_;
+  std::vector<std::optional<std::vector<std::size_t>>> solved_for_;
   std::int64_t solves_ = 0;
   bool only_real_ = false;
   std::size_t limit_ = 0;

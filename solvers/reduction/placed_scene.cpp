@@ -14,21 +14,6 @@
 namespace gcs {
 namespace {
 
-/// What is stated, each time between these entities.
-std::vector<std::vector<int>> stated_between(const ProblemStatement& problem) {
-  std::vector<std::vector<int>> all;
-  for (const DistanceConstraint& constraint : problem.constraints)
-    all.emplace_back(constraint.between.begin(), constraint.between.end());
-  for (const Relation& relation : problem.relations) {
-    all.emplace_back();
-    for (const Operand& operand : relation.of) {
-      all.back().push_back(operand.entity);
-      if (operand.is_segment()) all.back().push_back(operand.end);
-    }
-  }
-  return all;
-}
-
 /// Elements of a part put in the places that a figure of the part gives them, the others anywhere.
 Figure in_whole(const Scene& whole, const Scene& part, const std::vector<int>& entities,
                 const Figure& figure) {
@@ -69,35 +54,36 @@ void append(const std::string& sentence, std::string& reason) {
   reason += (reason.empty() ? "" : "; ") + sentence;
 }
 
-/// Of the unknowns of a step the changes of signs that leave all that is placed before: `before`, one mask for each
-/// unknown of that.
-SignMasks signs_of(const SignMasks& all, const PlacingStep& step, const std::vector<SignMask>& before) {
-  SignMasks signs;
-  std::vector<SignMask> reduced = before;
-  // Masks that differ by what is placed before change the same signs.
-  for (std::size_t i = 0; i < reduced.size(); ++i)
-    for (std::size_t j = i + 1; j < reduced.size(); ++j)
-      if (reduced[i] != 0 && (reduced[j] & reduced[i] & -reduced[i]) != 0) reduced[j] ^= reduced[i];
-  for (const int unknown : step.unknowns) {
-    SignMask mask = all[static_cast<std::size_t>(unknown)];
-    for (const SignMask row : reduced)
-      if ((mask & row & -row) != 0) mask ^= row;
-    signs.push_back(mask);
-  }
-  return signs;
+/// The mirror image of a figure in the frame of a core.
+Figure mirrored(Figure figure, int dimension) {
+  const int axis = dimension - 1;
+  figure.points.row(axis) *= -1;
+  if (figure.imaginary.cols() > 0) figure.imaginary.row(axis) *= -1;
+  for (auto* lines : {&figure.lines, &figure.imaginary_lines})
+    for (LinePosition& line : *lines) {
+      line.point[axis] *= -1;
+      line.direction[axis] *= -1;
+    }
+  for (auto* planes : {&figure.planes, &figure.imaginary_planes})
+    for (PlanePosition& plane : *planes) plane.normal[axis] *= -1;
+  return figure;
 }
 
+constexpr double rounding = 1e-9;  // of the largest unknown
+
 /// A solution that more changes of signs leave than those that leave all: it is its own mirror image, or nearly.
-bool is_flat(const ComplexVectorX& x, const SignMasks& signs, const std::vector<bool>& is_in_core) {
-  constexpr double rounding = 1e-9;
-  SignMasks all, changing;
-  const double size = 1 + largest(x);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!is_in_core[i]) continue;
-    all.push_back(signs[i]);
-    if (std::abs(x[i]) > rounding * size) changing.push_back(signs[i]);
-  }
-  return changing.rank() < all.rank();
+bool is_flat(const ComplexVectorX& values, const SignMasks& signs) {
+  SignMasks changing;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::abs(values[i]) > rounding * (1 + largest(values))) changing.push_back(signs[i]);
+  return changing.rank() < signs.rank();
+}
+
+bool are_equal(const ComplexVectorX& a, const ComplexVectorX& b) {
+  const double size = 1 + largest(a);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::abs(a[i] - b[i]) > rounding * size) return false;
+  return true;
 }
 
 class PlacedSolve {
@@ -110,102 +96,66 @@ class PlacedSolve {
         equations_(general_equations(system_)) {}
 
   SolveReport run(std::size_t most_listed) {
-    std::vector<PlacedWay> core = order_.core_is_given ? given_core() : solved_core();
-    const bool is_flat_somewhere = std::ranges::any_of(core, [&](const PlacedWay& placed) {
-      return is_flat(placed.way.values, equations_.signs, unknowns_of_core());
-    });
     place_steps();
     report_.status = common_status(reports_, is_empty_);
     report_.claim = common_claim(reports_);
     if (report_.status == SolveStatus::complete) report_.reason.clear();
-    PlacedProduct product(request_.scene, order_, system_, equations_, std::move(core), steps_, request_.stop,
-                          report_.work);
+    PlacedProduct product(request_.scene, order_, system_, equations_, steps_, request_.stop, report_.work);
     report_.candidates = product.list(report_.claim != Claim::all_complex, most_listed);
-    if (!is_flat_somewhere)
+    if (!is_flat_somewhere_)
       count(product);
     else if (report_.candidates.size() >= most_listed)
-      leave_open("a solution of the core is its own mirror image, which is not counted without a list");
+      leave_open("a solution of a part is its own mirror image, which is not counted without a list");
     note_missing();
     return std::move(report_);
   }
 
  private:
-  std::vector<PlacedWay> given_core() const {
-    Figure figure;
-    figure.points = Eigen::Matrix3Xd::Zero(3, order_.scene.point_count());
-    figure.lines.resize(order_.scene.problem().lines.size());
-    figure.planes.resize(order_.scene.problem().planes.size());
-    return {{{system_.coordinates(figure), true}, 0}};
+  void place_steps() {
+    for (const PlacingStep& step : order_.steps) {
+      steps_.emplace_back();
+      if (step.alone) steps_.back().given = ways_alone(step);
+      if (!steps_.back().given)
+        steps_.back().solver = std::make_unique<StepSolver>(equations_, step, request_);
+    }
   }
 
-  std::vector<PlacedWay> solved_core() {
-    const Scene core = Scene::unchecked(order_.core.problem);
-    const SceneAnalysis analysis(core.problem());
-    take(*solve_(request_.on(core, &analysis)), "");
+  /// One for each class that is found, or two.
+  std::optional<std::vector<PlacedWay>> ways_alone(const PlacingStep& step) {
+    const Scene part = Scene::unchecked(step.alone->problem);
+    const SceneAnalysis analysis(part.problem());
+    std::optional<SolveReport> found = solve_(step, request_.on(part, &analysis));
+    if (!found) return std::nullopt;
+    take(std::move(*found), step.name.empty() ? "" : step.name + ": ");
     const SolveReport& report = reports_.back();
     std::vector<Figure> figures;
     std::vector<SolutionAccuracy> accuracies;
     for (const Candidate& candidate : report.candidates) {
-      figures.push_back(core.representative(candidate.figure));
-      accuracies.push_back({jacobian_condition(core, figures.back()), candidate.error});
+      figures.push_back(part.representative(candidate.figure));
+      accuracies.push_back({jacobian_condition(part, figures.back()), candidate.error});
     }
+    const std::vector<int> classes = solution_classes(part, figures, accuracies).first;
+    if (report.totals && report.totals->complex && *report.totals->complex != Natural(classes.size()))
+      leave_open("not all solutions of a part are listed");
     std::vector<PlacedWay> ways;
-    for (const int first : solution_classes(core, figures, accuracies).first) {
+    for (const int first : classes) {
       const auto i = static_cast<std::size_t>(first);
-      const Figure whole = in_whole(order_.scene, core, order_.core.entities, figures[i]);
-      ways.push_back({{system_.coordinates(whole), figures[i].is_real(), report.candidates[i].multiplicity}});
+      ways.push_back(way_of(step, part, figures[i], report.candidates[i]));
+      if (!step.has_two_sides) continue;
+      PlacedWay other = way_of(step, part, mirrored(figures[i], part.dimension()), report.candidates[i]);
+      if (!are_equal(other.way.values, ways.back().way.values)) ways.push_back(std::move(other));
     }
-    if (report.totals && report.totals->complex && *report.totals->complex != Natural(ways.size()))
-      leave_open("not all solutions of the core are listed");
     return ways;
   }
 
-  void place_steps() {
-    std::vector<SignMask> before;
-    for (std::size_t i = 0; i < equations_.signs.size(); ++i)
-      if (unknowns_of_core()[i]) before.push_back(equations_.signs[i]);
-    for (const PlacingStep& step : order_.steps) {
-      steps_.emplace_back();
-      steps_.back().given = given_ways(step);
-      if (!steps_.back().given)
-        steps_.back().solver = std::make_unique<StepSolver>(
-            equations_, step, signs_of(equations_.signs, step, before), request_);
-      for (const int unknown : step.unknowns)
-        before.push_back(equations_.signs[static_cast<std::size_t>(unknown)]);
-    }
-  }
-
-  /// Those of a step that is a scene of its own.
-  std::optional<std::vector<PlacedWay>> given_ways(const PlacingStep& step) {
-    std::optional<SubProblem> alone = problem_of_step(order_, step);
-    if (!alone) return std::nullopt;
-    const Scene part = Scene::unchecked(std::move(alone->problem));
-    const SceneAnalysis analysis(part.problem());
-    std::optional<SolveReport> report = solve_(request_.on(part, &analysis));
-    if (!report) return std::nullopt;
-    take(std::move(*report), order_.scene.problem().name(step.entity) + ": ");
-    return ways_of(step, part, alone->entities, reports_.back());
-  }
-
-  std::vector<PlacedWay> ways_of(const PlacingStep& step, const Scene& part, const std::vector<int>& entities,
-                                 const SolveReport& report) const {
+  PlacedWay way_of(const PlacingStep& step, const Scene& part, const Figure& figure,
+                   const Candidate& candidate) {
     const double unit = std::ldexp(1.0, part.unit_exponent() - order_.scene.unit_exponent());
-    std::vector<PlacedWay> ways;
-    for (const Candidate& candidate : report.candidates) {
-      const ComplexVectorX x = system_.coordinates(in_whole(order_.scene, part, entities, candidate.figure));
-      PlacedWay placed{{{}, candidate.figure.is_real(), candidate.multiplicity}, candidate.error * unit};
-      for (const int unknown : step.unknowns)
-        placed.way.values.push_back(x[static_cast<std::size_t>(unknown)]);
-      ways.push_back(std::move(placed));
-    }
-    return ways;
-  }
-
-  std::vector<bool> unknowns_of_core() const {
-    std::vector<bool> result(equations_.signs.size(), true);
-    for (const PlacingStep& step : order_.steps)
-      for (const int unknown : step.unknowns) result[static_cast<std::size_t>(unknown)] = false;
-    return result;
+    const ComplexVectorX x = system_.coordinates(in_whole(order_.scene, part, step.alone->entities, figure));
+    PlacedWay placed{{{}, figure.is_real(), candidate.multiplicity}, candidate.error * unit};
+    for (const int unknown : step.unknowns) placed.way.values.push_back(x[static_cast<std::size_t>(unknown)]);
+    is_flat_somewhere_ = is_flat_somewhere_ || is_flat(placed.way.values, step.signs);
+    return placed;
   }
 
   void take(SolveReport report, const std::string& name) {
@@ -235,13 +185,16 @@ class PlacedSolve {
   std::optional<Natural> generic_product() const {
     Natural product(1);
     for (const SolveReport& report : reports_) {
-      if (!report.generic) return std::nullopt;
-      product = product * Natural(*report.generic);
+      std::optional<Natural> generic = report.totals ? report.totals->generic : std::nullopt;
+      if (report.generic) generic = Natural(*report.generic);
+      if (!generic) return std::nullopt;
+      product = product * *generic;
     }
-    for (const PlacedStep& step : steps_) {
-      if (!step.solver) continue;
-      if (!step.solver->has_all_somewhere()) return std::nullopt;
-      product = product * Natural(step.solver->generic_ways());
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      if (order_.steps[i].has_two_sides) product = product * Natural(2);
+      if (!steps_[i].solver) continue;
+      if (!steps_[i].solver->has_all_somewhere()) return std::nullopt;
+      product = product * Natural(steps_[i].solver->generic_ways());
     }
     return product;
   }
@@ -249,7 +202,7 @@ class PlacedSolve {
   void note_missing() {
     for (std::size_t i = 0; i < steps_.size(); ++i)
       if (const std::string missing = steps_[i].solver ? steps_[i].solver->missing() : ""; !missing.empty())
-        leave_open("placing " + order_.scene.problem().name(order_.steps[i].entity) + ": " + missing);
+        leave_open("placing " + order_.steps[i].name + ": " + missing);
     if (request_.stop.stop_requested()) {
       report_.status = SolveStatus::stopped;
       report_.reason = "stopped on request";
@@ -268,22 +221,10 @@ class PlacedSolve {
   std::vector<PlacedStep> steps_;
   SolveReport report_;
   std::string open_;  ///< what may have been left out where no report says so
-  bool is_empty_ = false;
+  bool is_empty_ = false, is_flat_somewhere_ = false;
 };
 
 }  // namespace
-
-std::optional<SubProblem> problem_of_step(const ElementOrder& order, const PlacingStep& step) {
-  const ProblemStatement& whole = order.scene.problem();
-  if (!order.core_is_given || !step.after.empty() || !whole.bodies.empty()) return std::nullopt;
-  std::vector<bool> is_there(order.is_in_core.size(), false);
-  for (const std::vector<int>& entities : stated_between(whole))
-    if (std::ranges::find(entities, step.entity) != entities.end())
-      for (const int entity : entities)
-        is_there[static_cast<std::size_t>(entity)] = order.is_in_core[static_cast<std::size_t>(entity)];
-  is_there[static_cast<std::size_t>(step.entity)] = true;
-  return sub_problem(whole, is_there);
-}
 
 SolveReport solve_placed(const SolveRequest& request, const ElementOrder& order, const PartSolver& solve,
                          std::size_t most_listed) {

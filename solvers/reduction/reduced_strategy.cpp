@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "solvers/counting/scene_analysis.hpp"
+#include "solvers/elements/element_order.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/homotopies/start_store.hpp"
 #include "solvers/interface/options.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/reduction/core_path.hpp"
-#include "solvers/reduction/element_order.hpp"
 #include "solvers/reduction/part_reports.hpp"
 #include "solvers/reduction/placed_scene.hpp"
 #include "solvers/reduction/solution_product.hpp"
@@ -146,7 +146,8 @@ class ReducedStrategy final : public Strategy {
   ReducedStrategy(const StrategyEntry& inner, const OptionMap& options)
       : split_(inner.needs_sketch ? Split::hung_points : Split::all),
         knows_general_scenes_(inner.knows_general_scenes),
-        make_([make = inner.make, options] { return make(options); }) {
+        make_([make = inner.make, options] { return make(options); }),
+        make_reduced_([inner, options] { return std::make_unique<ReducedStrategy>(inner, options); }) {
     read_option(options, reduce_option, OnOff{}, reduces_);
     strategies_.push_back(make_());
   }
@@ -161,10 +162,14 @@ class ReducedStrategy final : public Strategy {
   void prepare(const SolveRequest& request) override {
     const std::optional<ElementOrder> order = placing_of(request);
     if (!order) return prepare_parts(request);
-    if (order->core_is_given) return;  // each step is a matter of milliseconds
-    const Scene core = Scene::unchecked(order->core.problem);
-    const SceneAnalysis analysis(core.problem());
-    prepare_parts(request.on(core, &analysis));
+    const bool is_only_core = cores_of(*order) == 1;
+    std::size_t next = 0;
+    for (const PlacingStep& step : order->steps) {
+      if (!step.is_core()) continue;
+      const Scene core = Scene::unchecked(step.alone->problem);
+      const SceneAnalysis analysis(core.problem());
+      part(next++).prepare(request_for(request.on(core, &analysis), is_only_core));
+    }
   }
 
   SolveReport solve(const SolveRequest& request) override {
@@ -178,29 +183,31 @@ class ReducedStrategy final : public Strategy {
     return request.analysis ? request.analysis->parts(split_) : decompose(request.scene.problem(), split_);
   }
 
-  /// Nothing where the strategy knows neither the core nor, where that is given, what is placed on it.
+  /// Nothing where the strategy does not know the cores or, without any, what is placed.
   std::optional<ElementOrder> placing_of(const SolveRequest& request) const {
     if (!reduces_ || split_ != Split::all) return std::nullopt;
     std::optional<ElementOrder> order = element_order(request.scene);
-    if (order && !(order->core_is_given ? knows_steps(request, *order) : knows_core(request, *order)))
-      return std::nullopt;
+    if (order && !knows(request, *order)) return std::nullopt;
     return order;
   }
 
-  bool knows_core(const SolveRequest& request, const ElementOrder& order) const {
-    const Scene core = Scene::unchecked(order.core.problem);
-    const SceneAnalysis analysis(core.problem());
-    return (knows_general_scenes_ || !core.problem().is_general()) &&
-           !why_no_parts(request.on(core, &analysis));
+  static std::ptrdiff_t cores_of(const ElementOrder& order) {
+    return std::ranges::count_if(order.steps, [](const PlacingStep& step) { return step.is_core(); });
   }
 
-  /// All steps that are scenes of their own or, where it knows the equations of general ones, whatever they are.
-  bool knows_steps(const SolveRequest& request, const ElementOrder& order) const {
-    if (knows_general_scenes_ && request.scene.problem().is_general()) return true;
+  /// Without a core it has to know all steps as scenes of their own, unless it knows the equations of general scenes.
+  bool knows(const SolveRequest& request, const ElementOrder& order) const {
+    const bool is_ready =
+        cores_of(order) > 0 || (knows_general_scenes_ && request.scene.problem().is_general());
     return std::ranges::all_of(order.steps, [&](const PlacingStep& step) {
-      const std::optional<SubProblem> alone = problem_of_step(order, step);
-      return alone && !strategies_.front()->why_unsupported(request.on(Scene::unchecked(alone->problem)));
+      return step.is_core() || !is_ready ? step.alone && knows_part(request, step.alone->problem) : true;
     });
+  }
+
+  bool knows_part(const SolveRequest& request, const ProblemStatement& part) const {
+    const Scene scene = Scene::unchecked(part);
+    const SceneAnalysis analysis(scene.problem());
+    return !make_reduced_()->why_unsupported(request.on(scene, &analysis));
   }
 
   std::optional<std::string> why_no_parts(const SolveRequest& request) const {
@@ -250,18 +257,27 @@ class ReducedStrategy final : public Strategy {
     return whole.motions.empty() ? of_parts : whole;
   }
 
-  /// Steps that are scenes of their own are solved by strategies of their own.
+  /// Each part by a strategy of its own, which takes it apart further where it can.
   SolveReport solve_in_order(const SolveRequest& request, const ElementOrder& order) {
+    const bool is_only_core = cores_of(order) == 1;
     std::size_t next = 0;
-    const auto solve = [&](const SolveRequest& of_part) -> std::optional<SolveReport> {
-      if (!order.core_is_given) return solve_undivided(of_part);
-      if (of_part.scene.problem().is_general() && !knows_general_scenes_) return std::nullopt;
-      if (strategy(next).why_unsupported(of_part)) return std::nullopt;
-      SolveRequest alone = of_part;
-      alone.starts = &no_starts_;
-      return strategy(next++).solve(alone);
+    const auto solve = [&](const PlacingStep& step,
+                           const SolveRequest& of_part) -> std::optional<SolveReport> {
+      if (!step.is_core() && !knows_part(of_part, of_part.scene.problem())) return std::nullopt;
+      return part(next++).solve(request_for(of_part, is_only_core));
     };
     return solve_placed(request, order, solve, request.most_listed.value_or(most_combinations));
+  }
+
+  ReducedStrategy& part(std::size_t number) {
+    while (parts_.size() <= number) parts_.push_back(make_reduced_());
+    return *parts_[number];
+  }
+
+  /// A start system is that of the only core.
+  SolveRequest request_for(SolveRequest of_part, bool is_only_core) {
+    if (!is_only_core) of_part.starts = &no_starts_;
+    return of_part;
   }
 
   Strategy& strategy(std::size_t number) {
@@ -338,8 +354,10 @@ class ReducedStrategy final : public Strategy {
   bool knows_general_scenes_;
   bool reduces_ = false;
   std::function<std::unique_ptr<Strategy>()> make_;
+  std::function<std::unique_ptr<ReducedStrategy>()> make_reduced_;
   NoStartSystems no_starts_;
-  std::vector<std::unique_ptr<Strategy>> strategies_;  ///< one for each part that is solved
+  std::vector<std::unique_ptr<Strategy>> strategies_;      ///< one for each part of points that is solved
+  std::vector<std::unique_ptr<ReducedStrategy>> parts_{};  ///< one for each part of other scenes
 };
 
 }  // namespace

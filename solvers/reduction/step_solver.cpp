@@ -71,9 +71,8 @@ struct FromRoots {
 
 }  // namespace
 
-StepSolver::StepSolver(const GeneralEquations& whole, const PlacingStep& step, SignMasks signs,
-                       const SolveMeans& means)
-    : of_whole_(whole.coefficients), signs_(std::move(signs)), means_(means), random_(means.seed) {
+StepSolver::StepSolver(const GeneralEquations& whole, const PlacingStep& step, const SolveMeans& means)
+    : of_whole_(whole.coefficients), signs_(step.signs), means_(means), random_(means.seed) {
   take_equations(whole, step);
   find_starts();
 }

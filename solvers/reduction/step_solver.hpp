@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "solvers/elements/element_order.hpp"
 #include "solvers/homotopies/endgame.hpp"
 #include "solvers/homotopies/general_family.hpp"
 #include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/homotopies/shortcomings.hpp"
 #include "solvers/interface/strategy_interface.hpp"
-#include "solvers/reduction/element_order.hpp"
 
 namespace gcs {
 
@@ -30,10 +30,8 @@ struct StepWay {
 
 class StepSolver {
  public:
-  /// `whole`: the equations that the step is of. `signs`: of the step's unknowns, the changes that lead to the same
-  /// solution whatever was placed before. Keeps a copy of the means.
-  StepSolver(const GeneralEquations& whole, const PlacingStep& step, SignMasks signs,
-             const SolveMeans& means);
+  /// `whole`: the equations that the step is of. Keeps a copy of the means.
+  StepSolver(const GeneralEquations& whole, const PlacingStep& step, const SolveMeans& means);
 
   /// Distinct up to signs. `x`: the unknowns of the whole, those of the steps before placed; `is_real`: whether these
   /// are. Adds to `work`.

@@ -32,11 +32,7 @@ class Renumbering {
     take_entities();
     take_constraints();
     for (const Relation& relation : whole_.relations) take(relation);
-    for (RigidBody body : whole_.bodies) {
-      for (BodyElement& element : body.elements) element.entity = number(element.entity);
-      problem_.bodies.push_back(std::move(body));
-    }
-    problem_.reference_body = whole_.reference_body;
+    for (int body = 0; body < static_cast<int>(whole_.bodies.size()); ++body) take_body(body);
     take_reference();
     if (whole_.sketch) take_sketch(*whole_.sketch);
     return {std::move(problem_), std::move(entities_)};
@@ -85,6 +81,16 @@ class Renumbering {
       if (operand.entity < 0 || operand.is_segment() != is_segment) return;
     }
     problem_.relations.push_back(std::move(relation));
+  }
+
+  void take_body(int body) {
+    RigidBody taken = whole_.bodies[static_cast<std::size_t>(body)];
+    for (BodyElement& element : taken.elements) {
+      element.entity = number(element.entity);
+      if (element.entity < 0) return;
+    }
+    if (body == whole_.reference_body) problem_.reference_body = static_cast<int>(problem_.bodies.size());
+    problem_.bodies.push_back(std::move(taken));
   }
 
   void take_reference() {

@@ -12,9 +12,9 @@ struct SubProblem {
   std::vector<int> entities;  ///< of each entity, its number in the whole problem
 };
 
-/// The entities that `is_there`, in their order, with what is stated between them alone, their places in the sketch and
-/// the bends; with the frame where all of it is there; without a construction plan. Precondition: all elements of
-/// bodies are there, or there are no bodies.
+/// The entities that `is_there`, in their order, with what is stated between them alone, the bodies whose elements are
+/// all there, their places in the sketch and the bends; with the frame where all of it is there; without a construction
+/// plan.
 SubProblem sub_problem(const ProblemStatement& whole, const std::vector<bool>& is_there);
 
 }  // namespace gcs

@@ -5,13 +5,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "solvers/figures/solution_classes.hpp"
-#include "solvers/reduction/element_order.hpp"
-#include "solvers/solving/solve.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
+#include "solvers/tests/reduction/compared_answers.hpp"
 
 using namespace gcs;
-using samples::RandomNumbers;
+using namespace gcs::samples;
 
 namespace {
 
@@ -82,57 +80,6 @@ struct Growing {
         if (b != a + 3) points_apart(a, b);
   }
 };
-
-Answer answer_to(const ProblemStatement& problem, const std::string& reduce = "on",
-                 const std::string& strategy = "monodromy") {
-  return solve(Scene::unchecked(problem), strategy, {{"reduce", reduce}}, {.certify = true});
-}
-
-std::uint64_t real_ones(const Answer& answer) {
-  return static_cast<std::uint64_t>(std::ranges::count_if(
-      answer.solutions, [](const AssessedSolution& solution) { return solution.is_real(); }));
-}
-
-/// As many solutions, all certified, one of them the figure that the values are of.
-void check_count(const Answer& answer, std::size_t count) {
-  INFO(answer.strategy << ": " << answer.reason);
-  CHECK(answer.status == RunStatus::complete);
-  CHECK(answer.failed_checks.empty());
-  CHECK(answer.solutions.size() == count);
-  REQUIRE(answer.proofs);
-  CHECK(answer.proofs->classes == count);
-  CHECK(real_ones(answer) >= 1);
-}
-
-/// In how many classes the solutions of both fall.
-int classes_of(const Scene& scene, const Answer& a, const Answer& b) {
-  std::vector<Figure> figures;
-  std::vector<SolutionAccuracy> accuracies;
-  for (const Answer* answer : {&a, &b})
-    for (const AssessedSolution& solution : answer->solutions) {
-      figures.push_back(scene.in_scene_unit(solution.figure));
-      accuracies.push_back({solution.condition});
-    }
-  return solution_classes(scene, figures, accuracies).count();
-}
-
-void check_same_in_one_piece(const ProblemStatement& problem, std::size_t count) {
-  const Answer placed = answer_to(problem), whole = answer_to(problem, "off");
-  check_count(placed, count);
-  check_count(whole, count);
-  CHECK(real_ones(placed) == real_ones(whole));
-  CHECK(classes_of(Scene::unchecked(problem), placed, whole) == static_cast<int>(count));
-  CHECK(placed.work.iterations < whole.work.iterations);
-}
-
-/// The entities placed one by one, in their order, by their names.
-std::vector<std::string> placed_names(const ProblemStatement& problem) {
-  const std::optional<ElementOrder> order = element_order(Scene::unchecked(problem));
-  std::vector<std::string> names;
-  if (order)
-    for (const PlacingStep& step : order->steps) names.push_back(problem.name(step.entity));
-  return names;
-}
 
 }  // namespace
 

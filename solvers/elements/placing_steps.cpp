@@ -1,0 +1,177 @@
+#include "solvers/elements/placing_steps.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace gcs {
+namespace {
+
+/// A step has at most so many paths to its solutions at random numbers, by their logarithm.
+constexpr int most_doublings = 12;
+
+std::set<int> unknowns_of(const LinearForm& form) {
+  std::set<int> unknowns;
+  for (const ScaledUnknown& term : form.terms) unknowns.insert(term.unknown);
+  return unknowns;
+}
+
+void add(const VectorForm& forms, std::set<int>& unknowns) {
+  for (const LinearForm& form : forms) unknowns.merge(unknowns_of(form));
+}
+
+/// What is placed as one: a body, or an element of none.
+struct Piece {
+  std::string name;
+  std::vector<int> entities;
+  bool is_left = true;
+};
+
+/// Bodies first. `kept`: pieces that are not taken.
+struct Pieces {
+  std::vector<Piece> all;
+  std::set<std::size_t> kept;
+
+  Pieces(const Scene& scene, Taken taken) {
+    const ProblemStatement& problem = scene.problem();
+    for (int body = 0; body < static_cast<int>(problem.bodies.size()); ++body) {
+      if (taken == Taken::elements || body == problem.reference_body) kept.insert(all.size());
+      const RigidBody& of = problem.bodies[static_cast<std::size_t>(body)];
+      all.push_back({of.name, {}});
+      for (const BodyElement& element : of.elements) all.back().entities.push_back(element.entity);
+    }
+    const std::set<int> in_frame = framing_points(scene);
+    for (int entity = 0; entity < problem.entity_count(); ++entity) {
+      if (!bodies_with(problem, entity).empty()) continue;
+      if (problem.is_fixed(entity) || in_frame.contains(entity)) kept.insert(all.size());
+      all.push_back({problem.name(entity), {entity}});
+    }
+  }
+};
+
+class Taking {
+ public:
+  Taking(const SceneSystem& system, Taken taken)
+      : system_(system), pieces_(system.elements().scene(), taken) {
+    for (const Piece& piece : pieces_.all) {
+      of_piece_.emplace_back();
+      for (const int entity : piece.entities)
+        of_piece_.back().merge(gcs::unknowns_of(system.elements(), entity));
+    }
+    for (const QuadraticEquation& equation : system.equations().equations) {
+      of_equation_.push_back(gcs::unknowns_of(equation));
+      is_stated_.push_back(true);
+    }
+  }
+
+  std::vector<PlacingStep> run() {
+    while (take_one()) continue;
+    std::ranges::reverse(steps_);
+    return std::move(steps_);
+  }
+
+ private:
+  bool take_one() {
+    for (std::size_t piece = pieces_.all.size(); piece-- > 0;) {
+      if (pieces_.kept.contains(piece) || !pieces_.all[piece].is_left) continue;
+      PlacingStep step = hanging(piece);
+      if (step.unknowns.empty() || step.unknowns.size() != step.equations.size() ||
+          doublings(step) > most_doublings)
+        continue;
+      pieces_.all[piece].is_left = false;
+      for (const int equation : step.equations) is_stated_[static_cast<std::size_t>(equation)] = false;
+      steps_.push_back(std::move(step));
+      return true;
+    }
+    return false;
+  }
+
+  /// Its own unknowns with all that occurs together with them and is of no other piece that is left.
+  PlacingStep hanging(std::size_t piece) const {
+    std::set<int> others;
+    for (std::size_t other = 0; other < of_piece_.size(); ++other)
+      if (pieces_.all[other].is_left && other != piece)
+        others.insert(of_piece_[other].begin(), of_piece_[other].end());
+    std::set<int> unknowns, equations;
+    const auto take = [&](const std::set<int>& found) {
+      std::ranges::copy_if(found, std::inserter(unknowns, unknowns.end()),
+                           [&](int unknown) { return !others.contains(unknown); });
+    };
+    take(of_piece_[piece]);
+    for (bool grows = true; grows;) {
+      grows = false;
+      for (std::size_t e = 0; e < of_equation_.size(); ++e) {
+        if (!is_stated_[e] || !meets(of_equation_[e], unknowns)) continue;
+        if (!equations.insert(static_cast<int>(e)).second) continue;
+        take(of_equation_[e]);
+        grows = true;
+      }
+    }
+    return {pieces_.all[piece].entities,
+            pieces_.all[piece].name,
+            {unknowns.begin(), unknowns.end()},
+            {equations.begin(), equations.end()}};
+  }
+
+  /// Equations of degree two in the step's unknowns.
+  int doublings(const PlacingStep& step) const {
+    const std::set<int> unknowns(step.unknowns.begin(), step.unknowns.end());
+    const auto is_quadratic = [&](int e) {
+      const auto& products = system_.equations().equations[static_cast<std::size_t>(e)].products;
+      return std::ranges::any_of(products, [&](const FormProduct& product) {
+        return meets(unknowns_of(product.left), unknowns) && meets(unknowns_of(product.right), unknowns);
+      });
+    };
+    return static_cast<int>(std::ranges::count_if(step.equations, is_quadratic));
+  }
+
+  const SceneSystem& system_;
+  Pieces pieces_;
+  std::vector<std::set<int>> of_piece_, of_equation_;
+  std::vector<bool> is_stated_;
+  std::vector<PlacingStep> steps_;
+};
+
+}  // namespace
+
+std::set<int> unknowns_of(const SystemBuilder& elements, int entity) {
+  const ProblemStatement& problem = elements.problem();
+  std::set<int> unknowns;
+  if (problem.is_point(entity)) {
+    add(elements.point(entity), unknowns);
+  } else if (problem.is_line(entity)) {
+    add(elements.line(entity).foot, unknowns);
+    add(elements.line(entity).direction, unknowns);
+  } else {
+    add(elements.plane(entity).normal, unknowns);
+    unknowns.merge(unknowns_of(elements.plane(entity).offset));
+  }
+  return unknowns;
+}
+
+std::set<int> unknowns_of(const QuadraticEquation& equation) {
+  std::set<int> unknowns;
+  for (const FormProduct& product : equation.products) {
+    unknowns.merge(unknowns_of(product.left));
+    unknowns.merge(unknowns_of(product.right));
+  }
+  return unknowns;
+}
+
+bool meets(const std::set<int>& a, const std::set<int>& b) {
+  return std::ranges::any_of(a, [&](int i) { return b.contains(i); });
+}
+
+std::set<int> framing_points(const Scene& scene) {
+  if (scene.is_anchored() || scene.problem().reference_body >= 0) return {};
+  const Reference& frame = scene.reference();
+  std::set<int> points{frame.origin, frame.axis, frame.plane};
+  points.erase(-1);
+  return points;
+}
+
+std::vector<PlacingStep> placing_steps(const SceneSystem& system, Taken taken) {
+  return Taking(system, taken).run();
+}
+
+}  // namespace gcs

@@ -10,6 +10,7 @@
 #include "solvers/counting/bezout_bound.hpp"
 #include "solvers/counting/plane_count.hpp"
 #include "solvers/counting/ring_bound.hpp"
+#include "solvers/elements/element_order.hpp"
 #include "solvers/structure/core_reduction.hpp"
 #include "solvers/structure/decomposition.hpp"
 #include "solvers/structure/sub_problem.hpp"
@@ -334,6 +335,64 @@ void bound_hinged_ring(const ProblemStatement& problem, TheoreticalCounts& count
       "six bodies in a ring, each hinged to the next: 16 postures, Primrose 1986, Lee and Liang 1988";
 }
 
+/// Whether a step hangs on distances of its points from others alone.
+bool hangs_on_distances(const ProblemStatement& problem, const PlacingStep& step) {
+  const auto is_placed = [&](int entity) {
+    return std::find(step.entities.begin(), step.entities.end(), entity) != step.entities.end();
+  };
+  const auto is_of_step = [&](const Relation& relation) {
+    return std::any_of(relation.of.begin(), relation.of.end(), [&](const Operand& of) {
+      return is_placed(of.entity) || (of.is_segment() && is_placed(of.end));
+    });
+  };
+  const auto shared = [&](int entity) { return bodies_with(problem, entity).size() > 1; };
+  return std::none_of(problem.relations.begin(), problem.relations.end(), is_of_step) &&
+         std::none_of(step.entities.begin(), step.entities.end(), shared) &&
+         std::all_of(step.entities.begin(), step.entities.end(),
+                     [&](int entity) { return problem.is_point(entity); });
+}
+
+/// In how many ways a step is placed on one place of what is there, at most: by theorems, otherwise by Bézout. Isolated
+/// ways persist when that place is moved, so that only isolated ones of it count.
+Natural most_ways(const ProblemStatement& problem, const PlacingStep& step) {
+  const bool is_body = step.entities.size() > 1;
+  if (!is_body && hung_lines(problem)[static_cast<std::size_t>(step.entities[0])]) return Natural(12);
+  if (hangs_on_distances(problem, step)) {
+    if (!is_body) return Natural(2);
+    return Natural(problem.dimension == 3 ? 40 : 6);
+  }
+  return Natural::power_of_two(step.quadratic - turnings(step.signs));
+}
+
+/// The product of the bounds of what is solved apart or placed after the rest.
+void bound_in_order(const ProblemStatement& problem, const ElementOrder& order, TheoreticalCounts& counts) {
+  CountBound bound{{Natural(1), frame_images(problem)}, {}, {}, static_cast<int>(order.steps.size())};
+  for (const PlacingStep& step : order.steps) {
+    if (!step.is_core()) {
+      bound.count.fixed_frame = bound.count.fixed_frame * most_ways(problem, step);
+      continue;
+    }
+    const TheoreticalCounts of_core = theoretical_counts(step.alone->problem);
+    if (!of_core.upper_limit()) {
+      counts.why_no_bound = of_core.why_no_bound;
+      return;
+    }
+    bound.count.fixed_frame = bound.count.fixed_frame * of_core.upper_limit()->fixed_frame;
+  }
+  counts.bound = std::move(bound);
+}
+
+void bound_general(const ProblemStatement& problem, TheoreticalCounts& counts) {
+  counts.why_no_exact = "The exact number is known only for points with distances between them.";
+  if (is_platform(problem)) return bound_platform(problem, counts);
+  if (is_hinged_ring(problem)) return bound_hinged_ring(problem, counts);
+  if (const auto order = element_order(Scene::unchecked(problem)))
+    return bound_in_order(problem, *order, counts);
+  counts.why_no_bound =
+      "The bound is known for distances of points, of one line, of two bodies alone, for six in a ring, and "
+      "for what hangs on these.";
+}
+
 }  // namespace
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
@@ -343,15 +402,7 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std::vector<Part>& parts) {
   TheoreticalCounts counts;
   if (problem.is_general()) {
-    counts.why_no_exact = "The exact number is known only for points with distances between them.";
-    if (is_platform(problem))
-      bound_platform(problem, counts);
-    else if (is_hinged_ring(problem))
-      bound_hinged_ring(problem, counts);
-    else
-      counts.why_no_bound =
-          "The bound is known for distances of points, of one line, of two bodies alone, and for six in a "
-          "ring.";
+    bound_general(problem, counts);
   } else if (problem.lines.empty() && !problem.is_anchored()) {
     count_points(problem, parts, counts);
   } else {

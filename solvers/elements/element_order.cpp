@@ -203,13 +203,6 @@ void find_signs(const SceneSystem& system, std::vector<PlacingStep>& steps) {
   }
 }
 
-/// Of the changes that turn elements over alone.
-int turnings(const SignMasks& masks) {
-  SignMasks turned;
-  for (const SignMask mask : masks) turned.push_back(mask & ~(first_turning - 1));
-  return turned.rank();
-}
-
 /// Whether it is known how solutions of a core alone are counted in the whole: elements are turned over alike, and the
 /// core's mirror images are one solution here too, or two. `given`: unknowns of the frame that were placed before.
 bool find_sides(const SceneSystem& system, const std::set<int>& given, PlacingStep& core) {
@@ -219,7 +212,7 @@ bool find_sides(const SceneSystem& system, const std::set<int>& given, PlacingSt
         convention_of(system.elements().problem()) == Convention::up_to_motion || !given.empty();
   if (!scene.problem().is_general()) return true;
   if (why_no_system(scene)) return false;
-  const SignMasks &masks = SceneSystem(scene).equations().mirror, own = signs_of(system, core.unknowns);
+  const SignMasks masks = SceneSystem(scene).equations().mirror, own = signs_of(system, core.unknowns);
   const int further = masks.rank() - signs_of(system, given).rank() - core.signs.rank();
   core.has_two_sides = further == 1 && convention_of(scene.problem()) == Convention::up_to_reflection;
   return turnings(masks) == turnings(own) && further == (core.has_two_sides ? 1 : 0);

@@ -7,8 +7,8 @@
 namespace gcs {
 namespace {
 
-/// A step has at most so many paths to its solutions at random numbers, by their logarithm.
-constexpr int most_doublings = 12;
+/// Of a step's equations at most so many are quadratic: then it has at most 2^12 solutions.
+constexpr int most_quadratic = 12;
 
 std::set<int> unknowns_of(const LinearForm& form) {
   std::set<int> unknowns;
@@ -75,8 +75,9 @@ class Taking {
     for (std::size_t piece = pieces_.all.size(); piece-- > 0;) {
       if (pieces_.kept.contains(piece) || !pieces_.all[piece].is_left) continue;
       PlacingStep step = hanging(piece);
+      step.quadratic = quadratic(step);
       if (step.unknowns.empty() || step.unknowns.size() != step.equations.size() ||
-          doublings(step) > most_doublings)
+          step.quadratic > most_quadratic)
         continue;
       pieces_.all[piece].is_left = false;
       for (const int equation : step.equations) is_stated_[static_cast<std::size_t>(equation)] = false;
@@ -114,7 +115,7 @@ class Taking {
   }
 
   /// Equations of degree two in the step's unknowns.
-  int doublings(const PlacingStep& step) const {
+  int quadratic(const PlacingStep& step) const {
     const std::set<int> unknowns(step.unknowns.begin(), step.unknowns.end());
     const auto is_quadratic = [&](int e) {
       const auto& products = system_.equations().equations[static_cast<std::size_t>(e)].products;
@@ -156,6 +157,12 @@ std::set<int> unknowns_of(const QuadraticEquation& equation) {
     unknowns.merge(unknowns_of(product.right));
   }
   return unknowns;
+}
+
+int turnings(const SignMasks& masks) {
+  SignMasks turned;
+  for (const SignMask mask : masks) turned.push_back(mask & ~(first_turning - 1));
+  return turned.rank();
 }
 
 bool meets(const std::set<int>& a, const std::set<int>& b) {

@@ -18,6 +18,7 @@ struct PlacingStep {
   std::string name{};  ///< of the element or the body
   std::vector<int> unknowns{};   ///< of these, and those that their constraints bring along
   std::vector<int> equations{};  ///< as many
+  int quadratic = 0;             ///< how many of them are, in the step's unknowns
   std::vector<int> after{};      ///< the steps on whose choice these depend, ascending
   /// Of the unknowns, the changes of signs that leave all that was placed before.
   SignMasks signs{};
@@ -33,13 +34,15 @@ struct PlacingStep {
 enum class Taken { elements, bodies_too };
 
 /// In the order in which they are placed: taken away, last ones first, while one hangs on what is left. What makes the
-/// frame is not taken, nor what has more than 2^12 paths to its solutions at random numbers.
+/// frame is not taken, nor what may have more than 2^12 solutions.
 std::vector<PlacingStep> placing_steps(const SceneSystem& system, Taken taken);
 
 /// The unknowns that say where an entity is.
 std::set<int> unknowns_of(const SystemBuilder& elements, int entity);
 /// Those of an equation.
 std::set<int> unknowns_of(const QuadraticEquation& equation);
+/// The number of independent changes of signs that turn elements over, and leave the frame.
+int turnings(const SignMasks& masks);
 bool meets(const std::set<int>& a, const std::set<int>& b);
 /// The points that make the frame; none where a body or given positions do.
 std::set<int> framing_points(const Scene& scene);

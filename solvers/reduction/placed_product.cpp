@@ -82,6 +82,8 @@ Natural PlacedProduct::weigh(const std::vector<int>& open, bool only_real) {
 /// The first of `open` depends on nothing that is open.
 Natural PlacedProduct::weigh_connected(const std::vector<int>& open, bool only_real) {
   if (is_exhausted()) return 0;
+  if (const auto& totals = steps_[static_cast<std::size_t>(open.front())].totals)
+    return (only_real ? totals->real : totals->complex).value_or(Natural(0));
   const std::vector<PlacedWay>& found = ways(open.front());
   const auto counts = [only_real](const PlacedWay& way) { return !only_real || way.way.is_real; };
   if (open.size() == 1) return Natural(static_cast<std::uint64_t>(std::ranges::count_if(found, counts)));
@@ -132,6 +134,16 @@ void PlacedProduct::list_from(int step) {
   }
 }
 
+/// Nearer to a zero, whether or not Newton's method settles there.
+ComplexVectorX PlacedProduct::polished(const ComplexVectorX& x) const {
+  const auto misfit = [&](const ComplexVectorX& at) {
+    return largest(values_at(equations_.system, equations_.coefficients, at).value);
+  };
+  ComplexVectorX result = x;
+  newton(equations_.system, equations_.coefficients, result);
+  return misfit(result) <= misfit(x) ? result : x;
+}
+
 /// Ways that were followed are polished together with all that they hang on.
 Candidate PlacedProduct::candidate() const {
   Candidate result;
@@ -148,8 +160,7 @@ Candidate PlacedProduct::candidate() const {
     is_followed = is_followed || steps_[i].solver;
     take((steps_[i].given ? *steps_[i].given : ways_[i])[choices_[i]]);
   }
-  ComplexVectorX x = x_;
-  if (is_followed && is_polished && !newton(equations_.system, equations_.coefficients, x)) x = x_;
+  const ComplexVectorX x = is_followed && is_polished ? polished(x_) : x_;
   result.figure = to_frame_(system_.figure(x, is_real), is_polished);
   if (to_frame_.moves_bodies()) result.error = std::numeric_limits<double>::infinity();
   return result;

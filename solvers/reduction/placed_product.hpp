@@ -26,6 +26,8 @@ struct PlacedWay {
 /// The ways of a step: always the same ones, or those for what was placed before.
 struct PlacedStep {
   std::optional<std::vector<PlacedWay>> given;
+  std::optional<SolutionTotals>
+      totals{};  ///< of given ways that are not all listed, on which no other step depends
   std::unique_ptr<StepSolver> solver;  ///< where they are not given
 };
 
@@ -51,6 +53,7 @@ class PlacedProduct {
   void choose(int step, std::size_t number);
   void list_from(int step);
   Candidate candidate() const;
+  ComplexVectorX polished(const ComplexVectorX& x) const;
   bool is_exhausted() const;
 
   FrameChange to_frame_;

@@ -114,17 +114,20 @@ class PlacedSolve {
   void place_steps() {
     for (const PlacingStep& step : order_.steps) {
       steps_.emplace_back();
-      if (step.alone) steps_.back().given = ways_alone(step);
+      if (step.alone) steps_.back().given = ways_alone(step, steps_.back().totals);
       if (!steps_.back().given)
         steps_.back().solver = std::make_unique<StepSolver>(equations_, step, request_);
     }
   }
 
-  /// One for each class that is found, or two.
-  std::optional<std::vector<PlacedWay>> ways_alone(const PlacingStep& step) {
+  /// One for each class that is found, or two. `totals`: where they are more than are listed.
+  std::optional<std::vector<PlacedWay>> ways_alone(const PlacingStep& step,
+                                                   std::optional<SolutionTotals>& totals) {
     const Scene part = Scene::unchecked(step.alone->problem);
     const SceneAnalysis analysis(part.problem());
-    std::optional<SolveReport> found = solve_(step, request_.on(part, &analysis));
+    SolveRequest of_part = request_.on(part, &analysis);
+    of_part.most_listed.reset();
+    std::optional<SolveReport> found = solve_(step, of_part);
     if (!found) return std::nullopt;
     take(std::move(*found), step.name.empty() ? "" : step.name + ": ");
     const SolveReport& report = reports_.back();
@@ -136,7 +139,7 @@ class PlacedSolve {
     }
     const std::vector<int> classes = solution_classes(part, figures, accuracies).first;
     if (report.totals && report.totals->complex && *report.totals->complex != Natural(classes.size()))
-      leave_open("not all solutions of a part are listed");
+      totals = unlisted(step, *report.totals);
     std::vector<PlacedWay> ways;
     for (const int first : classes) {
       const auto i = static_cast<std::size_t>(first);
@@ -146,6 +149,19 @@ class PlacedSolve {
       if (!are_equal(other.way.values, ways.back().way.values)) ways.push_back(std::move(other));
     }
     return ways;
+  }
+
+  /// Nothing where another step depends on which one it is.
+  std::optional<SolutionTotals> unlisted(const PlacingStep& step, SolutionTotals totals) {
+    const auto number = static_cast<int>(&step - order_.steps.data());
+    const bool is_needed = std::ranges::any_of(order_.steps, [number](const PlacingStep& later) {
+      return std::ranges::find(later.after, number) != later.after.end();
+    });
+    if (is_needed) leave_open("not all solutions of a part are listed");
+    if (is_needed) return std::nullopt;
+    for (std::optional<Natural>* total : {&totals.real, &totals.complex})
+      if (*total && step.has_two_sides) *total = **total * Natural(2);
+    return totals;
   }
 
   PlacedWay way_of(const PlacingStep& step, const Scene& part, const Figure& figure,

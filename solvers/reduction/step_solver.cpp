@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "solvers/homotopies/distinct_ends.hpp"
 #include "solvers/homotopies/general_report.hpp"
-#include "solvers/homotopies/total_degree.hpp"
+#include "solvers/polyhedral/eliminated_equations.hpp"
+#include "solvers/polyhedral/polyhedral_homotopies.hpp"
+#include "solvers/polyhedral/supports_paths.hpp"
 
 namespace gcs {
 namespace {
@@ -26,48 +27,6 @@ TrackingSetup setup_for(const SolveMeans& means) {
   setup.threads = means.threads;
   return setup;
 }
-
-int degree(const Monomial& monomial) { return (monomial.u >= 0) + (monomial.v >= 0); }
-
-/// A system with x_i^(d_i) and 1 among the monomials of equation i, and the coefficients on both ends of the way to it.
-struct FromRoots {
-  MonomialSystem system;
-  ComplexVectorX from, to;
-  std::vector<int> degrees;
-
-  FromRoots(const MonomialSystem& target, const ComplexVectorX& coefficients, std::mt19937_64& random) {
-    system.unknowns = target.unknowns;
-    for (int i = 0; i < target.equations(); ++i) {
-      int highest = 0;
-      for (int j = target.first[i]; j < target.first[i + 1]; ++j) {
-        append(target.monomials[j], 0, coefficients[j]);
-        highest = std::max(highest, degree(target.monomials[j]));
-      }
-      const Complex gamma =
-          std::polar(1.0, std::uniform_real_distribution<double>(0, 2 * std::numbers::pi)(random));
-      add_start({i, highest == 2 ? i : -1}, gamma);
-      add_start({-1, -1}, -gamma);
-      system.first.push_back(static_cast<int>(system.monomials.size()));
-      degrees.push_back(highest);
-    }
-  }
-
- private:
-  void append(const Monomial& monomial, const Complex& at_start, const Complex& at_end) {
-    system.monomials.push_back(monomial);
-    from.push_back(at_start);
-    to.push_back(at_end);
-  }
-
-  void add_start(const Monomial& monomial, const Complex& coefficient) {
-    for (auto j = static_cast<std::size_t>(system.first.back()); j < from.size(); ++j)
-      if (system.monomials[j].u == monomial.u && system.monomials[j].v == monomial.v) {
-        from[j] = coefficient;
-        return;
-      }
-    append(monomial, coefficient, 0);
-  }
-};
 
 }  // namespace
 
@@ -124,8 +83,8 @@ void StepSolver::find_starts() {
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     missing_ = {};
     parameters_ = random_parameters();
-    take_starts(followed_from_roots());
-    if (missing_.in_words().empty()) break;
+    find_starts_at_parameters();
+    if (missing().empty()) break;
   }
   if (starts_.empty()) return;
   std::vector<ComplexVectorX> jacobians;
@@ -135,36 +94,35 @@ void StepSolver::find_starts() {
   tracking_ = std::make_unique<LegTracking>(system_, elimination_, setup_for(means_));
 }
 
-std::vector<PathEnd> StepSolver::followed_from_roots() {
-  const FromRoots way(system_, parameters_, random_);
-  const std::vector<ComplexVectorX> roots = roots_of_unity(way.degrees);
-  const Elimination elimination = order_elimination(way.system, roots, way.from, way.to, random_);
-  LegTracking tracking(way.system, elimination, setup_for(means_));
-  return followed(way.system, tracking, roots, way.from, way.to, first_work_);
-}
-
 /// Of ends that are met again by another path a step has jumped.
-void StepSolver::take_starts(const std::vector<PathEnd>& ends) {
-  const SignMasks none(std::vector<int>(static_cast<std::size_t>(system_.unknowns), -1));
-  missing_.jumps = DistinctEnds(ends, none, random_).jumps();
-  const DistinctEnds distinct(ends, signs_, random_);
+void StepSolver::find_starts_at_parameters() {
+  const auto [supports, coefficients] = eliminated_equations(system_, parameters_);
+  const SignMasks divided = symmetric_signs(supports, signs_);
+  const SupportsPaths paths = follow_supports(
+      supports, coefficients, divided,
+      {setup_for(means_), means_.seed, means_.stop, [](std::string_view, double) {}, "random numbers"},
+      random_, first_work_);
+  missing_starts_ = paths.missing;
+  count_lost(paths.ends);
+  missing_.jumps = DistinctEnds(paths.ends, divided, random_).jumps();
+  const DistinctEnds distinct(paths.ends, signs_, random_);
   starts_.clear();
   for (int i = 0; i < distinct.size(); ++i)
     if (!distinct.is_singular(i)) starts_.push_back(distinct[i]);
 }
 
-/// Counts the paths that are lost.
-std::vector<PathEnd> StepSolver::followed(const MonomialSystem& system, LegTracking& tracking,
-                                          const std::vector<ComplexVectorX>& starts,
-                                          const ComplexVectorX& from, const ComplexVectorX& to,
-                                          WorkCounters& work) {
-  const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(system, to, x); };
-  const auto stopped = [&] { return means_.stop.stop_requested(); };
-  std::vector<PathEnd> ends = follow_to_end(
-      tracking, starts, from, to, is_zero, stopped, [](double) {}, work);
-  settle(system, to, ends);
+void StepSolver::count_lost(const std::vector<PathEnd>& ends) {
   for (const PathEnd& end : ends)
     if (end.kind == PathEnd::Kind::failed) ++missing_.lost[end.cause].count;
+}
+
+std::vector<PathEnd> StepSolver::followed_to(const ComplexVectorX& coefficients, WorkCounters& work) {
+  const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(system_, coefficients, x); };
+  const auto stopped = [&] { return means_.stop.stop_requested(); };
+  std::vector<PathEnd> ends = follow_to_end(
+      *tracking_, starts_, parameters_, coefficients, is_zero, stopped, [](double) {}, work);
+  settle(system_, coefficients, ends);
+  count_lost(ends);
   return ends;
 }
 
@@ -186,7 +144,7 @@ std::vector<StepWay> StepSolver::ways(const ComplexVectorX& x, bool is_real, Wor
   add(std::exchange(first_work_, {}), work);
   const ComplexVectorX coefficients = coefficients_at(x);
   if (starts_.empty()) return {};
-  const std::vector<PathEnd> ends = followed(system_, *tracking_, starts_, parameters_, coefficients, work);
+  const std::vector<PathEnd> ends = followed_to(coefficients, work);
   const DistinctEnds distinct(ends, signs_, random_);
   missing_.jumps += distinct.jumps();
   has_all_somewhere_ = has_all_somewhere_ || distinct.size() == static_cast<int>(starts_.size());
@@ -202,7 +160,8 @@ std::vector<StepWay> StepSolver::ways(const ComplexVectorX& x, bool is_real, Wor
 }
 
 std::string StepSolver::missing() const {
-  return starts_.empty() ? "no solution was found at random numbers" : missing_.in_words();
+  if (starts_.empty()) return "no solution was found at random numbers";
+  return missing_starts_.empty() ? missing_.in_words() : missing_starts_;
 }
 
 }  // namespace gcs

@@ -2,9 +2,8 @@
 /// All places of an element that hangs on placed ones, real or complex.
 ///
 /// With the placed elements' unknowns put in, the step's equations are quadratic ones whose coefficients are numbers.
-/// Those that depend on places or values are taken for parameters: paths from x_i^(d_i) = 1, as many as the product of the
-/// degrees, lead to the solutions for random ones, and one homotopy from each of these to the solutions for the places
-/// at hand (coefficient-parameter homotopy; A. Morgan, A. Sommese, Coefficient-parameter polynomial continuation, Appl.
+/// Those that depend on places or values are taken for parameters: paths from mixed cells lead to the solutions for random
+/// ones, and one homotopy from each of these to the solutions for the places at hand (coefficient-parameter homotopy; A. Morgan, A. Sommese, Coefficient-parameter polynomial continuation, Appl.
 /// Math. Comput. 29 (1989)). Step control is a heuristic: `missing` says what it left open.
 
 #include <memory>
@@ -58,11 +57,9 @@ class StepSolver {
   void take_equations(const GeneralEquations& whole, const PlacingStep& step);
   ComplexVectorX random_parameters();
   void find_starts();
-  std::vector<PathEnd> followed_from_roots();
-  void take_starts(const std::vector<PathEnd>& ends);
-  std::vector<PathEnd> followed(const MonomialSystem& system, LegTracking& tracking,
-                                const std::vector<ComplexVectorX>& starts, const ComplexVectorX& from,
-                                const ComplexVectorX& to, WorkCounters& work);
+  void find_starts_at_parameters();
+  void count_lost(const std::vector<PathEnd>& ends);
+  std::vector<PathEnd> followed_to(const ComplexVectorX& coefficients, WorkCounters& work);
   ComplexVectorX coefficients_at(const ComplexVectorX& x) const;
 
   ComplexVectorX of_whole_;  ///< coefficients
@@ -77,6 +74,7 @@ class StepSolver {
   std::unique_ptr<LegTracking> tracking_;
   WorkCounters first_work_;
   Shortcomings missing_;
+  std::string missing_starts_;
   bool has_all_somewhere_ = false;
 };
 

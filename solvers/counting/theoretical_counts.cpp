@@ -355,12 +355,9 @@ bool hangs_on_distances(const ProblemStatement& problem, const PlacingStep& step
 /// In how many ways a step is placed on one place of what is there, at most: by theorems, otherwise by Bézout. Isolated
 /// ways persist when that place is moved, so that only isolated ones of it count.
 Natural most_ways(const ProblemStatement& problem, const PlacingStep& step) {
-  const bool is_body = step.entities.size() > 1;
-  if (!is_body && hung_lines(problem)[static_cast<std::size_t>(step.entities[0])]) return Natural(12);
-  if (hangs_on_distances(problem, step)) {
-    if (!is_body) return Natural(2);
-    return Natural(problem.dimension == 3 ? 40 : 6);
-  }
+  if (step.bodies == 0 && hung_lines(problem)[static_cast<std::size_t>(step.entities[0])]) return Natural(12);
+  if (step.bodies < 2 && hangs_on_distances(problem, step))
+    return Natural(step.bodies == 0 ? 2 : (problem.dimension == 3 ? 40 : 6));
   return Natural::power_of_two(step.quadratic - turnings(step.signs));
 }
 

@@ -257,7 +257,7 @@ void set_given_steps_apart(const SceneSystem& system, std::vector<PlacingStep>& 
   const ProblemStatement& problem = system.elements().problem();
   if (!problem.is_anchored()) return;
   for (PlacingStep& step : steps) {
-    if (step.entities.size() != 1 || !step.after.empty()) continue;
+    if (step.is_core() || step.bodies > 0 || !step.after.empty()) continue;
     std::vector<bool> is_there = placed_by(system, {});
     for (int entity = 0; entity < problem.entity_count(); ++entity)
       is_there[static_cast<std::size_t>(entity)] = is_there[static_cast<std::size_t>(entity)] &&
@@ -285,13 +285,12 @@ std::vector<PlacingStep> without_first(const SceneSystem& system, std::vector<Pl
   for (const PlacingStep& core : cores(system, steps, {}))
     of_core.insert(core.unknowns.begin(), core.unknowns.end());
   std::erase_if(steps, [&](const PlacingStep& step) {
-    return step.entities.size() > 1 && step.after.empty() && std::ranges::none_of(step.equations, [&](int e) {
+    return step.bodies > 0 && step.after.empty() && std::ranges::none_of(step.equations, [&](int e) {
              return meets(unknowns_of(system.equations().equations[static_cast<std::size_t>(e)]), of_core);
            });
   });
-  const auto first = std::ranges::find_if(steps, [&](const PlacingStep& step) {
-    return step.entities.size() > 1 || !problem.is_point(step.entities[0]);
-  });
+  const auto first = std::ranges::find_if(
+      steps, [&](const PlacingStep& step) { return step.bodies > 0 || !problem.is_point(step.entities[0]); });
   std::vector<PlacingStep> later(first, steps.end());
   std::set<int> with_points;
   for (const PlacingStep& core : cores(system, later, {}))

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "solvers/running/words.hpp"
+
 namespace gcs {
 namespace {
 
@@ -27,10 +29,11 @@ struct Piece {
   bool is_left = true;
 };
 
-/// Bodies first. `kept`: pieces that are not taken.
+/// The bodies first, so many. `kept`: pieces that are not taken.
 struct Pieces {
   std::vector<Piece> all;
   std::set<std::size_t> kept;
+  std::size_t bodies = 0;
 
   Pieces(const Scene& scene, Taken taken) {
     const ProblemStatement& problem = scene.problem();
@@ -40,6 +43,7 @@ struct Pieces {
       all.push_back({of.name, {}});
       for (const BodyElement& element : of.elements) all.back().entities.push_back(element.entity);
     }
+    bodies = all.size();
     const std::set<int> in_frame = framing_points(scene);
     for (int entity = 0; entity < problem.entity_count(); ++entity) {
       if (!bodies_with(problem, entity).empty()) continue;
@@ -71,34 +75,46 @@ class Taking {
   }
 
  private:
+  using Group = std::vector<std::size_t>;
+
+  /// One piece, or otherwise two bodies that can only be placed together.
   bool take_one() {
-    for (std::size_t piece = pieces_.all.size(); piece-- > 0;) {
-      if (pieces_.kept.contains(piece) || !pieces_.all[piece].is_left) continue;
-      PlacingStep step = hanging(piece);
-      step.quadratic = quadratic(step);
-      if (step.unknowns.empty() || step.unknowns.size() != step.equations.size() ||
-          step.quadratic > most_quadratic)
-        continue;
-      pieces_.all[piece].is_left = false;
-      for (const int equation : step.equations) is_stated_[static_cast<std::size_t>(equation)] = false;
-      steps_.push_back(std::move(step));
-      return true;
-    }
+    for (std::size_t piece = pieces_.all.size(); piece-- > 0;)
+      if (take({piece})) return true;
+    for (std::size_t a = 0; a < pieces_.bodies; ++a)
+      for (std::size_t b = a + 1; b < pieces_.bodies; ++b)
+        if (take({a, b})) return true;
     return false;
   }
 
-  /// Its own unknowns with all that occurs together with them and is of no other piece that is left.
-  PlacingStep hanging(std::size_t piece) const {
-    std::set<int> others;
+  bool can_be_taken(std::size_t piece) const {
+    return !pieces_.kept.contains(piece) && pieces_.all[piece].is_left;
+  }
+
+  bool take(const Group& group) {
+    if (!std::ranges::all_of(group, [this](std::size_t piece) { return can_be_taken(piece); })) return false;
+    PlacingStep step = hanging(group);
+    step.quadratic = quadratic(step);
+    if (step.unknowns.empty() || step.unknowns.size() != step.equations.size() ||
+        step.quadratic > most_quadratic)
+      return false;
+    for (const std::size_t piece : group) pieces_.all[piece].is_left = false;
+    for (const int equation : step.equations) is_stated_[static_cast<std::size_t>(equation)] = false;
+    steps_.push_back(std::move(step));
+    return true;
+  }
+
+  /// Their own unknowns with all that occurs together with them and is of no other piece that is left.
+  PlacingStep hanging(const Group& group) const {
+    std::set<int> others, unknowns, equations;
     for (std::size_t other = 0; other < of_piece_.size(); ++other)
-      if (pieces_.all[other].is_left && other != piece)
+      if (pieces_.all[other].is_left && std::ranges::find(group, other) == group.end())
         others.insert(of_piece_[other].begin(), of_piece_[other].end());
-    std::set<int> unknowns, equations;
     const auto take = [&](const std::set<int>& found) {
       std::ranges::copy_if(found, std::inserter(unknowns, unknowns.end()),
                            [&](int unknown) { return !others.contains(unknown); });
     };
-    take(of_piece_[piece]);
+    for (const std::size_t piece : group) take(of_piece_[piece]);
     for (bool grows = true; grows;) {
       grows = false;
       for (std::size_t e = 0; e < of_equation_.size(); ++e) {
@@ -108,10 +124,23 @@ class Taking {
         grows = true;
       }
     }
-    return {pieces_.all[piece].entities,
-            pieces_.all[piece].name,
-            {unknowns.begin(), unknowns.end()},
-            {equations.begin(), equations.end()}};
+    PlacingStep step = named(group);
+    step.unknowns.assign(unknowns.begin(), unknowns.end());
+    step.equations.assign(equations.begin(), equations.end());
+    return step;
+  }
+
+  PlacingStep named(const Group& group) const {
+    PlacingStep step;
+    std::vector<std::string> names;
+    for (const std::size_t piece : group) {
+      const Piece& of = pieces_.all[piece];
+      names.push_back(of.name);
+      step.entities.insert(step.entities.end(), of.entities.begin(), of.entities.end());
+      step.bodies += piece < pieces_.bodies ? 1 : 0;
+    }
+    step.name = enumeration(names);
+    return step;
   }
 
   /// Equations of degree two in the step's unknowns.

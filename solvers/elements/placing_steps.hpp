@@ -13,9 +13,10 @@ namespace gcs {
 
 /// What is placed when the steps before it are: as many equations as unknowns are left then.
 struct PlacingStep {
-  std::vector<int>
-      entities{};      ///< the element, or those that a body places; empty: a core, which is solved first
-  std::string name{};  ///< of the element or the body
+  /// The element, or those that a body or several ones place; none: a core, which is solved first.
+  std::vector<int> entities{};
+  int bodies = 0;
+  std::string name{};            ///< of the element or the bodies
   std::vector<int> unknowns{};   ///< of these, and those that their constraints bring along
   std::vector<int> equations{};  ///< as many
   int quadratic = 0;             ///< how many of them are, in the step's unknowns
@@ -33,7 +34,8 @@ struct PlacingStep {
 /// What may be taken away from a scene: free elements alone, or bodies too.
 enum class Taken { elements, bodies_too };
 
-/// In the order in which they are placed: taken away, last ones first, while one hangs on what is left. What makes the
+/// In the order in which they are placed: taken away, last ones first, while one hangs on what is left, or two
+/// bodies that hold each other do. What makes the
 /// frame is not taken, nor what may have more than 2^12 solutions.
 std::vector<PlacingStep> placing_steps(const SceneSystem& system, Taken taken);
 

@@ -177,6 +177,25 @@ TEST_CASE("a body on three that are hinged to each other, in two ways, in the pl
   check_same_in_one_piece(scene.problem(), 2 * 6);
 }
 
+TEST_CASE("bodies that hold each other, on others that do, in the plane") {
+  Assembly two(2, 4, 8);
+  two.bars(0, 1, 3);
+  two.bars(2, 3, 3);
+  two.bars(0, 2, 1);
+  two.bars(1, 2, 1);
+  two.bars(1, 3, 1);
+  check_count(answer_to(two.problem()), 6 * 6 * 6);
+  CHECK(placed_names(two.problem()) == std::vector<std::string>{"b2 and b3"});
+  Assembly hinged(2, 4, 9);
+  hinged.bars(0, 1, 3);
+  hinged.share_point(2, 3);
+  for (const auto& [a, b] : {std::pair(0, 2), std::pair(1, 2), std::pair(0, 3), std::pair(1, 3)})
+    hinged.bars(a, b, 1);
+  const Answer answer = answer_to(hinged.problem());
+  CHECK(placed_names(hinged.problem()) == std::vector<std::string>{"b2 and b3"});
+  check_same_in_one_piece(hinged.problem(), answer.solutions.size());
+}
+
 TEST_CASE("octahedra with a plane on a face of three points: 16 in the frame of these, each") {
   RandomNumbers random(6);
   const ProblemStatement problem = octahedra_on_a_face(2, random);

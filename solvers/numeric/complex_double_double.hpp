@@ -30,6 +30,10 @@ inline ComplexDoubleDouble operator*(const ComplexDoubleDouble& a, const Complex
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
+inline ComplexDoubleDouble operator*(DoubleDouble a, const ComplexDoubleDouble& b) {
+  return {a * b.re, a * b.im};
+}
+
 /// 1/√a, the root with Re √a ≥ 0, by one Newton step from the double one. Precondition: a ≠ 0.
 inline ComplexDoubleDouble inverse_sqrt(const ComplexDoubleDouble& a) {
   const std::complex<double> start = 1.0 / std::sqrt(a.value());

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "solvers/certificates/interval_equations.hpp"
 #include "solvers/certificates/krawczyk.hpp"
-#include "solvers/subdivision/interval_equations.hpp"
 
 namespace gcs {
 
@@ -28,8 +28,6 @@ class KrawczykTest {
   std::optional<ProvenSolution> only_solution_around(const Box& box, std::int64_t& iterations) const;
 
  private:
-  LinearisedSystem<double> linearised(const Eigen::VectorXd& x) const;
-  Eigen::MatrixXd jacobian_radius(const Eigen::VectorXd& x, const Eigen::VectorXd& radius) const;
   bool refine(Eigen::VectorXd& x, std::int64_t& iterations) const;
   /// A smaller box of the same middle that holds the solutions in `box`.
   Box tightened(Box box) const;

@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "solvers/subdivision/interval_equations.hpp"
+#include "solvers/certificates/interval_equations.hpp"
 
 namespace gcs {
 

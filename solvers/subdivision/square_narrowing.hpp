@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "solvers/subdivision/interval_equations.hpp"
+#include "solvers/certificates/interval_equations.hpp"
 
 namespace gcs {
 

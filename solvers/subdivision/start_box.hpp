@@ -1,8 +1,8 @@
 #pragma once
 /// Where all solutions of a scene are: a box for the unknowns of its equations.
 
+#include "solvers/certificates/interval_equations.hpp"
 #include "solvers/certificates/scene_equations.hpp"
-#include "solvers/subdivision/interval_equations.hpp"
 
 namespace gcs {
 

@@ -73,6 +73,38 @@ Point coordinates(const SceneEquations& equations, const Scene& scene, const Who
   return x;
 }
 
+LinearForm whole_form(int unknowns, RandomNumbers& random) {
+  LinearForm form{{}, exactly(random.index(9) - 4)};
+  for (int i = 0; i < unknowns; ++i) form.terms.push_back({i, exactly(random.index(9) - 4)});
+  return form;
+}
+
+/// Precondition: all numbers are doubles, and so are all sums and products.
+std::complex<double> value_of(const LinearForm& form, const Point& x) {
+  std::complex<double> sum = form.constant.value;
+  for (const ScaledUnknown& term : form.terms)
+    sum += term.coefficient.value * x[static_cast<std::size_t>(term.unknown)];
+  return sum;
+}
+
+/// As many equations as unknowns, of three products of forms with small whole coefficients, which x solves.
+QuadraticSystem products_of_forms(const Point& x, RandomNumbers& random) {
+  QuadraticSystem system;
+  system.unknowns = static_cast<int>(x.size());
+  for (int e = 0; e < system.unknowns; ++e) {
+    QuadraticEquation equation;
+    std::complex<double> sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      FormProduct product{whole_form(system.unknowns, random), whole_form(system.unknowns, random)};
+      sum += value_of(product.left, x) * value_of(product.right, x);
+      equation.products.push_back(std::move(product));
+    }
+    equation.given = exactly(sum);
+    system.equations.push_back(std::move(equation));
+  }
+  return system;
+}
+
 bool holds(const Enclosure& enclosure, const Point& x) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (std::abs(x[i].real() - enclosure.mid[i].real()) > enclosure.radius[i].real()) return false;
@@ -103,6 +135,51 @@ TEST_CASE("an enclosure holds the exact solution, in doubles and in balls") {
     // What was moved by 1e-9 is that far off.
     for (std::size_t k = 0; k < near.size(); ++k)
       CHECK(fast.offset(k, near[k]) >= std::abs(near[k] - exact[k]));
+  }
+}
+
+TEST_CASE(
+    "an enclosure of a system of forms with coefficients holds the exact solution, in doubles and in balls") {
+  RandomNumbers random(20260102);
+  int in_doubles = 0;
+  for (int i = 0; i < 60; ++i) {
+    const bool is_real = i % 2 == 0;
+    Point exact, near;
+    for (int k = 0; k < 7; ++k) {
+      const double re = random.index(65) - 32, im = is_real ? 0 : random.index(65) - 32;
+      exact.emplace_back(re / 16, im / 16);
+      near.push_back(exact.back() + 1e-9 * random.uniform(-1, 1));
+    }
+    const Certifier certifier(products_of_forms(exact, random));
+    const Certificate fast = certifier.certify(near), slow = certifier.certify(near, 128);
+    INFO("system " << i);
+    if (!slow.is_proven) continue;
+    CHECK(holds(slow.enclosure, exact));
+    in_doubles += fast.bits == 53;
+    CHECK(holds(fast.enclosure, exact));
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      CHECK(fast.offset(k, near[k]) >= std::abs(near[k] - exact[k]));
+      CHECK(std::abs(fast.enclosure.radius[k]) <= 1e-11);
+    }
+  }
+  CHECK(in_doubles >= 50);
+}
+
+TEST_CASE("a number and the cosine of so many degrees are two") {
+  // (x + cos 60°)(x + 60) = 0
+  ExactNumber degrees = exactly(60);
+  degrees.decimal = "60";
+  ExactNumber cosine = degrees;
+  cosine.is_cosine_of_degrees = true;
+  QuadraticSystem system;
+  system.unknowns = 1;
+  system.equations = {{{{{{{0}}, cosine}, {{{0}}, degrees}}}, {}}};
+  const Certifier certifier(system);
+  for (const double x : {-0.5, -60.0}) {
+    const Certificate certificate = certifier.certify({x});
+    REQUIRE(certificate.is_proven);
+    CHECK(certificate.bits == 53);
+    CHECK(holds(certificate.enclosure, {x}));
   }
 }
 

@@ -120,21 +120,21 @@ SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, c
 }
 
 /// Multiplicity of a class: the largest that was reported for a member.
-AssessedSolution solution_of_class(const Scene& scene, const Judged& first, int multiplicity,
+AssessedSolution solution_of_class(const FigureJudge& judge, const Judged& first, int multiplicity,
                                    const std::shared_ptr<const FileTerms>& terms) {
   AssessedSolution solution;
   solution.terms = terms;
   solution.figure = first.representative;
   solution.multiplicity = multiplicity;
-  solution.residual = relative_residual(scene, first.representative);
+  solution.residual = judge.residual(first.representative);
   solution.condition = first.condition;
   solution.signs = first.signs;
   return solution;
 }
 
 /// Fills `solutions` in their order; returns the index of the solution of each judged candidate.
-std::vector<int> list_solutions(const Scene& scene, const std::vector<Judged>& judged,
-                                std::vector<AssessedSolution>& solutions) {
+std::vector<int> list_solutions(const Scene& scene, const FigureJudge& judge,
+                                const std::vector<Judged>& judged, std::vector<AssessedSolution>& solutions) {
   const std::vector<int> class_of = classify(scene, judged);
   std::vector<int> first;
   std::vector<int> multiplicity(judged.size(), 0);  // by class
@@ -150,7 +150,7 @@ std::vector<int> list_solutions(const Scene& scene, const std::vector<Judged>& j
   std::vector<int> solution_of_class_index(judged.size(), -1);
   for (const auto& [key, i] : order) {
     solution_of_class_index[class_of[i]] = static_cast<int>(solutions.size());
-    solutions.push_back(solution_of_class(scene, judged[i], multiplicity[class_of[i]], terms));
+    solutions.push_back(solution_of_class(judge, judged[i], multiplicity[class_of[i]], terms));
   }
   std::vector<int> solution_of;
   for (const int c : class_of) solution_of.push_back(solution_of_class_index[c]);
@@ -175,7 +175,7 @@ class Assessor {
 
   Assessment run() {
     judge_candidates();
-    solution_of_ = list_solutions(scene_, judged_, assessment_.solutions);
+    solution_of_ = list_solutions(scene_, judge_, judged_, assessment_.solutions);
     check_residuals();
     for (const PathRecord& path : report_.paths) take_crossings(path);
     if (report_.claim == Claim::on_path) check_all_met();
@@ -204,7 +204,7 @@ class Assessor {
       judged_index_.back() = static_cast<int>(judged_.size());
       Judged judged{scene_.in_frame(candidate.figure), scene_.representative(candidate.figure), 0,
                     candidate.multiplicity, candidate.error};
-      judged.condition = jacobian_condition(scene_, judged.representative);
+      judged.condition = judge_.condition(judged.representative);
       judged.signs = signs_of(scene_, signs_, judged);
       judged_.push_back(std::move(judged));
     }
@@ -300,6 +300,7 @@ class Assessor {
 
   const Scene& scene_;
   const SolveReport& report_;
+  const FigureJudge judge_{scene_};
   const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
   Assessment assessment_;
   std::vector<Judged> judged_;

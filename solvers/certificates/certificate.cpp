@@ -74,8 +74,13 @@ double Certificate::offset(std::size_t i, std::complex<double> x_i) const {
 Certifier::Certifier(QuadraticSystem system)
     : system_(std::move(system)),
       is_real_(has_real_coefficients(system_)),
-      discs_(DiscKrawczyk::of(system_)) {
-  for (const slong bits : precisions) levels_.emplace_back(system_, bits);
+      discs_(DiscKrawczyk::of(system_)),
+      levels_(std::make_unique<Level[]>(precisions.size())) {}
+
+const BallKrawczyk& Certifier::level(std::size_t number) const {
+  Level& level = levels_[number];
+  std::call_once(level.is_made, [&] { level.balls.emplace(system_, precisions[number]); });
+  return *level.balls;
 }
 
 Certificate Certifier::certify(const Point& x, int least_bits) const {
@@ -94,13 +99,13 @@ Certificate Certifier::certify(const Point& x, int least_bits) const {
     if (auto enclosure = discs_->prove(x, is_real_ && is_real(x)))
       take(std::move(*enclosure), bits_of_doubles);
   BallMatrix start = BallKrawczyk::vector(x);
-  for (const BallKrawczyk& level : levels_) {
-    if (is_settled()) break;
-    if (level.bits() < least_bits) continue;
-    const BallKrawczyk::Newton newton = level.refined(start);
-    const auto proof = newton.converged ? level.prove(newton.x) : std::nullopt;
+  for (std::size_t i = 0; i < precisions.size() && !is_settled(); ++i) {
+    if (precisions[i] < least_bits) continue;
+    const BallKrawczyk& balls = level(i);
+    const BallKrawczyk::Newton newton = balls.refined(start);
+    const auto proof = newton.converged ? balls.prove(newton.x) : std::nullopt;
     if (proof)
-      take(enclosure_of(*proof), static_cast<int>(level.bits()));
+      take(enclosure_of(*proof), static_cast<int>(balls.bits()));
     else if (!certificate.is_proven)
       certificate.cause = cause_of(newton);
     if (newton.converged) start = newton.x;
@@ -111,10 +116,10 @@ Certificate Certifier::certify(const Point& x, int least_bits) const {
 
 /// Its radius is no smaller than the error of x, which is a double: the lowest precision will do.
 void Certifier::find_cluster(const Point& x, Certificate& certificate) const {
-  const auto cluster = prove_cluster(levels_.front(), x);
+  const auto cluster = prove_cluster(level(0), x);
   if (!cluster) return;
   certificate.cluster = cluster->solutions;
-  certificate.bits = static_cast<int>(levels_.front().bits());
+  certificate.bits = static_cast<int>(precisions.front());
   certificate.enclosure.mid = x;
   for (const double radius : cluster->radius) certificate.enclosure.radius.emplace_back(radius, radius);
   certificate.cause = "it is singular or nearly so, a cluster of " + std::to_string(cluster->solutions) +

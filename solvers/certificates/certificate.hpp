@@ -3,6 +3,8 @@
 /// of more and more bits. Where it does not succeed at all, how many solutions lie together there.
 
 #include <complex>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,10 +53,17 @@ class Certifier {
  private:
   void find_cluster(const std::vector<std::complex<double>>& x, Certificate& certificate) const;
 
+  /// The balls of one precision, made when they are first needed: most proofs need none.
+  const BallKrawczyk& level(std::size_t number) const;
+
   QuadraticSystem system_;
   bool is_real_;
   std::optional<DiscKrawczyk> discs_;
-  std::vector<BallKrawczyk> levels_;
+  struct Level {
+    std::once_flag is_made;
+    std::optional<BallKrawczyk> balls;
+  };
+  std::unique_ptr<Level[]> levels_;
 };
 
 }  // namespace gcs

@@ -44,10 +44,9 @@ std::optional<Enclosure> proven(const System& system, const Vector<Scalar>& x) {
   const LinearisedSystem<Scalar> f = linearised(system, x);
   const Matrix<Scalar> inverse = f.jacobian.partialPivLu().inverse();
   if (!inverse.allFinite()) return std::nullopt;
+  const KrawczykOperator<Scalar> krawczyk(inverse, f);
   const auto moves_in = [&](const Eigen::VectorXd& box) { return jacobian_radius(system, x, box); };
-  const auto image_of = [&](const Eigen::VectorXd& box) {
-    return krawczyk_image<Scalar>(inverse, f, moves_in(box), box);
-  };
+  const auto image_of = [&](const Eigen::VectorXd& box) { return krawczyk.image(moves_in(box), box); };
   // In a box of this radius the Jacobian moves by half of what the test could bear.
   const Eigen::VectorXd moves = moves_in(constant(x.size(), 1)) * constant(x.size(), 1);
   const double radius = 1 / (2 * (inverse.cwiseAbs() * moves).maxCoeff());

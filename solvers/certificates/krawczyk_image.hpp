@@ -37,26 +37,46 @@ struct KrawczykImage {
 };
 
 /// mid − C f(mid) + (I − C J(box))(box − mid) for C = `inverse`, any matrix: it holds every zero of f in the
-/// box {x : |x_i − mid_i| ≤ radius_i}. Where it lies inside the box there is exactly one. `jacobian_radius`:
-/// how far the entries of J move within the box.
+/// box {x : |x_i − mid_i| ≤ radius_i}. Where it lies inside the box there is exactly one.
+template <typename Scalar>
+class KrawczykOperator {
+ public:
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+  KrawczykOperator(const Matrix& inverse, const LinearisedSystem<Scalar>& f)
+      : rounding_(4 * static_cast<double>(f.value.size() + 4) * epsilon),
+        size_(inverse.cwiseAbs()),
+        defect_((Matrix::Identity(f.value.size(), f.value.size()) - inverse * f.jacobian).cwiseAbs()),
+        jacobian_rounding_(rounding_ * f.jacobian.cwiseAbs()),
+        move_(inverse * f.value),
+        value_error_(size_ * (f.value_error + rounding_ * f.value.cwiseAbs())) {}
+
+  /// `jacobian_radius`: how far the entries of J move within the box.
+  KrawczykImage<Scalar> image(const Eigen::MatrixXd& jacobian_radius, const Eigen::VectorXd& radius) const {
+    const Eigen::Index m = radius.size();
+    const Eigen::MatrixXd defect = defect_ +
+                                   size_ * (jacobian_rounding_ + (1 + rounding_) * jacobian_radius) +
+                                   epsilon * Eigen::MatrixXd::Identity(m, m);
+    return {move_, (1 + rounding_) * (defect * radius + value_error_)};
+  }
+
+ private:
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+  double rounding_;  ///< of a scalar product of length m, complex ones included, relative to its terms
+  Eigen::MatrixXd size_;
+  Eigen::MatrixXd defect_;
+  Eigen::MatrixXd jacobian_rounding_;
+  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> move_;
+  Eigen::VectorXd value_error_;
+};
+
+/// The operator on one box.
 template <typename Scalar>
 KrawczykImage<Scalar> krawczyk_image(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& inverse,
                                      const LinearisedSystem<Scalar>& f,
                                      const Eigen::MatrixXd& jacobian_radius, const Eigen::VectorXd& radius) {
-  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const Eigen::Index m = radius.size();
-  // Of a scalar product of length m, complex ones included, relative to its terms.
-  const double rounding = 4 * static_cast<double>(m + 4) * epsilon;
-  const Eigen::MatrixXd size = inverse.cwiseAbs();
-  const Eigen::MatrixXd defect =
-      (Matrix::Identity(m, m) - inverse * f.jacobian).cwiseAbs() +
-      size * (rounding * f.jacobian.cwiseAbs() + (1 + rounding) * jacobian_radius) +
-      epsilon * Eigen::MatrixXd::Identity(m, m);
-  KrawczykImage<Scalar> image;
-  image.move = inverse * f.value;
-  image.spread = (1 + rounding) * (defect * radius + size * (f.value_error + rounding * f.value.cwiseAbs()));
-  return image;
+  return KrawczykOperator<Scalar>(inverse, f).image(jacobian_radius, radius);
 }
 
 }  // namespace gcs

@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "solvers/elements/dense_equations.hpp"
-#include "solvers/elements/scene_system.hpp"
-#include "solvers/numeric/svd.hpp"
+#include "solvers/figures/singular_ratio.hpp"
 
 namespace gcs {
 namespace {
@@ -26,11 +25,13 @@ double size_of(const ComplexValues& x) {
 }  // namespace
 
 double general_residual(const Scene& scene, const Figure& figure) {
-  if (why_no_system(scene)) return infinity;
-  const SceneSystem system(scene);
+  return why_no_system(scene) ? infinity : general_residual(SceneSystem(scene), figure);
+}
+
+double general_residual(const SceneSystem& system, const Figure& figure) {
   const ComplexValues x = system.coordinates(figure);
   const EquationResiduals here = residuals_at(system.equations(), x);
-  double worst = system.misfit(figure) / scene.size();
+  double worst = system.misfit(figure) / system.elements().scene().size();
   if (!std::isfinite(worst)) return infinity;
   for (Eigen::Index e = 0; e < here.value.size(); ++e) {
     const double error = std::abs(here.value[e]) / std::max(here.size[e], smallest_size);
@@ -40,15 +41,12 @@ double general_residual(const Scene& scene, const Figure& figure) {
   return worst;
 }
 
-double general_condition(const Scene& scene, const Figure& figure) {
-  if (why_no_system(scene)) return infinity;
-  const SceneSystem system(scene);
+double general_condition(const SceneSystem& system, const Figure& figure) {
   Eigen::MatrixXcd matrix = jacobian_at(system.equations(), system.coordinates(figure));
   matrix.rowwise().normalize();
   if (!matrix.allFinite()) return infinity;
-  const Eigen::VectorXd singular = Eigen::BDCSVD<Eigen::MatrixXcd>(matrix).singularValues();
-  const double smallest = singular.minCoeff();
-  return smallest > 0 ? singular.maxCoeff() / smallest : infinity;
+  if ((matrix.imag().array() == 0).all()) return rounded_singular_ratio(Eigen::MatrixXd(matrix.real()));
+  return rounded_singular_ratio(matrix);
 }
 
 ReflectionClasses general_classes(const Scene& scene, std::span<const Figure> figures,

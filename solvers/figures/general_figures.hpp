@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "solvers/elements/scene_system.hpp"
 #include "solvers/figures/reflection_classes.hpp"
 #include "solvers/model/scene.hpp"
 
@@ -13,10 +14,12 @@ namespace gcs {
 /// are smaller, to a thousandth of the scene's unit, or misfit of a body's elements, relative to the scene's size;
 /// infinite where there are no equations. Dimensionless.
 double general_residual(const Scene& scene, const Figure& figure);
+/// The same with the scene's system.
+double general_residual(const SceneSystem& system, const Figure& figure);
 
-/// 2-norm condition number of the Jacobian of the scene's equations at the figure, its rows normalised. Infinite at a
-/// singular figure, and where there are no equations.
-double general_condition(const Scene& scene, const Figure& figure);
+/// 2-norm condition number of the Jacobian of the scene's equations at the figure, its rows normalised, to seven digits at
+/// most. Infinite at a singular figure.
+double general_condition(const SceneSystem& system, const Figure& figure);
 
 /// Two figures are the same class when no unknown of the scene's equations differs by more than the tolerance, relative
 /// to 1 + the largest, after some change of signs. Of two tolerances, one for each figure, the larger counts. No complex

@@ -1,6 +1,5 @@
 #include "solvers/figures/residual_and_condition.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -9,12 +8,12 @@
 #include <utility>
 
 #include "solvers/figures/general_figures.hpp"
+#include "solvers/figures/singular_ratio.hpp"
 #include "solvers/figures/sparse_condition.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/line_jacobian.hpp"
-#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {
@@ -72,25 +71,6 @@ double error_of(const Scene& scene, const Figure& figure, int constraint) {
   return std::abs(excess) / std::max(std::abs(sum), shortest_length(scene));
 }
 
-/// Of the largest singular value to the smallest.
-template <class Matrix>
-double singular_ratio(const Matrix& matrix) {
-  const Eigen::VectorXd singular = Eigen::BDCSVD<Matrix>(matrix).singularValues();
-  const double smallest = singular.minCoeff();
-  return smallest > 0 ? singular.maxCoeff() / smallest : std::numeric_limits<double>::infinity();
-}
-
-/// The same to seven digits, several times faster where it is not large: the eigenvalues of the Gram matrix
-/// are its squares, of which the smallest one is off by some roundings of the largest.
-double rounded_singular_ratio(const Eigen::MatrixXcd& matrix) {
-  constexpr double small = 1e4;
-  const Eigen::MatrixXcd gram = matrix.adjoint() * matrix;
-  const Eigen::VectorXd squares =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(gram, Eigen::EigenvaluesOnly).eigenvalues();
-  const double ratio = std::sqrt(squares.maxCoeff() / squares.minCoeff());
-  return ratio <= small ? ratio : singular_ratio(matrix);
-}
-
 /// Where a point lies on a line its row vanishes, and what rounding leaves of it is no direction.
 Eigen::MatrixXcd normalised_line_jacobian(const Scene& scene, const Figure& figure) {
   Eigen::MatrixXcd jacobian = line_jacobian(scene, figure);
@@ -130,10 +110,7 @@ bool may_be_stiff(const Matrix& matrix) {
   return !(reciprocal * stiff_condition >= doubt * static_cast<double>(matrix.rows()));
 }
 
-}  // namespace
-
-double relative_residual(const Scene& scene, const Figure& figure) {
-  if (scene.problem().is_general()) return general_residual(scene, figure);
+double residual_of_distances(const Scene& scene, const Figure& figure) {
   double worst = 0;
   for (int i = 0; i < scene.constraint_count(); ++i) {
     const double length = scene.target_lengths()[i];
@@ -142,6 +119,41 @@ double relative_residual(const Scene& scene, const Figure& figure) {
     worst = std::max(worst, error / std::max(length, shortest_length(scene)));
   }
   return worst;
+}
+
+double condition_of_distances(const Scene& scene, const Figure& figure) {
+  if (scene.has_lines()) return singular_ratio(normalised_line_jacobian(scene, figure));
+  const DistanceSystem system(scene);
+  if (system.unknowns() > most_dense_unknowns) return sparse_jacobian_condition(scene, figure);
+  return figure.is_real() ? singular_ratio(real_jacobian(system, figure))
+                          : rounded_singular_ratio(complex_jacobian(system, figure));
+}
+
+}  // namespace
+
+FigureJudge::FigureJudge(const Scene& scene) : scene_(scene) {
+  if (scene.problem().is_general() && !why_no_system(scene))
+    system_ = std::make_shared<const SceneSystem>(scene);
+}
+
+double FigureJudge::residual(const Figure& figure) const {
+  if (system_) return general_residual(*system_, figure);
+  return scene_.problem().is_general() ? std::numeric_limits<double>::infinity()
+                                       : residual_of_distances(scene_, figure);
+}
+
+double FigureJudge::condition(const Figure& figure) const {
+  if (system_) return general_condition(*system_, figure);
+  return scene_.problem().is_general() ? std::numeric_limits<double>::infinity()
+                                       : condition_of_distances(scene_, figure);
+}
+
+double relative_residual(const Scene& scene, const Figure& figure) {
+  return FigureJudge(scene).residual(figure);
+}
+
+double jacobian_condition(const Scene& scene, const Figure& figure) {
+  return FigureJudge(scene).condition(figure);
 }
 
 double extent(const Figure& figure) {
@@ -156,18 +168,9 @@ bool loses_distances(const Scene& scene, const Figure& figure) {
   return extent(figure) > 0x1p26 * scene.size();
 }
 
-double jacobian_condition(const Scene& scene, const Figure& figure) {
-  if (scene.problem().is_general()) return general_condition(scene, figure);
-  if (scene.has_lines()) return singular_ratio(normalised_line_jacobian(scene, figure));
-  const DistanceSystem system(scene);
-  if (system.unknowns() > most_dense_unknowns) return sparse_jacobian_condition(scene, figure);
-  return figure.is_real() ? singular_ratio(real_jacobian(system, figure))
-                          : rounded_singular_ratio(complex_jacobian(system, figure));
-}
-
 bool is_stiff(const Scene& scene, const Figure& figure) {
-  if (scene.problem().is_general()) return general_condition(scene, figure) >= stiff_condition;
-  if (const DistanceSystem system(scene); !scene.has_lines() && system.unknowns() <= most_dense_unknowns) {
+  const bool is_of_points = !scene.problem().is_general() && !scene.has_lines();
+  if (const DistanceSystem system(scene); is_of_points && system.unknowns() <= most_dense_unknowns) {
     const bool may_be = figure.is_real() ? may_be_stiff(real_jacobian(system, figure))
                                          : may_be_stiff(complex_jacobian(system, figure));
     if (!may_be) return false;

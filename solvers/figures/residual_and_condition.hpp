@@ -1,9 +1,13 @@
 #pragma once
 /// How good a figure is as a solution, judged from the figure alone.
 
+#include <memory>
+
 #include "solvers/model/scene.hpp"
 
 namespace gcs {
+
+class SceneSystem;
 
 /// max over the constraints of |distance − length| / max(length, scene size · 1e-3), with the distance
 /// evaluated in double-double so that the number says something about the figure and not about the
@@ -15,10 +19,25 @@ double relative_residual(const Scene& scene, const Figure& figure);
 inline constexpr double double_root_residual = 1e-13;
 
 /// 2-norm condition number of the Jacobian of the distances at the figure, its rows normalised, in the
-/// frame's free coordinates; to as many digits as rounding leaves, of a complex figure to seven at most.
+/// frame's free coordinates; to as many digits as rounding leaves, of a complex figure and in general scenes to seven at
+/// most.
 /// Above 300 unknown coordinates of points an estimate from below (sparse_condition.hpp). Infinity at a
 /// singular figure. Dimensionless.
 double jacobian_condition(const Scene& scene, const Figure& figure);
+
+/// The two of many figures of one scene, whose equations are set up once.
+class FigureJudge {
+ public:
+  /// Keeps a reference to the scene.
+  explicit FigureJudge(const Scene& scene);
+
+  double residual(const Figure& figure) const;   ///< see relative_residual
+  double condition(const Figure& figure) const;  ///< see jacobian_condition
+
+ private:
+  const Scene& scene_;
+  std::shared_ptr<const SceneSystem> system_;  ///< of a general scene that has one
+};
 
 /// A solution with a condition number from here on is stiff: which one it is takes a proof.
 inline constexpr double stiff_condition = 1e6;

@@ -48,7 +48,7 @@ class GeneralReporter {
   void add_end(const DistinctEnds& distinct, int i) {
     const bool is_lonely = !distinct.has_conjugate(i);
     const Figure figure = figure_of(distinct[i], distinct.is_singular(i));
-    const double condition = jacobian_condition(scene_, figure);
+    const double condition = judge_.condition(figure);
     missing_.too_far += loses_distances(scene_, figure);
     missing_.lonely += is_lonely;
     missing_.not_isolated += is_lonely && condition >= rank_lost;
@@ -61,8 +61,7 @@ class GeneralReporter {
   /// An end at which paths met: simple solutions next to it, or a multiple one.
   void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure, double condition) {
     if (add_proven(x, paths)) return;
-    const bool is_multiple =
-        relative_residual(scene_, figure) <= double_root_residual && condition >= regular;
+    const bool is_multiple = judge_.residual(figure) <= double_root_residual && condition >= regular;
     missing_.in_between += !is_multiple;
     report_.candidates.push_back({figure, paths, std::numeric_limits<double>::infinity()});
   }
@@ -80,7 +79,7 @@ class GeneralReporter {
     LostPaths& lost = missing_.lost[end.cause];
     ++lost.count;
     if (end.x.size() == static_cast<std::size_t>(equations_.system.unknowns))
-      lost.condition = std::max(lost.condition, jacobian_condition(scene_, system_.figure(end.x, false)));
+      lost.condition = std::max(lost.condition, judge_.condition(system_.figure(end.x, false)));
   }
 
   Figure figure_of(const ComplexVectorX& x, bool is_singular) const {
@@ -92,6 +91,7 @@ class GeneralReporter {
   const Scene& scene_;
   const SceneSystem& system_;
   const GeneralEquations& equations_;
+  const FigureJudge judge_{scene_};
   Shortcomings missing_;
   SolveReport report_;
 };

@@ -1,0 +1,16 @@
+#pragma once
+/// 2-norm condition numbers of dense matrices.
+
+#include <Eigen/Core>
+
+namespace gcs {
+
+/// Of the largest singular value to the smallest.
+double singular_ratio(const Eigen::MatrixXd& matrix);
+double singular_ratio(const Eigen::MatrixXcd& matrix);
+
+/// The same to seven digits, several times faster where it is not large.
+double rounded_singular_ratio(const Eigen::MatrixXd& matrix);
+double rounded_singular_ratio(const Eigen::MatrixXcd& matrix);
+
+}  // namespace gcs

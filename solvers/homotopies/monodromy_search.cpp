@@ -93,8 +93,11 @@ class Search {
   /// The next legs to follow, at most `legs_at_once`: first what the first arcs have not been tried on.
   std::vector<Task> next_tasks() {
     std::vector<Task> tasks;
-    for (int arc = 0; arc < static_cast<int>(gammas_.size()); ++arc)
-      for (int node = 0; node < 2; ++node) take_tasks(node, arc, tasks);
+    for (int arc = 0; arc < static_cast<int>(gammas_.size()); ++arc) {
+      const std::size_t before = tasks.size();
+      take_tasks(0, arc, tasks);
+      if (!options_.is_one_way || tasks.size() == before) take_tasks(1, arc, tasks);
+    }
     return tasks;
   }
 
@@ -133,29 +136,36 @@ class Search {
   void add_arc() {
     std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
     const std::complex<double> gamma = family_.is_homogeneous ? std::polar(1.0, angle(random_)) : 1.0;
-    ComplexVectorX bend = random_complex_vector(static_cast<int>(family_.is_free.size()), random_);
-    for (std::size_t e = 0; e < bend.size(); ++e) {
-      const double size = std::sqrt(std::abs(nodes_[0].squares[e]) * std::abs(nodes_[1].squares[e]));
-      bend[e] *= family_.is_free[e] ? options_.bend * size : 0;
-    }
+    const ComplexVectorX first = random_bend(), second = options_.has_two_bends ? random_bend() : first;
     gammas_.push_back(gamma);
-    routes_.push_back(route(nodes_[0].squares, scaled(nodes_[1].squares, gamma * gamma), bend));
-    routes_.push_back(route(scaled(nodes_[1].squares, gamma * gamma), nodes_[0].squares, bend));
+    routes_.push_back(route(nodes_[0].squares, scaled(nodes_[1].squares, gamma * gamma), first, second));
+    routes_.push_back(route(scaled(nodes_[1].squares, gamma * gamma), nodes_[0].squares, second, first));
     for (Node& node : nodes_) {
       node.images.emplace_back(node.solutions.size(), Node::open);
       node.next.push_back(0);
     }
   }
 
-  /// (1 − s) from + s to + s(1 − s) bend
-  static Route route(const ComplexVectorX& from, const ComplexVectorX& to, const ComplexVectorX& bend) {
+  ComplexVectorX random_bend() {
+    ComplexVectorX bend = random_complex_vector(static_cast<int>(family_.is_free.size()), random_);
+    for (std::size_t e = 0; e < bend.size(); ++e) {
+      const double size = std::sqrt(std::abs(nodes_[0].squares[e]) * std::abs(nodes_[1].squares[e]));
+      bend[e] *= family_.is_free[e] ? options_.bend * size : 0;
+    }
+    return bend;
+  }
+
+  /// (1 − s) from + s to + s(1 − s)((1 − s) first + s second)
+  static Route route(const ComplexVectorX& from, const ComplexVectorX& to, const ComplexVectorX& first,
+                     const ComplexVectorX& second) {
     Route route;
     route.end = to;
     for (std::size_t e = 0; e < from.size(); ++e) {
+      const std::complex<double> turn = second[e] - first[e];
       route.coefficients[0].push_back(from[e]);
-      route.coefficients[1].push_back(to[e] - from[e] + bend[e]);
-      route.coefficients[2].push_back(-bend[e]);
-      route.coefficients[3].push_back(0);
+      route.coefficients[1].push_back(to[e] - from[e] + first[e]);
+      route.coefficients[2].push_back(turn - first[e]);
+      route.coefficients[3].push_back(first[e] - second[e]);
     }
     return route;
   }

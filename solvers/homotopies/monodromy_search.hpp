@@ -11,7 +11,9 @@
 /// Distances are homogeneous: scaling a placement by γ scales A by γ². Where no position is given an arc ends
 /// at γ²A_1, with its own γ on the unit circle, and the solution is scaled back. Beside that every arc bends
 /// by s(1 − s)B with a random B: straight ones of one pair of nodes lie in a plane, and group the branch
-/// points in sectors of it, of which a few solutions may see no single one.
+/// points in sectors of it, of which a few solutions may see no single one. The bend is B(s) = B, or
+/// (1 − s)B + sC with two random ones: large ones go out in one direction and come back in another, so that solutions
+/// that are far larger than the others meet branch points too.
 
 #include <cstdint>
 #include <functional>
@@ -51,6 +53,10 @@ struct MonodromyOptions {
   int arcs = 12;           ///< at most
   int legs_at_once = 256;  ///< followed before their ends are sorted in; part of the result's definition
   double bend = 2;         ///< |B| over |A|
+  bool has_two_bends = false;
+  /// Whether an arc is tried from a node's solutions only when its other end has none left: half the legs, and batches that
+  /// are half as large.
+  bool is_one_way = false;
 };
 
 /// How a search ended.

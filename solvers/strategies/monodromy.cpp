@@ -149,8 +149,9 @@ class MonodromyStrategy final : public ComplexStrategy {
     request.starts->write(*save_start_, start_family(start.equations), found);
   }
 
-  /// Values have no common factor to turn by, which leaves the mixing to the arcs' bends and number; where the trace test
-  /// says that some are missing, more arcs are tried.
+  /// Values have no common factor to turn by, which leaves the mixing to the arcs' bends and number: with two bends, each
+  /// twice as large as in trace tests, random platforms are found along a third of the paths. Where the trace test says
+  /// that some are missing, more arcs are tried.
   StartSystem search_member(const SolveRequest& request, const std::optional<std::uint64_t>& most,
                             GeneralStart& start) const {
     const auto stopped = [&] { return request.stop.stop_requested(); };
@@ -158,7 +159,10 @@ class MonodromyStrategy final : public ComplexStrategy {
       return [&request, stage](int) { report_progress(request, stage, -1); };
     };
     MonodromyOptions search = search_;
-    search.bend = trace_bend;
+    search.first_arcs = 3;
+    search.bend = 2 * trace_bend;
+    search.has_two_bends = true;
+    search.is_one_way = true;
     StartSystem found;
     bool is_done = false;
     for (int i = 0; i < most_trace_tests && !is_done && !stopped(); ++i) {

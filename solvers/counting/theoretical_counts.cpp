@@ -13,6 +13,7 @@
 #include "solvers/elements/element_order.hpp"
 #include "solvers/structure/core_reduction.hpp"
 #include "solvers/structure/decomposition.hpp"
+#include "solvers/structure/octahedral_pairs.hpp"
 #include "solvers/structure/sub_problem.hpp"
 
 namespace gcs {
@@ -379,15 +380,27 @@ void bound_in_order(const ProblemStatement& problem, const ElementOrder& order, 
   counts.bound = std::move(bound);
 }
 
+/// Of each opposite pair one is a point, and these three are the frame. What is opposite keeps two pairs with them and
+/// moves on a conic: a point on a circle, a plane (n, h) where two linear equations leave n·n = 1 one unknown. On a circle
+/// p·p is linear in p, so that the three pairs that are left are linear in each of two conics: of bidegree (2, 2) in their
+/// parameters, and on (P¹)³ (2a + 2b)(2b + 2c)(2c + 2a) = 16abc, of which the frame's mirror makes 8. Isolated figures
+/// persist when values are moved, so that special ones leave no more.
+void bound_octahedron_with_planes(const ProblemStatement& problem, TheoreticalCounts& counts) {
+  counts.bound = CountBound{{Natural(16), frame_images(problem)}, {}, {}};
+  counts.bound->theorem = "an octahedron of points and planes: three elements, each on a conic, by Bézout";
+}
+
 void bound_general(const ProblemStatement& problem, TheoreticalCounts& counts) {
   counts.why_no_exact = "The exact number is known only for points with distances between them.";
   if (is_platform(problem)) return bound_platform(problem, counts);
   if (is_hinged_ring(problem)) return bound_hinged_ring(problem, counts);
+  if (!problem.is_anchored() && find_octahedron_with_planes(problem))
+    return bound_octahedron_with_planes(problem, counts);
   if (const auto order = element_order(Scene::unchecked(problem)))
     return bound_in_order(problem, *order, counts);
   counts.why_no_bound =
-      "The bound is known for distances of points, of one line, of two bodies alone, for six in a ring, and "
-      "for what hangs on these.";
+      "The bound is known for distances of points, of one line, of two bodies alone, for six in a ring, for "
+      "octahedra of points and planes, and for what hangs on these.";
 }
 
 }  // namespace

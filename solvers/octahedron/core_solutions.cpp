@@ -164,7 +164,7 @@ bool CoreSolutions::are_all_isolated() const {
 
 CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, DiagonalMethod method,
                          WorkCounters& work) {
-  Octahedron octahedron = *find_octahedron(scene, reduction);
+  Octahedron octahedron = *find_octahedron(scene.problem(), reduction);
   CoreSolutions best = CoreSolver(scene, reduction, octahedron).run(method, work);
   if (best.accounted_for() != pairs) best.at_infinity = stretched_walks(scene, octahedron);
   for (int choice = 1; choice < 3 && best.accounted_for() != pairs; ++choice) {

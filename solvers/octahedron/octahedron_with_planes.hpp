@@ -16,7 +16,7 @@ struct PlacedOctahedra {
                 ///< leave them
 };
 
-/// By all pairs of diagonals aa', bb'. Precondition: find_octahedron_with_planes(scene) with its pairs in any order, and
+/// By all pairs of diagonals aa', bb'. Precondition: find_octahedron_with_planes(scene.problem()) with its pairs in any order, and
 /// some base of it is round.
 PlacedOctahedra place_with_planes(const Scene& scene, const Octahedron& octahedron, DiagonalMethod method);
 

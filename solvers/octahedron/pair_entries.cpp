@@ -1,6 +1,7 @@
 #include "solvers/octahedron/pair_entries.hpp"
 
 #include "solvers/model/given_numbers.hpp"
+#include "solvers/structure/octahedral_pairs.hpp"
 
 namespace gcs {
 namespace {
@@ -10,18 +11,11 @@ int first_plane(const ProblemStatement& problem) { return problem.plane_entity(0
 }  // namespace
 
 std::optional<GivenPair> given_pair(const Scene& scene, const Relation& relation) {
-  const ProblemStatement& problem = scene.problem();
-  if (relation.of.size() != 2 || relation.of[0].is_segment() || relation.of[1].is_segment())
-    return std::nullopt;
-  const std::array<int, 2> between{relation.of[0].entity, relation.of[1].entity};
-  if (problem.is_line(between[0]) || problem.is_line(between[1])) return std::nullopt;
-  const int planes = problem.is_plane(between[0]) + problem.is_plane(between[1]);
-  if (planes == 1 && relation.type == "distance")
-    return GivenPair{between, given_length(scene, relation.given)};
-  if (planes == 2 && relation.type == "angle") return GivenPair{between, given_cosine(relation, false)};
-  if ((planes == 1 && relation.type == "on") || (planes == 2 && relation.type == "perpendicular"))
-    return GivenPair{between, {}};
-  return std::nullopt;
+  const auto between = pair_with_plane(scene.problem(), relation);
+  if (!between) return std::nullopt;
+  if (relation.type == "distance") return GivenPair{*between, given_length(scene, relation.given)};
+  if (relation.type == "angle") return GivenPair{*between, given_cosine(relation, false)};
+  return GivenPair{*between, {}};
 }
 
 PairEntries::PairEntries(const Scene& scene)

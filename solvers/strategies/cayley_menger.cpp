@@ -289,7 +289,7 @@ class PlanesSolver {
         classes_(equations_, {.nearby = nearby, .same = nearly_singular}, random_) {}
 
   SolveReport run() {
-    Octahedron octahedron = *find_octahedron_with_planes(request_.scene);
+    Octahedron octahedron = *find_octahedron_with_planes(request_.scene.problem());
     const PlacedOctahedra first = settle(octahedron);
     for (int choice = 1; choice < 3 && !are_all() && !request_.stop.stop_requested(); ++choice) {
       std::rotate(octahedron.pair.begin(), octahedron.pair.begin() + 1, octahedron.pair.end());
@@ -344,7 +344,7 @@ class CayleyMengerStrategy final : public Strategy {
     if (scene.problem().is_general()) return why_not_with_planes(scene);
     if (scene.dimension() != 3 || scene.has_lines()) return "it solves octahedra: six points in space";
     if (scene.is_anchored()) return "it places the octahedron itself, and the instance fixes positions";
-    const auto octahedron = find_octahedron(scene, reduce_to_core(scene.problem(), {}));
+    const auto octahedron = find_octahedron(scene.problem(), reduce_to_core(scene.problem(), {}));
     if (!octahedron)
       return "the core is not an octahedron (six points, all distances but three disjoint ones)";
     return why_no_base(scene, *octahedron);
@@ -358,7 +358,7 @@ class CayleyMengerStrategy final : public Strategy {
     const CoreSolutions core = solve_core(request.scene, reduction, method_, work);
     SolveReport report = Reporter(request, reduction, core.frame).run(core, work);
     if (method_ == DiagonalMethod::univariate)
-      add_facts(request, *find_octahedron(request.scene, reduction), report);
+      add_facts(request, *find_octahedron(request.scene.problem(), reduction), report);
     return report;
   }
 
@@ -374,7 +374,7 @@ class CayleyMengerStrategy final : public Strategy {
     const ProblemStatement& problem = scene.problem();
     if (scene.dimension() != 3 || scene.is_anchored() || problem.planes.empty())
       return "of general scenes it solves octahedra of points and planes in space, without given positions";
-    const auto octahedron = find_octahedron_with_planes(scene);
+    const auto octahedron = find_octahedron_with_planes(scene.problem());
     if (!octahedron)
       return "it is no octahedron of points and planes (six of them, a distance or an angle of all pairs but "
              "three disjoint ones, each of a point and another element)";
@@ -391,7 +391,7 @@ class CayleyMengerStrategy final : public Strategy {
   SolveReport solve_with_planes(const SolveRequest& request) const {
     SolveReport report = PlanesSolver(request, method_).run();
     if (method_ == DiagonalMethod::univariate)
-      add_facts(request, *find_octahedron_with_planes(request.scene), report);
+      add_facts(request, *find_octahedron_with_planes(request.scene.problem()), report);
     return report;
   }
 

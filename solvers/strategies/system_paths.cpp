@@ -37,7 +37,7 @@ using System = SystemPaths::System;
 std::optional<Octahedron> whole_octahedron(const Scene& scene) {
   if (scene.dimension() != 3 || scene.has_lines() || scene.is_anchored() || scene.point_count() != 6)
     return std::nullopt;
-  const auto octahedron = find_octahedron(scene, reduce_to_core(scene.problem(), {}));
+  const auto octahedron = find_octahedron(scene.problem(), reduce_to_core(scene.problem(), {}));
   return octahedron ? std::optional(with_round_base(*octahedron, PairEntries(scene))) : std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/figures/general_figures.hpp"
 #include "solvers/solving/solve.hpp"
@@ -132,8 +133,35 @@ TEST_CASE("octahedral scenes with up to three planes have 8 solutions up to refl
     CHECK(answer.solutions.size() == 8);
     REQUIRE(answer.proofs);
     CHECK(answer.proofs->classes == 8);
+    CHECK(answer.proofs->are_complete());
     CHECK(answer.proofs->real >= 1);
   }
+}
+
+TEST_CASE("an octahedral scene with given positions, or with other pairs, has no bound of its own") {
+  RandomNumbers random(17);
+  ProblemStatement problem = random_octahedral(1, random);
+  CHECK(theoretical_counts(problem).upper_limit()->up_to_reflection() == Natural(8));
+  ProblemStatement turned = problem;
+  for (Relation& relation : turned.relations)
+    if (relation.type == "distance") relation.type = "angle";
+  CHECK_FALSE(theoretical_counts(turned).upper_limit());
+  problem.fixed_points.assign(problem.points.size(), Eigen::Vector3d::Zero());
+  CHECK_FALSE(theoretical_counts(problem).upper_limit());
+}
+
+TEST_CASE("loops find the postures of a general platform along a few times as many paths") {
+  RandomNumbers random(16);
+  const Scene scene = Scene::unchecked(random_platform(3, random));
+  constexpr std::uint64_t seeds = 6;
+  std::int64_t paths = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Answer answer = solve(scene, Monodromy{.seed = seed});
+    CHECK(answer.status == RunStatus::complete);
+    for (const Particular& particular : answer.particulars)
+      if (particular.name == "loop_paths") paths += particular.value;
+  }
+  CHECK(paths <= static_cast<std::int64_t>(seeds * 8 * 40));
 }
 
 TEST_CASE("the unit of a general scene changes no bit, however small or large") {

@@ -33,7 +33,7 @@ ProblemStatement octahedron_of(const Eigen::Matrix3Xd& points, double unit = 1) 
 }
 
 Octahedron core_of(const Scene& scene) {
-  return *find_octahedron(scene, reduce_to_core(scene.problem(), {}));
+  return *find_octahedron(scene.problem(), reduce_to_core(scene.problem(), {}));
 }
 
 /// With the pairs in any order and the points of each swapped or not: 48.

@@ -29,7 +29,7 @@ bool is_zero_in_balls(const std::array<long, 4>& squares, const std::array<int, 
 }
 
 Octahedron core_of(const Scene& scene) {
-  return *find_octahedron(scene, reduce_to_core(scene.problem(), {}));
+  return *find_octahedron(scene.problem(), reduce_to_core(scene.problem(), {}));
 }
 
 /// The sample octahedron with other points; lengths are doubles.

@@ -40,7 +40,7 @@ ProblemStatement with_squares_of(ProblemStatement problem, const Eigen::Matrix3X
 }
 
 Octahedron core_of(const Scene& scene) {
-  return *find_octahedron(scene, reduce_to_core(scene.problem(), {}));
+  return *find_octahedron(scene.problem(), reduce_to_core(scene.problem(), {}));
 }
 
 /// With a at 0, b on the x-axis and c in the xy-plane.

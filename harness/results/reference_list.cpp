@@ -57,6 +57,12 @@ KnownSolution read_solution(const JsonCursor& cursor, const Scene& scene) {
     exact.lines.push_back(
         {read_vector(line.required("point"), 3), read_vector(line.required("direction"), 3)});
   }
+  for (const std::string& name : problem.planes) {
+    const JsonCursor plane = cursor.required("planes").required(name), offset = plane.required("offset");
+    exact.planes.push_back(
+        {read_vector(plane.required("normal"), 3),
+         is_real ? DecimalNumber{decimal_text(offset)} : read_complex<DecimalNumber>(offset, decimal_text)});
+  }
   exact.error = cursor.required("error_bound").number().value;
   return known(scene, std::move(exact));
 }

@@ -159,7 +159,10 @@ const TableKind& precision_kind() {
                               all_precision_variants,
                               build_precision,
                               draw_precision,
-                              measures_accuracy};
+                              measures_accuracy,
+                              load_instance,
+                              shows_times,
+                              knows_general};
   return kind;
 }
 

@@ -221,7 +221,7 @@ class Solve {
 
   /// Where certificates do not reach the scene nothing is refined.
   void refine() {
-    if (why_not_certified(scene_) || scene_.problem().is_general()) return;
+    if (why_not_certified(scene_)) return;
     enter(SolveStage::refining);
     std::vector<Figure> figures;
     for (const AssessedSolution& solution : answer_.solutions) figures.push_back(solution.figure);

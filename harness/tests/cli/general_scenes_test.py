@@ -146,10 +146,19 @@ class GeneralScenes(command_line.CommandLine):
     def test_what_does_not_know_them_says_so(self):
         instance = self.instance(PLATFORM)
         self.assert_one_message(run("path", instance, "--out", self.folder / "path.json"), NOT_SOLVED, "distances")
-        for command in [["precision", instance], ["tables", "table1", "--instances", instance]]:
-            done = run(*command)
-            self.assertEqual(done.returncode, BAD_INPUT)
-            self.assertIn("does not know", done.stderr)
+        done = run("tables", "table1", "--instances", instance)
+        self.assertEqual(done.returncode, BAD_INPUT)
+        self.assertIn("does not know", done.stderr)
+
+    def test_a_reference_has_as_many_digits_as_are_asked_for(self):
+        for scene, count in [(PLATFORM, 6), (planes(), 8)]:
+            result = self.solved(scene)
+            out = self.folder / "reference.json"
+            self.assertEqual(run("--quiet", "reference", result, "--digits", "40", "--out", out).returncode, DONE)
+            solutions = json.loads(out.read_text())["solutions"]
+            self.assertEqual(len(solutions), count)
+            for solution in solutions:
+                self.assertLessEqual(solution["error_bound"], 1e-38)
 
 
 if __name__ == "__main__":

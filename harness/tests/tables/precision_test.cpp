@@ -49,7 +49,8 @@ TEST_CASE("right answers meet all solutions that they claim, with errors of roun
   for (const Case& one :
        {Case{"octahedron", "cayley-menger", 8}, Case{"octahedron", "rcp", 4},
         Case{"disulfide", "full-space", 8}, Case{"prism", "plan-scan", 12},
-        Case{"hoffmann-yuan", "theta-scan", 6}, Case{"tangents-durand", "sphere-tangents", 12}}) {
+        Case{"hoffmann-yuan", "theta-scan", 6}, Case{"tangents-durand", "sphere-tangents", 12},
+        Case{"planar-platform", "monodromy", 6}, Case{"octahedral-3p3h", "cayley-menger", 8}}) {
     INFO(one.instance << ", " << one.strategy);
     const Court court(one.instance);
     const Accuracy accuracy = court.judge.judge(solved(court.scene, one.strategy), 0);
@@ -107,6 +108,24 @@ TEST_CASE("refined answers are as exact as was asked for") {
     CHECK(accuracy.largest_error < std::pow(10.0, 1 - digits));
     CHECK(accuracy.largest_error > std::pow(10.0, -5 - digits));
   }
+}
+
+TEST_CASE("refined answers are as exact in general scenes, of bodies and of planes") {
+  for (const char* id : {"planar-platform", "octahedral-3p3h"}) {
+    INFO(id);
+    const Court court(id);
+    const SolveRun run = solved(court.scene, "monodromy", 60);
+    CHECK(run.refined.size() == run.solutions.size());
+    CHECK(court.judge.judge(run, 60).largest_error < 1e-57);
+    CHECK(court.judge.judge(run, 60).largest_error > 1e-70);
+  }
+}
+
+TEST_CASE("a plane that is moved is off by as much") {
+  const Court court("octahedral-3p3h");
+  SolveRun run = solved(court.scene, "cayley-menger");
+  run.solutions.front().figure.planes.front().offset += 1e-5 * court.scene.size();
+  CHECK(court.judge.judge(run, 0).largest_error == Approx(1e-5).epsilon(1e-4));
 }
 
 TEST_CASE("an instance that is not shipped gets a reference of its own, proven") {

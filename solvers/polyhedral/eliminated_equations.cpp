@@ -1,7 +1,10 @@
 #include "solvers/polyhedral/eliminated_equations.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <iterator>
 #include <map>
+#include <utility>
 
 #include "solvers/polyhedral/polyhedral_homotopies.hpp"
 
@@ -97,6 +100,23 @@ class MonomialElimination {
 
 EliminatedEquations eliminated_equations(const MonomialSystem& system, const ComplexVectorX& coefficients) {
   return MonomialElimination(system, coefficients).run();
+}
+
+EliminatedEquations with_constant_terms(EliminatedEquations equations) {
+  EliminatedEquations result;
+  auto coefficient = equations.coefficients.begin();
+  for (Support& support : equations.supports) {
+    const Exponents constant(support.front().size(), 0);
+    const auto end = coefficient + std::ssize(support);
+    result.coefficients.insert(result.coefficients.end(), coefficient, end);
+    coefficient = end;
+    if (std::ranges::find(support, constant) == support.end()) {
+      support.push_back(constant);
+      result.coefficients.emplace_back(0);
+    }
+    result.supports.push_back(std::move(support));
+  }
+  return result;
 }
 
 }  // namespace gcs

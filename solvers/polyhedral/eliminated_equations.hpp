@@ -16,4 +16,9 @@ struct EliminatedEquations {
 /// rounding of what it was computed from is 0. Precondition: the equations are independent.
 EliminatedEquations eliminated_equations(const MonomialSystem& system, const ComplexVectorX& coefficients);
 
+/// The same equations with a constant term each, 0 where there was none: the mixed cells of these supports lead to the
+/// zeros in C^n, where those without lead to zeros in (C*)^n alone (T. Y. Li, X. Wang, The BKK root count in C^n, Math.
+/// Comp. 65, 1996).
+EliminatedEquations with_constant_terms(EliminatedEquations equations);
+
 }  // namespace gcs

@@ -17,7 +17,8 @@
 ///
 /// General scenes go the same way with the equations of elements/scene_system.hpp for the values of a figure at random,
 /// after Gaussian elimination (polyhedral/eliminated_equations.hpp). Unit vectors and the like leave no coefficient free,
-/// and most paths run to infinity.
+/// and most paths run to infinity. Where an unknown is 0 whatever the values are, as of a line along an axis of the frame,
+/// the equations get constant terms, and more paths (with_constant_terms).
 ///
 /// It fails where the mixed cells cannot be enumerated, on graphs beyond some twenty points, or are of too many paths, and
 /// on scenes as monodromy does. HOM4PS-2.0: T. L. Lee, T. Y. Li, C. H. Tsai, Computing 83 (2008).
@@ -26,7 +27,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "solvers/homotopies/complex_strategy.hpp"
 #include "solvers/homotopies/endgame.hpp"
@@ -107,7 +110,7 @@ class PolyhedralStrategy final : public ComplexStrategy {
   void solve_random_member(const SolveRequest& request, const ClassLimit& limit,
                            GeneralStart& start) const override {
     const FamilyMember member = random_member(start.equations, start.random);
-    const auto [supports, coefficients] = eliminated_equations(start.equations.system, member.parameters);
+    const auto [supports, coefficients] = equations_at(start.equations.system, member);
     const SignMasks divided = follows_mirror_images() ? SignMasks(std::vector<int>(supports.size(), -1))
                                                       : symmetric_signs(supports, start.equations.signs);
     const auto progress = [&request](std::string_view stage, double fraction) {
@@ -126,6 +129,17 @@ class PolyhedralStrategy final : public ComplexStrategy {
       start.missing =
           fmt::format("the random figure that gives the values is not among the {} classes found for them",
                       start.solutions.size());
+  }
+
+  /// Where an unknown of the member, which is generic among the figures that meet what has no value, is 0, it is 0 in all of
+  /// these, and no zero has coordinates in C* alone.
+  static EliminatedEquations equations_at(const MonomialSystem& system, const FamilyMember& member) {
+    constexpr double rounding = 1e-10;  // relative to the largest unknown, of Newton's method
+    EliminatedEquations equations = eliminated_equations(system, member.parameters);
+    const auto is_zero = [least = rounding * largest(member.x)](const std::complex<double>& value) {
+      return std::abs(value) <= least;
+    };
+    return std::ranges::any_of(member.x, is_zero) ? with_constant_terms(std::move(equations)) : equations;
   }
 
   /// The regular ends, once up to the signs of the scene; jumps show up to those that were divided by. Whether the

@@ -34,6 +34,12 @@ TEST_CASE("tame members of general families have as many solutions as theory cou
   for (const InstanceFamily& family : general_families()) check_count(family.members().front(), "monodromy");
 }
 
+TEST_CASE("mixed cells lead to solutions with unknowns that are 0 whatever the values are") {
+  for (const std::string id :
+       {"parallel-planes@0.5", "opposite-planes@1e-6", "straight-segments@0.5", "right-angle@1e-4"})
+    check_count(id, "polyhedral");
+}
+
 TEST_CASE("bodies that are flat count up to reflection") {
   check_count("straight-bodies@0", "monodromy");
   check_count("flat-base@0", "monodromy");

@@ -43,6 +43,16 @@ TEST_CASE("what rounding leaves of a coefficient is no coefficient") {
   CHECK(occurrences(supports, {2, 0}) == 1);
 }
 
+TEST_CASE("with constant terms mixed cells count zeros on the axes") {
+  // x y = 0 and x + y = 1: (1, 0) and (0, 1), both outside of (C*)².
+  const EliminatedEquations equations{{{{1, 1}}, {{1, 0}, {0, 1}, {0, 0}}}, {1, 1, 1, -1}};
+  CHECK(mixed_volume(equations.supports) == Natural(0));
+  const auto [supports, coefficients] = with_constant_terms(equations);
+  CHECK(mixed_volume(supports) == Natural(2));
+  CHECK(supports == Supports{{{1, 1}, {0, 0}}, {{1, 0}, {0, 1}, {0, 0}}});
+  CHECK(coefficients == ComplexVectorX{1, 0, 1, 1, -1});
+}
+
 TEST_CASE("eliminated equations of a general scene have its zeros, and no more paths lead to them") {
   samples::RandomNumbers numbers(41);
   std::mt19937_64 random(42);

@@ -125,7 +125,7 @@ class PolyhedralStrategy final : public ComplexStrategy {
     start.missing = paths.is_stopped ? "stopped on the way to " + destination : paths.missing;
     const bool has_member = sort_in(paths.ends, divided, member.x, start);
     if (!start.missing.empty() && limit() == start.solutions.size()) start.missing.clear();
-    if (!start.is_stopped && !has_member)
+    if (start.missing.empty() && !has_member)
       start.missing =
           fmt::format("the random figure that gives the values is not among the {} classes found for them",
                       start.solutions.size());

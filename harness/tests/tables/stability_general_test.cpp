@@ -1,7 +1,11 @@
 /// The families of lines, planes, angles and bodies: that they are what they say, and how strategies fare.
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "harness/instances/families.hpp"
 #include "harness/instances/family_lists.hpp"
@@ -89,23 +93,54 @@ TEST_CASE("a body scaled by a power of two has as many solutions") {
   for (const std::string exponent : {"500", "-500"}) check_count("scaled-body@" + exponent, "monodromy");
 }
 
+namespace {
+
+std::string constraints(const std::string& form, const std::vector<std::string>& between) {
+  std::string text;
+  for (const std::string& points : between) text += fmt::format(fmt::runtime(form), points) + ", ";
+  return text;
+}
+
+/// Of points in the plane on these lines, with as many distances.
+std::string scene_text(const std::string& points, const std::string& lines, const std::string& distances) {
+  return R"({"format": "gcsbench-instance/2", "id": "theorem", "dimension": 2, "points": [)" + points +
+         R"(], "constraints": [)" + lines + distances.substr(0, distances.size() - 2) + "]}";
+}
+
+const std::string collinear = R"({{"type": "collinear", "between": [{}]}})";
+const std::string last_collinear = R"({{"id": "last", "type": "collinear", "between": [{}]}})";
+const std::string two_apart = R"({{"type": "distance", "between": [{}], "length": 2}})";
+
+}  // namespace
+
 TEST_CASE("an incidence that follows from Pappus's theorem is redundant, and the scene without it is none") {
+  const std::string points = R"("a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3")";
   const std::string eight =
-      R"({"format": "gcsbench-instance/2", "id": "pappus", "dimension": 2,
-          "points": ["a1", "a2", "a3", "b1", "b2", "b3", "c1", "c2", "c3"], "constraints": [)";
-  std::string lines;
-  for (const std::string triple :
-       {R"("a1", "a2", "a3")", R"("b1", "b2", "b3")", R"("a1", "b2", "c3")", R"("a2", "b1", "c3")",
-        R"("a1", "b3", "c2")", R"("a3", "b1", "c2")", R"("a2", "b3", "c1")", R"("a3", "b2", "c1")"})
-    lines += R"({"type": "collinear", "between": [)" + triple + "]}, ";
-  const std::string ninth = R"({"id": "last", "type": "collinear", "between": ["c1", "c2", "c3"]}, )";
-  std::string values;
-  for (const std::string pair :
-       {R"("a1", "a2")", R"("a2", "a3")", R"("a1", "b1")", R"("a2", "b1")", R"("b1", "b2")", R"("b2", "b3")"})
-    values += R"({"type": "distance", "between": [)" + pair + R"(], "length": 2}, )";
-  const std::string seventh = R"({"type": "distance", "between": ["a2", "b2"], "length": 2})";
-  values = values.substr(0, values.size() - 2);
-  CHECK_THROWS_WITH(parse_instance(eight + lines + ninth + values + "]}", "pappus"),
+      constraints(collinear, {R"("a1", "a2", "a3")", R"("b1", "b2", "b3")", R"("a1", "b2", "c3")",
+                              R"("a2", "b1", "c3")", R"("a1", "b3", "c2")", R"("a3", "b1", "c2")",
+                              R"("a2", "b3", "c1")", R"("a3", "b2", "c1")"});
+  const std::string ninth = constraints(last_collinear, {R"("c1", "c2", "c3")"});
+  const std::string six = constraints(two_apart, {R"("a1", "a2")", R"("a2", "a3")", R"("a1", "b1")",
+                                                  R"("a2", "b1")", R"("b1", "b2")", R"("b2", "b3")"});
+  const std::string seventh = constraints(two_apart, {R"("a2", "b2")"});
+  CHECK_THROWS_WITH(parse_instance(scene_text(points, eight + ninth, six), "theorem"),
                     Catch::Contains("last") && Catch::Contains("depend on each other"));
-  CHECK_NOTHROW(parse_instance(eight + lines + values + ", " + seventh + "]}", "pappus"));
+  CHECK_NOTHROW(parse_instance(scene_text(points, eight, six + seventh), "theorem"));
+}
+
+TEST_CASE(
+    "an incidence that follows from Desargues's theorem is redundant, and the scene without it is none") {
+  const std::string points = R"("o", "a1", "b1", "c1", "a2", "b2", "c2", "p", "q", "r")";
+  const std::string nine =
+      constraints(collinear, {R"("o", "a1", "a2")", R"("o", "b1", "b2")", R"("o", "c1", "c2")",
+                              R"("a1", "b1", "p")", R"("a2", "b2", "p")", R"("b1", "c1", "q")",
+                              R"("b2", "c2", "q")", R"("a1", "c1", "r")", R"("a2", "c2", "r")"});
+  const std::string tenth = constraints(last_collinear, {R"("p", "q", "r")"});
+  const std::string seven =
+      constraints(two_apart, {R"("o", "a1")", R"("o", "b1")", R"("o", "c1")", R"("a1", "b1")",
+                              R"("b1", "c1")", R"("o", "a2")", R"("o", "b2")"});
+  const std::string eighth = constraints(two_apart, {R"("o", "c2")"});
+  CHECK_THROWS_WITH(parse_instance(scene_text(points, nine + tenth, seven), "theorem"),
+                    Catch::Contains("last") && Catch::Contains("depend on each other"));
+  CHECK_NOTHROW(parse_instance(scene_text(points, nine, seven + eighth), "theorem"));
 }

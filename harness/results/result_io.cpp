@@ -7,6 +7,7 @@
 #include "harness/base/record_json.hpp"
 #include "harness/results/result_counts.hpp"
 #include "harness/solving/frame_view.hpp"
+#include "solvers/elements/general_structure.hpp"
 #include "solvers/reading/figure_json.hpp"
 
 namespace gcs {
@@ -39,12 +40,28 @@ JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution
   return json_object(std::move(members));
 }
 
+JsonValue list_of_crossings(const std::vector<AssessedCrossing>& crossings) {
+  return json_array_of(crossings, [](const AssessedCrossing& crossing) {
+    return json_object({{"solution", json_or_null(crossing.solution, json_number)},
+                        {"direction", json_number(crossing.direction)}});
+  });
+}
+
 /// Null for a strategy that follows no path in the lengths.
 JsonValue path_value(const SolveRun& run) {
   if (run.claim != Claim::on_path && run.claim != Claim::on_path_of_core) return json_null();
-  return json_array_of(run.crossings, [](const AssessedCrossing& crossing) {
-    return json_object({{"solution", json_or_null(crossing.solution, json_number)},
-                        {"direction", json_number(crossing.direction)}});
+  return list_of_crossings(run.crossings);
+}
+
+/// Null for a strategy that walks along no curves.
+JsonValue graph_value(const ProblemStatement& problem, const SolveRun& run) {
+  if (run.curves.empty()) return json_null();
+  return json_array_of(run.curves, [&](const AssessedCurve& curve) {
+    return json_object({{"constraint", json_text(id_of_value(problem, curve.released))},
+                        {"end", json_text(std::string(word(curve.end)))},
+                        {"cause", json_text(curve.cause)},
+                        {"proven", json_boolean(curve.proven)},
+                        {"crossings", list_of_crossings(curve.crossings)}});
   });
 }
 
@@ -171,6 +188,7 @@ std::string result_text(const Instance& instance, const SolveRun& run, const Env
   document.list("solutions", run.solutions,
                 [&](const AssessedSolution& s) { return solution_value(instance.problem, s); });
   document.member("path", path_value(run));
+  document.member("graph", graph_value(instance.problem, run));
   document.member("ends", json_array_of(run.ends, ends_value));
   document.member("motions", motions_value(instance.problem, run.motions));
   document.member("statistics", statistics_value(run));

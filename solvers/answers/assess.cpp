@@ -178,6 +178,7 @@ class Assessor {
     solution_of_ = list_solutions(scene_, judge_, judged_, assessment_.solutions);
     check_residuals();
     for (const PathRecord& path : report_.paths) take_crossings(path);
+    for (const CurveRecord& curve : report_.curves) take_curve(curve);
     if (report_.claim == Claim::on_path) check_all_met();
     for (Motion motion : report_.motions) {
       motion.figure = motion.figure.scaled(scene_.unit_exponent());
@@ -226,18 +227,35 @@ class Assessor {
     return known && std::abs(crossing.direction) == 1 ? judged_index_[crossing.candidate] : -1;
   }
 
-  /// Takes one path's crossings into the list and checks them as a whole.
-  void take_crossings(const PathRecord& path) {
-    std::vector<std::pair<int, int>> taken;  // judged candidate, direction
+  /// Judged candidates and directions.
+  std::vector<std::pair<int, int>> well_formed_crossings(const PathRecord& path) {
+    std::vector<std::pair<int, int>> taken;
     for (const Crossing& crossing : path.crossings) {
       const int judged = judged_candidate(crossing);
-      if (judged < 0) {
+      if (judged < 0)
         fail("malformed", fmt::format("a crossing names candidate {} with direction {}", crossing.candidate,
                                       crossing.direction));
-        continue;
-      }
-      taken.emplace_back(judged, crossing.direction);
-      assessment_.crossings.push_back({solution_of_[judged], crossing.direction});
+      else
+        taken.emplace_back(judged, crossing.direction);
+    }
+    return taken;
+  }
+
+  /// Its crossings name classes, whose mirror images may be met too.
+  void take_curve(const CurveRecord& curve) {
+    const std::vector<std::pair<int, int>> taken = well_formed_crossings(curve.path);
+    AssessedCurve assessed{curve.released, curve.path.end, curve.path.cause, curve.path.proven};
+    for (const auto& [judged, direction] : taken)
+      assessed.crossings.push_back({solution_of_[judged], direction});
+    assessment_.curves.push_back(std::move(assessed));
+    if (report_.status == SolveStatus::complete) check_alternation(curve.path, taken);
+  }
+
+  /// Takes one path's crossings into the list and checks them as a whole.
+  void take_crossings(const PathRecord& path) {
+    const std::vector<std::pair<int, int>> taken = well_formed_crossings(path);
+    for (const auto& [judged, direction] : taken) {
+      assessment_.crossings.push_back({solution_of_[judged], direction});
       met_.insert(judged);
     }
     if (report_.claim == Claim::on_path) check_alternation(path, taken);
@@ -383,8 +401,12 @@ void keep_real(Assessment& assessment) {
 void keep_first(Assessment& assessment, std::size_t limit) {
   if (assessment.solutions.size() <= limit) return;
   assessment.solutions.resize(limit);
-  for (AssessedCrossing& crossing : assessment.crossings)
-    if (crossing.solution && *crossing.solution >= static_cast<int>(limit)) crossing.solution.reset();
+  const auto reset_left_out = [limit](std::vector<AssessedCrossing>& crossings) {
+    for (AssessedCrossing& crossing : crossings)
+      if (crossing.solution && *crossing.solution >= static_cast<int>(limit)) crossing.solution.reset();
+  };
+  reset_left_out(assessment.crossings);
+  for (AssessedCurve& curve : assessment.curves) reset_left_out(curve.crossings);
   recount(assessment);
 }
 

@@ -21,6 +21,15 @@ struct AssessedCrossing {
   int direction = 1;
 };
 
+/// A curve with one value released, and the solutions on it in the order met, which are classes.
+struct AssessedCurve {
+  int released = -1;  ///< as in CurveRecord
+  PathRecord::End end = PathRecord::End::failed;
+  std::string cause;
+  bool proven = false;  ///< that it is closed, and the order and number of its crossings
+  std::vector<AssessedCrossing> crossings{};
+};
+
 /// Counts of gcsbench-result/1; empty: the strategy does not determine it. Numbers of solutions may be those
 /// of a product, of any size.
 struct Counts {
@@ -75,6 +84,7 @@ struct Assessment {
   /// Real ones first, those that doubles find as stated before the others, then in a fixed order.
   std::vector<AssessedSolution> solutions;
   std::vector<AssessedCrossing> crossings;  ///< in the order met
+  std::vector<AssessedCurve> curves;        ///< the edges of a graph whose nodes are the solutions
   Counts counts;
   std::vector<PathEnds> ends;   ///< of all paths
   std::vector<Motion> motions;  ///< beside the solutions, which are isolated then; figures in the file's unit

@@ -73,12 +73,6 @@ class GeneralDefect {
     return enumeration(words);
   }
 
-  std::string id_of(int owner) const {
-    const auto distances = static_cast<int>(problem_.constraints.size());
-    return owner < distances ? problem_.constraints[static_cast<std::size_t>(owner)].id
-                             : problem_.relations[static_cast<std::size_t>(owner - distances)].id;
-  }
-
   std::string freedom() const {
     return fmt::format("{} can move against the rest ({} of freedom left)", names(loose_),
                        counted(static_cast<int>(freedoms_), "degree"));
@@ -91,7 +85,7 @@ class GeneralDefect {
 
   std::string dependence() const {
     std::vector<std::string> ids;
-    for (const int owner : dependent_) ids.push_back(id_of(owner));
+    for (const int owner : dependent_) ids.push_back(id_of_value(problem_, owner));
     for (const int body : closing_)
       ids.push_back("the joints of body '" + problem_.bodies[static_cast<std::size_t>(body)].name + "'");
     return fmt::format(
@@ -124,6 +118,20 @@ Structure analyse_general_structure(const Scene& scene) {
   if (kernels.motions.cols() > 0 || kernels.dependences.cols() > 0)
     structure.defects.push_back(GeneralDefect(scene.problem(), system, kernels).defect());
   return structure;
+}
+
+const std::string& id_of_value(const ProblemStatement& problem, int value) {
+  const auto distances = static_cast<int>(problem.constraints.size());
+  return value < distances ? problem.constraints[static_cast<std::size_t>(value)].id
+                           : problem.relations[static_cast<std::size_t>(value - distances)].id;
+}
+
+std::optional<std::string> why_not_general(const Scene& scene) {
+  if (auto reason = why_no_system(scene)) return reason;
+  const Structure structure = analyse_general_structure(scene);
+  if (structure.well_posed() && structure.generic_rank == structure.unknowns) return std::nullopt;
+  return structure.well_posed() ? "no figure at random meets the constraints without a value"
+                                : "the scene is " + structure.defects.front().what;
 }
 
 std::vector<int> flat_orientations(const Scene& scene) {

@@ -1,6 +1,7 @@
 #pragma once
 /// What is loose in a general scene, and what redundant, before any solving.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,13 @@ namespace gcs {
 /// A rank that is reached is right; one that is missed is so but for the accidents of rounding (a singular value below
 /// 1e-9 of the largest counts as 0).
 Structure analyse_general_structure(const Scene& scene);
+
+/// The id of what gives a value, numbered as constraints and then relations.
+const std::string& id_of_value(const ProblemStatement& problem, int value);
+
+/// Why a general scene has no equations for homotopies and paths: no system, or one that is not square and regular at a
+/// random figure. A sentence; nothing where it has.
+std::optional<std::string> why_not_general(const Scene& scene);
 
 /// The orientations, by their numbers among the relations, whose points lie on a line, or in a plane, in a figure at random
 /// that meets the constraints without a value, and hence in all; none where there is no such figure.

@@ -1,6 +1,5 @@
 #include "solvers/homotopies/general_start.hpp"
 
-#include "solvers/elements/general_structure.hpp"
 #include "solvers/homotopies/general_report.hpp"
 
 namespace gcs {
@@ -20,14 +19,6 @@ bool are_of_one_family(const GeneralEquations& a, const GeneralEquations& b) {
 }
 
 }  // namespace
-
-std::optional<std::string> why_not_general(const Scene& scene) {
-  if (auto reason = why_no_system(scene)) return reason;
-  const Structure structure = analyse_general_structure(scene);
-  if (structure.well_posed() && structure.generic_rank == structure.unknowns) return std::nullopt;
-  return structure.well_posed() ? "no figure at random meets the constraints without a value"
-                                : "the scene is " + structure.defects.front().what;
-}
 
 GeneralStart::GeneralStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup)
     : random(seed),

@@ -5,15 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "solvers/elements/general_structure.hpp"
 #include "solvers/homotopies/general_family.hpp"
 #include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 
 namespace gcs {
-
-/// Why a general scene is out of reach of homotopies: it has no system, or one that is not square and regular at a
-/// random figure. A sentence; nothing where it is not.
-std::optional<std::string> why_not_general(const Scene& scene);
 
 /// Not to be moved: trackers refer to the system.
 class GeneralStart {

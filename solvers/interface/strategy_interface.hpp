@@ -101,6 +101,13 @@ struct Motion {
   Figure figure;  ///< one of them, in the scene's frame and unit; real where a real one is known
 };
 
+/// A curve of figures that meet all equations but that of one value, followed to both ends or until it is closed. Its t
+/// grows with what that equation says of the figure, and is 1 where the value is met.
+struct CurveRecord {
+  int released = -1;  ///< the value, counted as constraints and then relations
+  PathRecord path;
+};
+
 /// A count that only this strategy knows, such as the candidates of a scan.
 struct Particular {
   std::string name;  ///< a fixed word of lower-case letters and underscores, unique in a report
@@ -134,6 +141,7 @@ struct SolveReport {
   std::vector<Candidate> candidates;
   std::vector<PathRecord> paths;
   std::vector<Motion> motions;                  ///< no candidate lies on one of them
+  std::vector<CurveRecord> curves;              ///< between candidates: the edges of a graph
   std::optional<std::uint64_t> generic;         ///< number of classes at generic lengths, where it is known
   std::optional<GenericMember> generic_member;  ///< proves `generic`, where certificates reach it
   /// How many of these have escaped; with paths, their ends say it.

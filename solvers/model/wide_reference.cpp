@@ -63,6 +63,7 @@ std::vector<Reference> constrained_frames(const EdgeLengths& lengths, int points
 
 Reference wide_reference(const Scene& scene) {
   Reference best = scene.reference();
+  if (scene.has_lines() && best.line < 0) return line_reference(scene.problem());
   if (scene.has_lines() || scene.is_anchored()) return best;
   const EdgeLengths lengths(scene);
   auto longest = lengths.shortest(best);

@@ -1,6 +1,7 @@
 #include "solvers/numeric/sign_masks.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <set>
 #include <utility>
 
@@ -28,6 +29,29 @@ std::vector<std::size_t> SignMasks::kind_numbers() const {
   for (const SignMask mask : masks_)
     numbers.push_back(static_cast<std::size_t>(std::ranges::lower_bound(all, mask) - all.begin()));
   return numbers;
+}
+
+SignMask generators_of(const SignMasks& masks) {
+  SignMask generators = 0;
+  for (const SignMask mask : masks) generators |= mask;
+  return generators;
+}
+
+Eigen::VectorXd signs_towards(const SignMasks& masks, SignMask generators, const Eigen::VectorXd& y0,
+                              const Eigen::VectorXd& y) {
+  SignMask changed = 0;
+  const auto sign = [&](std::size_t i) { return std::popcount(masks[i] & changed) % 2 == 1 ? -1.0 : 1.0; };
+  for (SignMask rest = generators; rest != 0; rest &= rest - 1) {
+    const SignMask generator = rest & (~rest + 1);
+    double agreement = 0;
+    for (std::size_t i = 0; i < masks.size(); ++i)
+      if (std::bit_floor(masks[i] & generators) == generator)
+        agreement += sign(i) * y0[static_cast<Eigen::Index>(i)] * y[static_cast<Eigen::Index>(i)];
+    if (agreement < 0) changed |= generator;
+  }
+  Eigen::VectorXd signs = Eigen::VectorXd::Ones(y.size());
+  for (std::size_t i = 0; i < masks.size(); ++i) signs[static_cast<Eigen::Index>(i)] = sign(i);
+  return signs;
 }
 
 bool SignEquations::add(SignMask mask, bool changes) {

@@ -3,6 +3,7 @@
 /// over. An element of the group is a set of generators, a word of bits; it changes the sign of an unknown whose mask
 /// has an odd number of these bits.
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <initializer_list>
 #include <utility>
@@ -37,6 +38,15 @@ class SignMasks {
  private:
   std::vector<SignMask> masks_;
 };
+
+/// All generators that change the sign of an unknown.
+SignMask generators_of(const SignMasks& masks);
+
+/// The signs of y0, 1 or −1, by an element of the group that is made of these generators, that bring it near to y:
+/// generator by generator, lowest first, by the unknowns that no higher one changes. Coordinates beyond the masks keep
+/// their signs.
+Eigen::VectorXd signs_towards(const SignMasks& masks, SignMask generators, const Eigen::VectorXd& y0,
+                              const Eigen::VectorXd& y);
 
 /// Linear equations modulo 2: which elements of a group give these unknowns these signs.
 class SignEquations {

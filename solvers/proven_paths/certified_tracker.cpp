@@ -32,9 +32,13 @@ std::optional<std::string> why_not_proven(const Scene& scene) {
 
 CertifiedTracker::CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options,
                                    const TrackerContext& context)
+    : CertifiedTracker(provable_curve(scene, options.order, options.tolerance), options, context) {}
+
+CertifiedTracker::CertifiedTracker(std::unique_ptr<ProvableCurve> curve, const SeriesTrackerOptions& options,
+                                   const TrackerContext& context)
     : options_(options),
       context_(context),
-      curve_(provable_curve(scene, options.order, options.tolerance)),
+      curve_(std::move(curve)),
       start_(curve_->exact().equations, curve_->exact().data, curve_->exact().turnings),
       here_(curve_->exact().equations, curve_->exact().data.lengths, options.order),
       there_(here_),

@@ -51,6 +51,10 @@ class CertifiedTracker {
   /// depends on them. Precondition: see why_not_proven.
   CertifiedTracker(const Scene& scene, const SeriesTrackerOptions& options, const TrackerContext& context);
 
+  /// On another curve, which has a start. The times beyond which it is given up are those of the curve.
+  CertifiedTracker(std::unique_ptr<ProvableCurve> curve, const SeriesTrackerOptions& options,
+                   const TrackerContext& context);
+
   /// To be called before run: arcs() then holds all of S that was proven.
   void keep_arcs() { keeps_arcs_ = true; }
   TrackedPath run();

@@ -16,4 +16,10 @@ namespace gcs {
 PathData enclose_path_data(const Scene& scene, const SceneSystem& system,
                            const std::vector<TravellingValue>& values, const Eigen::VectorXd& sketched);
 
+/// Of the curve of these equations with the value of one released, from the point of it beside `start`, found in the same
+/// way, to where that equation is met at t = 1. Values are those of half the equations' sums, as released_equations has
+/// them. Not finite where the test fails.
+PathData enclose_released_data(const QuadraticSystem& equations, Eigen::Index released,
+                               const Eigen::VectorXd& start);
+
 }  // namespace gcs

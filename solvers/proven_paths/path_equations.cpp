@@ -46,6 +46,18 @@ void add_product(Eigen::Index equation, EnclosedForm left, EnclosedForm right, P
   equations.pairs.push_back({equation, r, l});
 }
 
+bool is_exact(const EnclosedForm& form) {
+  return form.constant_error == 0 &&
+         std::ranges::all_of(form.terms, [](const EnclosedForm::Term& term) { return term.error == 0; });
+}
+
+bool are_equal(const EnclosedForm& a, const EnclosedForm& b) {
+  const auto same = [](const EnclosedForm::Term& s, const EnclosedForm::Term& t) {
+    return s.coordinate == t.coordinate && s.coefficient == t.coefficient;
+  };
+  return is_exact(a) && is_exact(b) && a.constant == b.constant && std::ranges::equal(a.terms, b.terms, same);
+}
+
 }  // namespace
 
 bool EnclosedForm::is_difference() const {
@@ -63,6 +75,22 @@ PathEquations distance_equations(const DistanceSystem& system) {
       equations.forms.emplace_back();
       if (i >= 0) equations.forms.back().terms.push_back({i, 1, 0});
       if (j >= 0) equations.forms.back().terms.push_back({j, -1, 0});
+      equations.pairs.push_back({e, form, form});
+    }
+  return equations;
+}
+
+PathEquations released_equations(const QuadraticSystem& system) {
+  PathEquations equations{static_cast<Eigen::Index>(system.equations.size()), {}, {}};
+  for (Eigen::Index e = 0; e < equations.count; ++e)
+    for (const FormProduct& product : system.equations[static_cast<std::size_t>(e)].products) {
+      EnclosedForm left = enclosed(product.left, 1);
+      if (!are_equal(left, enclosed(product.right, 1))) {
+        add_product(e, enclosed(product.left, 0.5), enclosed(product.right, 1), equations);
+        continue;
+      }
+      const auto form = static_cast<Eigen::Index>(equations.forms.size());
+      equations.forms.push_back(std::move(left));
       equations.pairs.push_back({e, form, form});
     }
   return equations;

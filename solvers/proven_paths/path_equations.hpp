@@ -50,4 +50,7 @@ PathEquations distance_equations(const DistanceSystem& system);
 /// Those of a GeneralFamily with these values, of which g is a(t), or half its square where it is not plain.
 PathEquations general_equations(const SceneSystem& system, const std::vector<TravellingValue>& values);
 
+/// Half of every sum of these equations, of which g is half of what is given.
+PathEquations released_equations(const QuadraticSystem& system);
+
 }  // namespace gcs

@@ -1,6 +1,5 @@
 #include "solvers/proven_paths/provable_curve.hpp"
 
-#include <functional>
 #include <utility>
 
 #include "solvers/proven_paths/general_path_data.hpp"
@@ -11,26 +10,6 @@
 namespace gcs {
 namespace {
 
-template <class Curve>
-class Followed final : public ProvableCurve {
- public:
-  using FigureOf = std::function<Figure(const Eigen::VectorXd&)>;
-
-  Followed(ProvableEquations exact, Curve curve, FigureOf figure_of)
-      : ProvableCurve(std::move(exact)), curve_(std::move(curve)), figure_of_(std::move(figure_of)) {}
-
-  bool start(int orientation, ArcSeries& series) override { return curve_.start(orientation, series); }
-  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) override {
-    return curve_.advance(y, tangent, series);
-  }
-  WorkCounters& work() override { return curve_.work(); }
-  Figure figure(const Eigen::VectorXd& y) const override { return figure_of_(y); }
-
- private:
-  Curve curve_;
-  FigureOf figure_of_;
-};
-
 std::unique_ptr<ProvableCurve> curve_of_distances(const Scene& scene, int order, double tolerance) {
   const DistanceSystem system(scene);
   ProvableEquations exact{distance_equations(system), enclose_path_data(scene, system)};
@@ -38,7 +17,7 @@ std::unique_ptr<ProvableCurve> curve_of_distances(const Scene& scene, int order,
   if (!exact.data.is_finite())
     exact.no_start =
         "the sketch does not determine the frame: its reference points are not in general position";
-  return std::make_unique<Followed<DistanceCurve>>(
+  return std::make_unique<FollowedCurve<DistanceCurve>>(
       std::move(exact), DistanceCurve(scene, order, tolerance),
       [system](const Eigen::VectorXd& y) { return system.figure(y.head(system.unknowns())); });
 }
@@ -56,7 +35,7 @@ std::unique_ptr<ProvableCurve> general_curve(const Scene& scene, int order, doub
     exact.no_start = too_far_from_incidences;
   else if (!exact.data.is_finite())
     exact.no_start = "no figure beside the sketch is proven to meet the constraints without a value";
-  return std::make_unique<Followed<GeneralCurve>>(
+  return std::make_unique<FollowedCurve<GeneralCurve>>(
       std::move(exact), GeneralCurve(std::move(family), tolerance), [system](const Eigen::VectorXd& y) {
         return system->figure(ComplexValues(y.begin(), y.end() - 1), true);
       });

@@ -1,8 +1,10 @@
 #pragma once
 /// S of any scene as it is proven: points near it with their series, in floating point, and what holds exactly.
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "solvers/proven_paths/path_data.hpp"
 #include "solvers/proven_paths/path_equations.hpp"
@@ -35,6 +37,27 @@ class ProvableCurve {
 
  private:
   ProvableEquations exact_;
+};
+
+/// By a curve that the series tracker could follow.
+template <class Curve>
+class FollowedCurve final : public ProvableCurve {
+ public:
+  using FigureOf = std::function<Figure(const Eigen::VectorXd&)>;
+
+  FollowedCurve(ProvableEquations exact, Curve curve, FigureOf figure_of)
+      : ProvableCurve(std::move(exact)), curve_(std::move(curve)), figure_of_(std::move(figure_of)) {}
+
+  bool start(int orientation, ArcSeries& series) override { return curve_.start(orientation, series); }
+  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) override {
+    return curve_.advance(y, tangent, series);
+  }
+  WorkCounters& work() override { return curve_.work(); }
+  Figure figure(const Eigen::VectorXd& y) const override { return figure_of_(y); }
+
+ private:
+  Curve curve_;
+  FigureOf figure_of_;
 };
 
 /// Precondition: see why_not_proven of certified_tracker.hpp. The scene outlives the curve.

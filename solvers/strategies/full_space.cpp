@@ -19,16 +19,15 @@
 
 #include "solvers/strategies/full_space.hpp"
 
-#include "solvers/homotopies/general_start.hpp"
-#include "solvers/model/wide_reference.hpp"
+#include "solvers/elements/general_structure.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/proven_paths/path_jumps.hpp"
-#include "solvers/tracking/distance_curve.hpp"
 #include "solvers/tracking/general_path.hpp"
 #include "solvers/tracking/newton_from_sketch.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
 #include "solvers/tracking/path_options.hpp"
 #include "solvers/tracking/path_report.hpp"
+#include "solvers/tracking/scene_path.hpp"
 
 namespace gcs {
 namespace {
@@ -68,13 +67,7 @@ class FullSpaceStrategy final : public Strategy {
       case FullSpace::Mode::fast:
         break;
     }
-    return report_once_refined(
-        for_scene(options_, request.scene).fast, [&](const SeriesTrackerOptions& options) {
-          DistanceCurve curve(request.scene, wide_reference(request.scene), options.order, options.tolerance);
-          SeriesTracker tracker(curve, options, context);
-          return path_report(request.scene, tracker.run(),
-                             [&](const Eigen::VectorXd& y) { return curve.figure(y); });
-        });
+    return follow_scene_path(request.scene, options_.fast, context);
   }
 
  private:

@@ -14,7 +14,7 @@ class DistanceFamily {
   DistanceFamily(const Scene& scene, const Reference& reference, int order);
 
   int unknowns() const { return system_.unknowns(); }
-  Eigen::VectorXd start() const { return system_.coordinates(sketch_); }
+  Eigen::VectorXd start() const { return with_time(system_.coordinates(sketch_), 0); }
   void residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
   void jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix);
   void start_series(double t) { lengths_.start(t); }

@@ -1,7 +1,6 @@
 #include "solvers/tracking/general_curve.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -50,7 +49,8 @@ GeneralFamily::GeneralFamily(const Scene& scene, const SceneSystem& system, Eige
       values_(travelling_values(scene, system, equations_, sketched)),
       series_of_values_({}, order),
       sketched_(std::move(sketched)),
-      signs_(system.equations().mirror) {
+      signs_(system.equations().mirror),
+      turnings_(generators_of(signs_) & ~(first_turning - 1)) {
   for (Eigen::Index e = 0; e < equations_.count(); ++e) {
     if (system.value_of()[static_cast<std::size_t>(e)] >= 0) equations_.given[e] = 0;
     take_root(e);
@@ -131,20 +131,7 @@ double GeneralFamily::shortest_length(double t) const {
 }
 
 Eigen::VectorXd GeneralFamily::signs_towards(const Eigen::VectorXd& y0, const Eigen::VectorXd& y) const {
-  constexpr SignMask turnings = ~(first_turning - 1);
-  SignMask turned = 0;
-  for (SignMask rest = turnings; rest != 0; rest &= rest - 1) {
-    const SignMask generator = rest & (~rest + 1);
-    double agreement = 0;
-    for (std::size_t i = 0; i < signs_.size(); ++i)
-      if ((signs_[i] & turnings) == generator)
-        agreement += y0[static_cast<Eigen::Index>(i)] * y[static_cast<Eigen::Index>(i)];
-    if (agreement < 0) turned |= generator;
-  }
-  Eigen::VectorXd signs = Eigen::VectorXd::Ones(y.size());
-  for (std::size_t i = 0; i < signs_.size(); ++i)
-    if (std::popcount(signs_[i] & turned) % 2 == 1) signs[static_cast<Eigen::Index>(i)] = -1;
-  return signs;
+  return gcs::signs_towards(signs_, turnings_, y0, y);
 }
 
 }  // namespace gcs

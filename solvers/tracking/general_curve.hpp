@@ -31,7 +31,7 @@ class GeneralFamily {
   GeneralFamily(const Scene& scene, const SceneSystem& system, Eigen::VectorXd sketched, int order);
 
   int unknowns() const { return equations_.unknowns; }
-  Eigen::VectorXd start() const { return sketched_; }
+  Eigen::VectorXd start() const { return with_time(sketched_, 0); }
   void residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
   void jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix);
   void start_series(double t);
@@ -52,6 +52,7 @@ class GeneralFamily {
   LengthSeries series_of_values_;
   Eigen::VectorXd sketched_;
   SignMasks signs_;
+  SignMask turnings_;
   Eigen::MatrixXd left_, right_;  ///< (product, order): coefficients of their series
   Eigen::VectorXd convolution_;
 };

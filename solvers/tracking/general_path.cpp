@@ -7,14 +7,10 @@
 
 #include "solvers/elements/stated_signs.hpp"
 #include "solvers/tracking/general_curve.hpp"
-#include "solvers/tracking/path_report.hpp"
 #include "solvers/tracking/sketched_unknowns.hpp"
 
 namespace gcs {
 namespace {
-
-/// In units of the scene. Steps grow with the coordinates, so that it takes some hundred to get there.
-constexpr double infinite_coordinate = 1e6;
 
 class TargetValues : public TargetEquations {
  public:
@@ -110,16 +106,6 @@ TrackedPath reversed(TrackedPath path) {
   return path;
 }
 
-/// Both halves of S, one after the other; the end of the one that was tracked last, which tells whether all is there.
-TrackedPath joined(TrackedPath first, const TrackedPath& second) {
-  TrackedPath path = reversed(second);
-  path.crossings.insert(path.crossings.end(), first.crossings.begin(), first.crossings.end());
-  path.touches.insert(path.touches.end(), first.touches.begin(), first.touches.end());
-  path.length += first.length;
-  add(first.work, path.work);
-  return path;
-}
-
 class GeneralPath {
  public:
   using Follow = std::function<TrackedPath(const SeriesTrackerOptions&)>;
@@ -133,7 +119,7 @@ class GeneralPath {
     TrackedPath path = follow_half_(options);
     if (path.end != TrackedPath::End::at_infinity) return path;
     options.orientation = -options.orientation;
-    return joined(std::move(path), follow_half_(options));
+    return joined(path, follow_half_(options));
   }
 
  private:
@@ -210,6 +196,20 @@ Scene with_reference(const Scene& scene, const Reference& reference) {
 }
 
 }  // namespace
+
+std::unique_ptr<TargetEquations> target_values(const SceneSystem& system) {
+  return std::make_unique<TargetValues>(system);
+}
+
+/// With the end of the second, which tells whether all is there.
+TrackedPath joined(const TrackedPath& first, const TrackedPath& second) {
+  TrackedPath path = reversed(second);
+  path.crossings.insert(path.crossings.end(), first.crossings.begin(), first.crossings.end());
+  path.touches.insert(path.touches.end(), first.touches.begin(), first.touches.end());
+  path.length += first.length;
+  add(first.work, path.work);
+  return path;
+}
 
 std::vector<LengthPath> bounding_lengths(const std::vector<TravellingValue>& values) {
   std::vector<LengthPath> lengths;

@@ -2,10 +2,13 @@
 /// S of a general scene from end to end, and Newton's method in its place.
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/tracking/element_curve.hpp"
+#include "solvers/tracking/general_curve.hpp"
+#include "solvers/tracking/path_report.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 
 namespace gcs {
@@ -24,6 +27,17 @@ SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& 
 SolveReport follow_general_plan(const Scene& scene, const ElementPlan& plan,
                                 const SeriesTrackerOptions& options, const ElementCurveOptions& of_curve,
                                 const TrackerContext& context);
+
+/// The equations of a general scene at its values, in the unknowns of the system, which outlives them.
+std::unique_ptr<TargetEquations> target_values(const SceneSystem& system);
+
+/// In units of the scene: a curve with a coordinate beyond it goes to infinity. Steps grow with the coordinates, so that
+/// it takes some hundred to get there.
+inline constexpr double infinite_coordinate = 1e6;
+
+/// Both halves of a curve that is not closed, from one end to the other. Each begins at the same point; `second` to the
+/// other side.
+TrackedPath joined(const TrackedPath& first, const TrackedPath& second);
 
 /// Why S has no start.
 inline constexpr const char* too_far_from_incidences =

@@ -11,12 +11,19 @@
 
 namespace gcs {
 
+/// (x, t)
+inline Eigen::VectorXd with_time(const Eigen::VectorXd& x, double t) {
+  Eigen::VectorXd y(x.size() + 1);
+  y << x, t;
+  return y;
+}
+
 /// The equations of a curve: as many as unknowns x. y: x, then t.
 template <class F>
 concept EquationFamily = requires(F family, const F& known, double t, int n, const Eigen::VectorXd& y,
                                   Eigen::Ref<Eigen::VectorXd> f, Eigen::MatrixXd& matrix) {
   { known.unknowns() } -> std::same_as<int>;
-  /// x at t = 0.
+  /// Where the curve begins.
   { known.start() } -> std::same_as<Eigen::VectorXd>;
   family.residual(y, f);
   /// [dF/dx, dF/dt] at y into the first rows.
@@ -46,8 +53,7 @@ class ImplicitCurve {
 
   bool start(int orientation, ArcSeries& series) {
     const Eigen::Index m = family_.unknowns();
-    Eigen::VectorXd y(coordinates());
-    y << family_.start(), 0.0;
+    const Eigen::VectorXd y = family_.start();
     jacobian(y);
     const Eigen::FullPivLU<Eigen::MatrixXd> full(bordered_.topRows(m));
     ++work_.factorisations;

@@ -56,8 +56,8 @@ SolveStatus report_status(TrackedPath::End end) {
 
 class TargetDistances final : public TargetEquations {
  public:
-  TargetDistances(const Scene& scene, const std::function<Figure(const Eigen::VectorXd&)>& figure_of)
-      : scene_(scene), figure_of_(figure_of), system_(scene, wide_reference(scene)) {}
+  TargetDistances(const Scene& scene, std::function<Figure(const Eigen::VectorXd&)> figure_of)
+      : scene_(scene), figure_of_(std::move(figure_of)), system_(scene, wide_reference(scene)) {}
 
   Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const override {
     return system_.coordinates(scene_.in_frame(figure_of_(point), system_.reference()));
@@ -73,7 +73,7 @@ class TargetDistances final : public TargetEquations {
 
  private:
   const Scene& scene_;
-  const std::function<Figure(const Eigen::VectorXd&)>& figure_of_;
+  const std::function<Figure(const Eigen::VectorXd&)> figure_of_;
   const DistanceSystem system_;
   const std::vector<DoubleDouble> squares_ = target_squares(scene_);
 };
@@ -178,6 +178,11 @@ std::optional<std::string> why_no_path(const Scene& scene) {
   if (scene.has_lines()) return "the path S is defined for points only, and the scene has lines";
   if (!scene.sketch()) return "a path strategy starts from a sketch, and the instance has none";
   return std::nullopt;
+}
+
+std::unique_ptr<TargetEquations> target_distances(const Scene& scene,
+                                                  std::function<Figure(const Eigen::VectorXd&)> figure_of) {
+  return std::make_unique<TargetDistances>(scene, std::move(figure_of));
 }
 
 SolveReport path_report(const Scene& scene, const TrackedPath& path,

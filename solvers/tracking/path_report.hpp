@@ -2,6 +2,7 @@
 /// From a tracked path to a strategy's report; the same for every tracker of S.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,10 @@ class TargetEquations {
   /// A proven bound on the error of a figure, or infinity.
   virtual double proven_error(const Figure& figure) const = 0;
 };
+
+/// Those of distances; `figure_of` as in path_report. The scene outlives them.
+std::unique_ptr<TargetEquations> target_distances(const Scene& scene,
+                                                  std::function<Figure(const Eigen::VectorXd&)> figure_of);
 
 /// Refines every crossing of t = 1 to full accuracy in the frame's coordinates and records it in path order;
 /// next to an extremum of t near 1 the equations at the exact target lengths decide whether there are two

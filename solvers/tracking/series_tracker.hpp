@@ -130,7 +130,7 @@ class SeriesTracker {
       if (!step()) return finish(TrackedPath::End::failed, too_small());
       if (options_.stops_at_fold && ends_rise()) return finish_rise();
       const double closing = closing_length();
-      record_crossings(closing > 0 ? closing : step_);
+      record_crossings(closing);
       path_.length += closing > 0 ? closing : step_;
       if (closing > 0) return finish(TrackedPath::End::closed, "");
       if (options_.stops_at_first && !path_.crossings.empty()) return finish(TrackedPath::End::reached, "");
@@ -221,11 +221,12 @@ class SeriesTracker {
     return 0;
   }
 
-  /// Crossings of t = 1 on this step up to `end`, and extrema of t next to it.
-  void record_crossings(double end) {
+  /// Crossings of t = 1 on this step up to where the path is closed, if it is, and extrema of t next to it.
+  void record_crossings(double closing) {
     const Eigen::Index t = t_row();
     const std::vector<double> above = height(here_);
-    const bool ends_here = end < step_;
+    const bool ends_here = closing > 0;
+    const double end = ends_here ? closing : step_;
     const double t_at_end = ends_here ? start_[t] : there_.coefficient(0)[t];
     if (!may_vanish(above, end, time_error_at(end)) && (above[0] >= 0) == (t_at_end >= 1)) return;
     int direction = above[0] >= 0 ? -1 : 1;

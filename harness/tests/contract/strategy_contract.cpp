@@ -103,19 +103,27 @@ bool is_well_formed(const std::vector<Particular>& particulars) {
   });
 }
 
+void check_path_form(const PathRecord& path, int candidates, Finder& finder) {
+  finder.expect(std::isfinite(path.length) && path.length >= 0, "malformed", "a path has the length {}",
+                path.length);
+  for (const Crossing& crossing : path.crossings)
+    finder.expect(
+        crossing.candidate >= 0 && crossing.candidate < candidates && std::abs(crossing.direction) == 1,
+        "malformed", "a crossing names candidate {} with direction {}", crossing.candidate,
+        crossing.direction);
+}
+
 void check_form(const Scene& scene, const SolveReport& report, Finder& finder) {
   const int candidates = static_cast<int>(report.candidates.size());
   for (int i = 0; i < candidates; ++i)
     finder.expect(is_well_formed(scene, report.candidates[i]), "malformed",
                   "candidate {} lacks an entity, is not finite, not plane or has no multiplicity", i);
-  for (const PathRecord& path : report.paths) {
-    finder.expect(std::isfinite(path.length) && path.length >= 0, "malformed", "a path has the length {}",
-                  path.length);
-    for (const Crossing& crossing : path.crossings)
-      finder.expect(
-          crossing.candidate >= 0 && crossing.candidate < candidates && std::abs(crossing.direction) == 1,
-          "malformed", "a crossing names candidate {} with direction {}", crossing.candidate,
-          crossing.direction);
+  for (const PathRecord& path : report.paths) check_path_form(path, candidates, finder);
+  const auto values = std::ssize(scene.problem().constraints) + std::ssize(scene.problem().relations);
+  for (const CurveRecord& curve : report.curves) {
+    check_path_form(curve.path, candidates, finder);
+    finder.expect(curve.released >= 0 && curve.released < values, "malformed", "a curve lacks value {}",
+                  curve.released);
   }
   finder.expect(is_well_formed(report.work), "malformed", "a counter is negative or contradicts another");
   finder.expect(is_well_formed(report.particulars), "malformed",
@@ -205,11 +213,12 @@ std::string Subject::label() const {
 }
 
 /// A plan with two angles is subdivided in the plane of both, which takes long; plan_scan_test.cpp has
-/// one that does not.
+/// one that does not. So do proofs of all curves between many solutions.
 bool takes_too_long(const Subject& subject, const Scene& scene) {
-  return (subject.entry.name == "plan-scan" && derive_scan_plan(scene).angles() > 1) ||
-         ((subject.entry.name == "monodromy" || subject.entry.name == "polyhedral") &&
-          has_many_solutions(scene));
+  const std::string_view name = subject.entry.name;
+  const bool proves_curves = name == "explore" && subject.given.contains("mode");
+  return (name == "plan-scan" && derive_scan_plan(scene).angles() > 1) ||
+         ((name == "monodromy" || name == "polyhedral" || proves_curves) && has_many_solutions(scene));
 }
 
 bool supports(const Subject& subject, const Scene& scene) {

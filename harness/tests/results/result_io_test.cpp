@@ -46,7 +46,7 @@ using Names = std::vector<std::string>;
 TEST_CASE("a result has every field of its format") {
   const Json result = parsed(toy_run());
   CHECK(keys(result) == Names{"claim",      "counts", "ends",     "environment", "failed_checks",
-                              "format",     "frame",  "instance", "motions",     "options",
+                              "format",     "frame",  "graph", "instance", "motions",     "options",
                               "path",       "proofs", "reason",   "seed",        "solutions",
                               "statistics", "status", "strategy", "timing",      "totals"});
   CHECK(result["format"] == "gcsbench-result/1");
@@ -147,6 +147,21 @@ TEST_CASE("the path names solutions, or null where they were left out") {
   CHECK(parsed(run)["path"].is_null());
 }
 
+TEST_CASE("the graph names the constraint that each curve lacks, and solutions as the path does") {
+  SolveRun run = toy_run();
+  CHECK(parsed(run)["graph"].is_null());
+  run.curves.push_back({0, PathRecord::End::closed, "", true, {{1, 1}, {0, -1}}});
+  keep_first(run, 1);
+  const std::string id = toy::instance().problem.constraints[0].id;
+  CHECK(parsed(run)["graph"] ==
+        Json::array({Json{{"constraint", id},
+                          {"end", "closed"},
+                          {"cause", ""},
+                          {"proven", true},
+                          {"crossings", Json::array({Json{{"solution", nullptr}, {"direction", 1}},
+                                                     Json{{"solution", 0}, {"direction", -1}}})}}}));
+}
+
 TEST_CASE("ends that are alike are counted together") {
   SolveRun run = toy_run();
   CHECK(parsed(run)["ends"] ==
@@ -244,5 +259,5 @@ TEST_CASE("failed checks are in the result") {
 TEST_CASE("each solution has a line of its own") {
   const std::string text = text_of(toy_run());
   CHECK(text.back() == '\n');
-  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 20 + 2 + 1 + 1);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 21 + 2 + 1 + 1);
 }

@@ -51,3 +51,23 @@ TEST_CASE("the rank of masks counts sign patterns") {
   CHECK(SignMasks(std::vector<SignMask>{1, 3, 2}).rank() == 2);
   CHECK(SignMasks(std::vector<SignMask>{0, 0}).rank() == 0);
 }
+
+TEST_CASE("signs are found that lead to the image of a vector under an element of the group") {
+  samples::RandomNumbers random(5);
+  constexpr int generators = 4, unknowns = 9;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<SignMask> masks;
+    for (int u = 0; u < unknowns;
+         ++u)  // each generator has an unknown of its own, and a last one has no mask
+      masks.push_back(u < generators ? SignMask{1} << u
+                                     : static_cast<SignMask>(random.index(1 << generators)));
+    const auto element = static_cast<SignMask>(random.index(1 << generators));
+    Eigen::VectorXd y0(unknowns + 1), y(unknowns + 1);
+    for (int u = 0; u <= unknowns; ++u) {
+      y0[u] = random.uniform(0.1, 1);
+      y[u] = u < unknowns ? sign_of(element, masks[static_cast<std::size_t>(u)]) * y0[u] : y0[u];
+    }
+    const Eigen::VectorXd signs = signs_towards(SignMasks(masks), (SignMask{1} << generators) - 1, y0, y);
+    CHECK((signs.array() * y0.array()).matrix() == y);
+  }
+}

@@ -1,0 +1,101 @@
+/// explore against published numbers of real solutions, against all complex ones, and the graph against what a walk along
+/// closed curves must give.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "harness/instances/instance_lookup.hpp"
+#include "harness/results/strategy_choice.hpp"
+#include "harness/solving/solve_run.hpp"
+#include "harness/sweeps/random_scenes.hpp"
+#include "solvers/structure/decomposition.hpp"
+
+using namespace gcs;
+
+namespace {
+
+SolveRun solved(const ProblemStatement& problem, const std::string& strategy, const OptionMap& options = {}) {
+  return run_strategy(find_strategy(strategy), options, Scene(problem), {});
+}
+
+/// How often the curves without a value meet a solution.
+std::map<std::pair<int, int>, int> meetings(const SolveRun& run) {
+  std::map<std::pair<int, int>, int> result;
+  for (const AssessedCurve& curve : run.curves)
+    for (const AssessedCrossing& crossing : curve.crossings)
+      ++result[{curve.released, crossing.solution.value()}];
+  return result;
+}
+
+bool alternate(const std::vector<AssessedCrossing>& crossings) {
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    if (crossings[i].direction == crossings[(i + 1) % crossings.size()].direction) return false;
+  return true;
+}
+
+std::int64_t real_solutions(const SolveRun& run) {
+  return std::ranges::count_if(run.solutions, [](const AssessedSolution& one) { return one.is_real(); });
+}
+
+}  // namespace
+
+TEST_CASE("exploring reaches all real solutions that are published, and they are proven to be different") {
+  // Porta et al. 2007; Dietmaier 1998; Imbach, Mathis, Schreck 2016, table 1
+  for (const auto& [id, published] : {std::pair{"disulfide", 18}, {"dietmaier", 40}, {"octahedron", 4}}) {
+    const ProblemStatement problem = load_instance(id).problem;
+    RunLimits limits;
+    limits.certify = true;
+    const SolveRun run = run_strategy(find_strategy("explore"), {}, Scene(problem), limits);
+    CAPTURE(id, run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.claim == Claim::some_real);
+    REQUIRE(run.proofs);
+    CHECK(run.proofs->real == static_cast<std::uint64_t>(published));
+    CHECK(run.failed_checks.empty());
+  }
+}
+
+TEST_CASE(
+    "where distances alone hold a scene every curve is closed and every solution is on one of each value") {
+  const ProblemStatement problem = load_instance("disulfide").problem;
+  const SolveRun run = solved(problem, "explore");
+  const int values = static_cast<int>(problem.constraints.size());
+  CHECK(std::ranges::all_of(run.curves, [](const AssessedCurve& curve) {
+    return curve.end == PathRecord::End::closed && curve.crossings.size() % 2 == 0 &&
+           alternate(curve.crossings);
+  }));
+  const auto met = meetings(run);
+  CHECK(met.size() == run.solutions.size() * static_cast<std::size_t>(values));
+  CHECK(std::ranges::all_of(met, [](const auto& entry) { return entry.second == 1; }));
+}
+
+TEST_CASE("exploring reaches as many real solutions of random scenes as there are among all complex ones") {
+  int compared = 0;
+  for (const SceneKind& kind : {SceneKind{2, 7}, SceneKind{3, 7}})
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      const ProblemStatement problem = random_problem(kind, seed);
+      if (decompose(problem, Split::all).size() > 1) continue;
+      const SolveRun all = solved(problem, "monodromy");
+      const SolveRun run = solved(problem, "explore");
+      CAPTURE(kind.dimension, seed, run.reason, all.reason);
+      REQUIRE(all.status == RunStatus::complete);
+      CHECK(static_cast<std::int64_t>(run.solutions.size()) == real_solutions(all));
+      ++compared;
+    }
+  CHECK(compared > 8);
+}
+
+TEST_CASE("fewer curves are walked when so many are asked for, or few classes are expected to be unseen") {
+  const ProblemStatement problem = load_instance("disulfide").problem;
+  const std::size_t all = solved(problem, "explore").curves.size();
+  const SolveRun few = solved(problem, "explore", {{"curves", "5"}});
+  CHECK(few.status == RunStatus::partial);
+  CHECK(few.curves.size() == 5);
+  CHECK(few.solutions.size() >= 2);
+  const SolveRun saturated = solved(problem, "explore", {{"unseen", "3"}});
+  CHECK(saturated.curves.size() < all);
+  CHECK(saturated.status == RunStatus::complete);
+}

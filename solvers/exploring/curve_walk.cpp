@@ -1,0 +1,126 @@
+#include "solvers/exploring/curve_walk.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "solvers/exploring/released_curve.hpp"
+#include "solvers/proven_paths/certified_tracker.hpp"
+#include "solvers/proven_paths/general_path_data.hpp"
+#include "solvers/tracking/general_path.hpp"
+
+namespace gcs {
+namespace {
+
+/// To one side, until the curve is closed or ends.
+using FollowCurve = std::function<TrackedPath(const SeriesTrackerOptions&)>;
+
+/// Both halves ended; where one of them could not be followed on, that is the end of the whole.
+TrackedPath from_end_to_end(const TrackedPath& first, const TrackedPath& second) {
+  TrackedPath path = joined(first, second);
+  if (first.end == TrackedPath::End::failed && second.end != TrackedPath::End::stopped) {
+    path.end = first.end;
+    path.cause = first.cause;
+  }
+  return path;
+}
+
+TrackedPath whole_curve(const FollowCurve& follow, SeriesTrackerOptions options) {
+  options.infinite_coordinate = infinite_coordinate;
+  const TrackedPath first = follow(options);
+  if (first.end == TrackedPath::End::closed || first.end == TrackedPath::End::stopped) return first;
+  options.orientation = -options.orientation;
+  return from_end_to_end(first, follow(options));
+}
+
+class CurveWalk {
+ public:
+  CurveWalk(const Scene& scene, const ExploredScene& explored, Eigen::Index released,
+            const Eigen::VectorXd& solution, const TrackerContext& context)
+      : scene_(scene), explored_(explored), released_(released), solution_(solution), context_(context) {}
+
+  SolveReport by_series(const SeriesTrackerOptions& options) const {
+    const FollowCurve follow = [this](const SeriesTrackerOptions& of_half) {
+      ReleasedCurve curve = curve_from_solution(of_half);
+      return SeriesTracker(curve, of_half, context_).run();
+    };
+    return report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
+      return path_report(scene_, whole_curve(follow, refined), explored_.target());
+    });
+  }
+
+  /// Nothing where the curve is not proven to be closed, or a crossing is not settled.
+  std::optional<SolveReport> by_tubes(const SeriesTrackerOptions& options, WorkCounters& work) const {
+    const std::optional<Eigen::VectorXd> start = beside_solution(options);
+    if (!start) return std::nullopt;
+    CertifiedTracker tracker(provable_curve_from(*start, options), options, context_);
+    SolveReport report = path_report(scene_, tracker.run(), explored_.target());
+    add(report.work, work);
+    if (report.status != SolveStatus::complete) return std::nullopt;
+    return report;
+  }
+
+ private:
+  ReleasedCurve curve_from_solution(const SeriesTrackerOptions& options) const {
+    return {ReleasedFamily::at_solution(explored_.equations(), explored_.signs(), released_, solution_,
+                                        options.order),
+            options.tolerance};
+  }
+
+  /// Tubes are to begin where they meet no crossing.
+  std::optional<Eigen::VectorXd> beside_solution(const SeriesTrackerOptions& options) const {
+    ReleasedCurve curve = curve_from_solution(options);
+    ArcSeries series(curve.coordinates(), options.order), there = series;
+    if (!curve.start(options.orientation, series)) return std::nullopt;
+    Eigen::VectorXd y, tangent;
+    const double reach = std::min({options.step_max, series.step_for(options.tolerance), series.radius()});
+    for (double step = reach / 2; step >= least_step; step /= 2) {
+      series.evaluate(step, y);
+      series.tangent(step, tangent);
+      if (curve.advance(y, tangent, there)) return y.head(y.size() - 1);
+    }
+    return std::nullopt;
+  }
+
+  std::unique_ptr<ProvableCurve> provable_curve_from(const Eigen::VectorXd& start,
+                                                     const SeriesTrackerOptions& options) const {
+    ProvableEquations exact{released_equations(explored_.exact()),
+                            enclose_released_data(explored_.exact(), released_, start), explored_.signs()};
+    if (!exact.data.is_finite()) exact.no_start = "no figure on the curve is proven beside the solution";
+    return std::make_unique<FollowedCurve<ReleasedCurve>>(
+        std::move(exact),
+        ReleasedCurve(ReleasedFamily::at_figure(explored_.equations(), explored_.signs(), released_, start,
+                                                options.order),
+                      options.tolerance),
+        [this](const Eigen::VectorXd& y) {
+          return explored_.target().figure(explored_.target().coordinates(y));
+        });
+  }
+
+  const Scene& scene_;
+  const ExploredScene& explored_;
+  Eigen::Index released_;
+  const Eigen::VectorXd& solution_;
+  const TrackerContext& context_;
+};
+
+}  // namespace
+
+SolveReport walk_curve(const Scene& scene, const ExploredScene& explored, Eigen::Index released,
+                       const Eigen::VectorXd& solution, const WalkOptions& options,
+                       const TrackerContext& context) {
+  const CurveWalk walk(scene, explored, released, solution, context);
+  WorkCounters unproven;
+  if (options.proves)
+    if (auto proven = walk.by_tubes(options.tracking, unproven)) return *std::move(proven);
+  SolveReport report = walk.by_series(options.tracking);
+  PathRecord& path = report.paths.front();
+  if (path.end == PathRecord::End::failed && report.work.iterations < options.tracking.max_steps)
+    path.end = PathRecord::End::singular;
+  add(unproven, report.work);
+  return report;
+}
+
+}  // namespace gcs

@@ -1,0 +1,177 @@
+#include "solvers/exploring/exploration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solvers/exploring/random_starts.hpp"
+#include "solvers/exploring/unseen_classes.hpp"
+#include "solvers/numeric/balls.hpp"
+#include "solvers/running/run_on_threads.hpp"
+#include "solvers/running/words.hpp"
+#include "solvers/tracking/scene_path.hpp"
+
+namespace gcs {
+namespace {
+
+std::vector<Eigen::Index> equations_with_value(const ExploredScene& explored) {
+  std::vector<Eigen::Index> equations;
+  for (std::size_t e = 0; e < explored.value_of().size(); ++e)
+    if (explored.value_of()[e] >= 0) equations.push_back(static_cast<Eigen::Index>(e));
+  return equations;
+}
+
+}  // namespace
+
+Exploration::Exploration(const SolveRequest& request, const WalkOptions& walks,
+                         const ExplorationLimits& limits)
+    : request_(request),
+      walks_(walks),
+      limits_(limits),
+      context_{request.stop, nullptr},
+      explored_(explored_scene(request.scene)),
+      releasable_(equations_with_value(*explored_)),
+      next_(releasable_.size(), 0),
+      graph_(request.scene, releasable_.size()) {}
+
+SolveReport Exploration::run() {
+  find_first();
+  do walk_all();
+  while (may_go_on() && start_anew());
+  return report();
+}
+
+/// By S, or by Newton's method from the sketch; random starts are what is left to try then.
+void Exploration::find_first() {
+  if (!request_.scene.sketch()) return;
+  take(follow_scene_path(request_.scene, walks_.tracking, {request_.stop, request_.monitor}));
+  if (graph_.size() > 0 || request_.stop.stop_requested()) return;
+  constexpr double settled = 1e-10;
+  Eigen::VectorXd x = explored_->unknowns(*request_.scene.sketch());
+  const Refinement refinement = refine(explored_->equations(), settled, x);
+  work_.newton_iterations += refinement.iterations;
+  if (refinement.converged) graph_.take({{explored_->target().figure(x)}});
+}
+
+void Exploration::take(const SolveReport& path) {
+  add(path.work, work_);
+  graph_.take(path.candidates);
+}
+
+bool Exploration::may_go_on() const {
+  const auto unseen = unseen_classes(graph_.meetings(), graph_.size());
+  return !request_.stop.stop_requested() && std::ssize(graph_.curves()) < limits_.most_curves &&
+         !(unseen && *unseen < limits_.unseen);
+}
+
+void Exploration::walk_all() {
+  while (may_go_on()) {
+    if (request_.monitor != nullptr) request_.monitor->progress("walking curves", graph_.walked_part());
+    const std::vector<Walk> round = next_round();
+    if (round.empty()) return;
+    walk(round);
+  }
+}
+
+std::vector<Exploration::Walk> Exploration::next_round() {
+  std::vector<Walk> round;
+  for (std::size_t value = 0; value < releasable_.size(); ++value) {
+    int& next = next_[value];
+    while (next < graph_.size() && graph_.is_walked(next, value)) ++next;
+    if (next < graph_.size()) round.push_back({value, next});
+  }
+  const std::int64_t left = limits_.most_curves - std::ssize(graph_.curves());
+  if (std::ssize(round) > left) round.resize(static_cast<std::size_t>(left));
+  return round;
+}
+
+void Exploration::walk(const std::vector<Walk>& round) {
+  std::vector<SolveReport> reports(round.size());
+  run_on_threads(request_.threads, [&](int thread) {
+    const ThreadReserves reserves;
+    for (auto i = static_cast<std::size_t>(thread); i < round.size();
+         i += static_cast<std::size_t>(request_.threads)) {
+      const Figure& start = graph_.solutions()[static_cast<std::size_t>(round[i].start)].figure;
+      reports[i] = walk_curve(request_.scene, *explored_, releasable_[round[i].value],
+                              explored_->unknowns(start), walks_, context_);
+    }
+  });
+  take(round, std::move(reports));
+}
+
+void Exploration::take(const std::vector<Walk>& round, std::vector<SolveReport> reports) {
+  std::vector<Candidate> found;
+  for (const SolveReport& report : reports)
+    found.insert(found.end(), report.candidates.begin(), report.candidates.end());
+  const std::vector<int> numbers = graph_.take(found);
+  auto first = numbers.begin();
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    SolveReport& report = reports[i];
+    const auto last = first + std::ssize(report.candidates);
+    add(report.work, work_);
+    if (report.status == SolveStatus::partial && first_doubt_.empty()) first_doubt_ = report.reason;
+    if (std::any_of(first, last, [](int number) { return number < 0; }) && first_doubt_.empty())
+      first_doubt_ = "a point at which the value fits is singular, or nearly so";
+    const int released = explored_->value_of()[static_cast<std::size_t>(releasable_[round[i].value])];
+    graph_.add_curve(round[i].value, round[i].start, {released, std::move(report.paths.front())},
+                     {first, last});
+    first = last;
+  }
+}
+
+/// Whether a random start leads to a solution that no curve has met.
+bool Exploration::start_anew() {
+  if (request_.monitor != nullptr) request_.monitor->progress("random starts", graph_.walked_part());
+  const int known = graph_.size();
+  std::vector<Candidate> found;
+  for (StartEnd& end : ends_of_starts(request_, started_, started_ + limits_.starts)) {
+    add(end.work, work_);
+    singular_starts_ += end.is_singular ? 1 : 0;
+    if (end.is_solution) found.push_back({std::move(end.figure), 1, end.accuracy.error});
+  }
+  started_ += limits_.starts;
+  graph_.take(found);
+  return graph_.size() > known;
+}
+
+std::string Exploration::shortcomings() const {
+  const auto failed = std::ranges::find_if(
+      graph_.curves(), [](const CurveRecord& curve) { return curve.path.end == PathRecord::End::failed; });
+  if (failed != graph_.curves().end())
+    return "a curve could not be followed to its ends: " + failed->path.cause;
+  if (!first_doubt_.empty()) return "on a curve " + first_doubt_;
+  if (std::ssize(graph_.curves()) >= limits_.most_curves)
+    return counted(limits_.most_curves, "curve") + " were walked, and others are left";
+  return "";
+}
+
+SolveReport Exploration::report() const {
+  SolveReport report;
+  report.claim = Claim::some_real;
+  report.candidates = graph_.solutions();
+  report.curves = graph_.curves();
+  report.work = work_;
+  report.particulars = {
+      {"curves", std::ssize(graph_.curves())},
+      {"proven_curves",
+       std::ranges::count_if(graph_.curves(), [](const CurveRecord& curve) { return curve.path.proven; })},
+      {"meetings", graph_.meetings()},
+      {"starts", started_},
+      {"singular_points", graph_.singular() + singular_starts_}};
+  if (const auto unseen = unseen_classes(graph_.meetings(), graph_.size()))
+    report.particulars.push_back({"estimated_unseen_classes", std::llround(*unseen)});
+  if (request_.stop.stop_requested()) {
+    report.status = SolveStatus::stopped;
+    report.reason = "stopped on request";
+  } else if (report.candidates.empty()) {
+    report.status = SolveStatus::gave_up;
+    report.reason = "neither the sketch nor one of " + std::to_string(started_) +
+                    " random starts leads to a solution that is not singular";
+  } else {
+    report.reason = shortcomings();
+    report.status = report.reason.empty() ? SolveStatus::complete : SolveStatus::partial;
+  }
+  return report;
+}
+
+}  // namespace gcs

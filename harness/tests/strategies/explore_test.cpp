@@ -88,6 +88,22 @@ TEST_CASE("exploring reaches as many real solutions of random scenes as there ar
   CHECK(compared > 8);
 }
 
+TEST_CASE("curves of points and planes are proven, with the crossings that are found without a proof") {
+  for (const char* id : {"octahedron", "octahedral-4p2h"}) {
+    const ProblemStatement problem = load_instance(id).problem;
+    const SolveRun fast = solved(problem, "explore");
+    const SolveRun proven = solved(problem, "explore", {{"mode", "certified"}});
+    CAPTURE(id, proven.reason);
+    CHECK(proven.solutions.size() == fast.solutions.size());
+    REQUIRE_FALSE(proven.curves.empty());
+    CHECK(std::ranges::all_of(proven.curves, [](const AssessedCurve& curve) {
+      return curve.proven && curve.crossings.size() % 2 == 0 && alternate(curve.crossings);
+    }));
+    CHECK(std::ranges::none_of(fast.curves, [](const AssessedCurve& curve) { return curve.proven; }));
+    CHECK(meetings(proven).size() == meetings(fast).size());
+  }
+}
+
 TEST_CASE("fewer curves are walked when so many are asked for, or few classes are expected to be unseen") {
   const ProblemStatement problem = load_instance("disulfide").problem;
   const std::size_t all = solved(problem, "explore").curves.size();

@@ -27,6 +27,22 @@ double distance_from_reals(const ComplexVectorX& x) {
   return distance / (1 + largest(x));
 }
 
+/// Whether a segment of a relation has the length 0 to rounding: its direction is an unknown, and none of the figure's.
+bool has_segment_of_length_0(const ProblemStatement& problem, const Figure& figure) {
+  constexpr double rounding = 1e-13;  // of coordinates that Newton's method has settled, in the scene's unit
+  const double least = rounding * std::max(1.0, extent(figure));
+  const auto meet = [least](const Eigen::Matrix3Xd& at, const Operand& segment) {
+    return at.cols() == 0 || (at.col(segment.end) - at.col(segment.entity)).norm() <= least;
+  };
+  const auto is_point = [&](const Operand& segment) {
+    return meet(figure.points, segment) && meet(figure.imaginary, segment);
+  };
+  return std::ranges::any_of(problem.relations, [&](const Relation& relation) {
+    return std::ranges::any_of(relation.of,
+                               [&](const Operand& of) { return of.is_segment() && is_point(of); });
+  });
+}
+
 class GeneralReporter {
  public:
   GeneralReporter(const SceneSystem& system, const GeneralEquations& equations)
@@ -40,6 +56,7 @@ class GeneralReporter {
     missing_.jumps = distinct.jumps();
     for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
     for (const PathEnd& end : ends) add_path(end);
+    if (without_angle_ > 0) report_.particulars.push_back({"segments_of_length_0", without_angle_});
     conclude(ends, "", missing_.in_words(), report_);
     return std::move(report_);
   }
@@ -48,6 +65,10 @@ class GeneralReporter {
   void add_end(const DistinctEnds& distinct, int i) {
     const bool is_lonely = !distinct.has_conjugate(i);
     const Figure figure = figure_of(distinct[i], distinct.is_singular(i));
+    if (has_segment_of_length_0(scene_.problem(), figure)) {
+      ++without_angle_;
+      return;
+    }
     const double condition = judge_.condition(figure);
     missing_.too_far += loses_distances(scene_, figure);
     missing_.lonely += is_lonely;
@@ -93,6 +114,7 @@ class GeneralReporter {
   const GeneralEquations& equations_;
   const FigureJudge judge_{scene_};
   Shortcomings missing_;
+  int without_angle_ = 0;  ///< ends
   SolveReport report_;
 };
 

@@ -44,7 +44,7 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request,
                                                   is_zero, stopped, progress, all_work);
   std::mt19937_64 keys(request.seed);
   SolveReport report = general_report(system, given, ends, all_work, keys);
-  report.particulars = particulars;
+  report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
   if (missing.empty()) {
     report.generic = solutions.size();
     // Certificates are of these equations in general scenes alone, not in those of points and several lines.

@@ -234,7 +234,8 @@ class SystemPathsStrategy final : public Strategy {
     const GeneralEquations equations = general_equations(scene);
     const SortedEnds ends = sorted(equations, paths.ends, random);
     SolveReport report = general_report(scene, equations, ends.classes, work, random);
-    report.particulars = system_facts(system, request);
+    const std::vector<Particular> facts = system_facts(system, request);
+    report.particulars.insert(report.particulars.begin(), facts.begin(), facts.end());
     finish(paths, what_is_missing(paths, ends, 1 << equations.signs.rank()), report);
     return report;
   }

@@ -44,6 +44,28 @@ TEST_CASE("mixed cells lead to solutions with unknowns that are 0 whatever the v
     check_count(id, "polyhedral");
 }
 
+TEST_CASE("a segment of length 0 has no angle") {
+  // a, b and c on a circle about p, |ab| is given, and so is the angle of b→c with a→b. The line through b that has it meets
+  // the circle in b, where the segment is a point, and in another c; it has it turned over too.
+  const Scene scene(
+      parse_instance(
+          R"({"format": "gcsbench-instance/2", "id": "circle", "dimension": 2, "points": ["a", "b", "c", "p"], "constraints": [
+          {"type": "distance", "between": ["p", "a"], "length": 2.75},
+          {"type": "distance", "between": ["p", "b"], "length": 2.75},
+          {"type": "distance", "between": ["p", "c"], "length": 2.75},
+          {"type": "distance", "between": ["a", "b"], "length": 3},
+          {"type": "angle", "between": [["b", "c"], ["a", "b"]], "degrees": 40}]})",
+          "circle")
+          .problem);
+  for (const std::string strategy : {"monodromy", "polyhedral"}) {
+    INFO(strategy);
+    const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.failed_checks.empty());
+    CHECK(run.solutions.size() == 2);
+  }
+}
+
 TEST_CASE("bodies that are flat count up to reflection") {
   check_count("straight-bodies@0", "monodromy");
   check_count("flat-base@0", "monodromy");

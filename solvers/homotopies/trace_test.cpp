@@ -17,6 +17,11 @@ constexpr int most_coordinates = 6;
 /// Last ε, of the search's: either s or E is of this order, the other one is not. At 0 pivots vanish.
 constexpr double almost_zero = 1e-9;
 
+/// Where sums are compared again: ε over the search's.
+constexpr double further_out = 1e4;
+/// Of rounding here and there, where s and E are 100 times as large and coordinates 10 times.
+constexpr double rounding_ratio = 0.1;
+
 /// Sets of unknowns whose signs change together, and with no others, in all that the equations say.
 class SignComponents {
  public:
@@ -185,10 +190,19 @@ class FibreTest {
         stopped_(stopped),
         work_(work) {}
 
+  /// Of the fibre and of the one that it becomes further out, unless a path is lost there: the larger defect.
+  std::optional<double> defect(const GenericSolutions& fibre) const {
+    const std::optional<double> here = defect_of(fibre);
+    if (!here || *here > TraceTest::affine) return here;
+    const std::optional<GenericSolutions> far = carried_out(fibre);
+    const std::optional<double> there = far ? defect_of(*far) : std::nullopt;
+    return std::max(*here, there.value_or(0) * rounding_ratio);
+  }
+
   /// Of the sums at three values of ε, 1 + i/2, 1 and 1 − i/2 times the search's: how far the middle one is
   /// from the line through the others, relative to what its terms are from theirs; nothing where a path was
   /// lost.
-  std::optional<double> defect(const GenericSolutions& fibre) const {
+  std::optional<double> defect_of(const GenericSolutions& fibre) const {
     const Complex aside(0, 0.5);
     const auto ahead = at(fibre, 1.0 + aside), behind = at(fibre, 1.0 - aside);
     if (!ahead || !behind) return std::nullopt;
@@ -212,6 +226,14 @@ class FibreTest {
   }
 
  private:
+  std::optional<GenericSolutions> carried_out(GenericSolutions fibre) const {
+    auto points = at(fibre, further_out);
+    if (!points) return std::nullopt;
+    fibre.solutions = std::move(*points);
+    fibre.squares[problem_.product] *= further_out;
+    return fibre;
+  }
+
   std::optional<std::vector<ComplexVectorX>> at(const GenericSolutions& fibre, Complex factor) const {
     return moved(tracking_, fibre, problem_.product, factor, stopped_, work_);
   }
@@ -231,9 +253,10 @@ TraceTest test_trace(const TraceProblem& problem, LegTracking& tracking, const M
                      const std::function<void(int)>& progress, WorkCounters& work) {
   const FibreTest fibre_test(problem, tracking, random, stopped, work);
   TraceTest test;
+  std::size_t tested = 0;  // points: a search only adds to them
   const auto sums_are_affine = [&](const GenericSolutions& fibre) {
-    const std::optional<double> defect = fibre_test.defect(fibre);
-    test.defect = defect.value_or(1);
+    if (fibre.solutions.size() != std::exchange(tested, fibre.solutions.size()))
+      test.defect = fibre_test.defect(fibre).value_or(1);
     return test.is_affine();
   };
   const GenericSolutions fibre = search_by_monodromy(

@@ -19,7 +19,7 @@ void check_count(const Answer& answer, std::size_t count);
 /// In how many classes the solutions of both fall.
 int classes_of(const Scene& scene, const Answer& a, const Answer& b);
 
-/// As many in parts and in one piece, the same ones, with less work in parts.
+/// As many in parts and in one piece, the same ones.
 void check_same_in_one_piece(const ProblemStatement& problem, std::size_t count);
 
 /// What is placed one by one, in its order, by names.

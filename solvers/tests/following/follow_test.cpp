@@ -69,6 +69,25 @@ Figure representative(const Scene& scene, const Figure& figure) {
   return scene.in_file_unit(scene.representative(scene.in_scene_unit(figure)));
 }
 
+/// Beyond a fold solutions meet all values, and S, which is closed, meets as many rising as falling. How many there are.
+std::size_t check_beyond(const RandomChange& change, const Followed& folded) {
+  REQUIRE(folded.beyond);
+  const Answer& answer = *folded.beyond;
+  if (answer.status != RunStatus::complete) return 0;
+  int balance = 0;
+  for (const AssessedCrossing& crossing : answer.crossings) balance += crossing.direction;
+  CHECK(balance == 0);
+  const ProblemStatement problem = with_changes(change.scene.problem(), change.from, change.changes);
+  for (const AssessedSolution& solution : answer.solutions)
+    for (const DistanceConstraint& constraint : problem.constraints) {
+      const auto [a, b] = constraint.between;
+      const Figure figure = solution.placement();
+      const double length = (figure.points.col(a) - figure.points.col(b)).norm();
+      CHECK(length == Approx(constraint.length()).epsilon(1e-9));
+    }
+  return answer.solutions.size();
+}
+
 /// The first solution that full-space meets on S with no length bent.
 Figure first_on_path(const RandomChange& change) {
   ProblemStatement straight = with_changes(change.scene.problem(), change.from, change.changes);
@@ -168,6 +187,22 @@ TEST_CASE("random figures move there and back, and where S leads first") {
     }
   CHECK(reached > 0);
   CHECK(folds > 0);
+}
+
+TEST_CASE("beyond a fold of an octahedron there may be solutions") {
+  RandomNumbers random(5);
+  ProblemStatement problem = samples::octahedron();
+  const Answer known = solve(Scene(problem), "full-space");
+  REQUIRE(known.solutions.size() == 4);  // Imbach, Mathis, Schreck 2016, Table 1
+  std::size_t beyond = 0;
+  for (std::size_t round = 0; round < 40; ++round) {
+    problem.sketch = known.solutions[round % 4].placement();
+    const RandomChange change = random_change(problem, random, 0.2);
+    const Followed moved = follow(change.scene, change.from, change.changes);
+    CHECK(moved.proven);
+    if (moved.end == ArcEnd::folds) beyond += check_beyond(change, moved);
+  }
+  CHECK(beyond > 0);
 }
 
 TEST_CASE("cosines travel, and fold where a ray touches a circle") {

@@ -14,8 +14,8 @@ namespace {
 class Fields {
  public:
   explicit Fields(const SolveReport& report) {
-    const auto& [status, reason, claim, candidates, paths, motions, generic, generic_member, at_infinity,
-                 totals, work, particulars] = report;
+    const auto& [status, reason, claim, candidates, paths, motions, curves, generic, generic_member,
+                 at_infinity, totals, work, particulars] = report;
     add("status", status);
     add("reason", reason);
     add("claim", claim);
@@ -25,6 +25,11 @@ class Fields {
     for (std::size_t i = 0; i < paths.size(); ++i) add(fmt::format("paths[{}]", i), paths[i]);
     add("motions.size()", motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i) add(fmt::format("motions[{}]", i), motions[i]);
+    add("curves.size()", curves.size());
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      add(fmt::format("curves[{}].released", i), curves[i].released);
+      add(fmt::format("curves[{}]", i), curves[i].path);
+    }
     add("generic", generic);
     add("generic_member", generic_member);
     add("at_infinity", at_infinity);

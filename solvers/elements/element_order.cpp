@@ -267,9 +267,17 @@ void set_given_steps_apart(const SceneSystem& system, std::vector<PlacingStep>& 
   }
 }
 
+/// Whether a step has each of the unknowns: otherwise those of a frame are left, which would be a core alone.
+bool place_all(const std::vector<PlacingStep>& steps, int unknowns) {
+  std::set<int> placed;
+  for (const PlacingStep& step : steps) placed.insert(step.unknowns.begin(), step.unknowns.end());
+  return static_cast<int>(placed.size()) == unknowns;
+}
+
 /// Whether nothing is gained: a core is as simple as a simplex, or there is but one step.
-bool is_trivial(const ElementOrder& order) {
-  return order.steps.size() < 2 || std::ranges::any_of(order.steps, [](const PlacingStep& step) {
+bool is_trivial(const ElementOrder& order, int unknowns) {
+  return order.steps.size() < 2 || !place_all(order.steps, unknowns) ||
+         std::ranges::any_of(order.steps, [](const PlacingStep& step) {
            if (!step.is_core()) return false;
            const ProblemStatement& core = step.alone->problem;
            return !core.is_anchored() && core.bodies.empty() && core.entity_count() < core.dimension + 2;
@@ -314,7 +322,7 @@ std::optional<ElementOrder> order_in(const Scene& scene, Taken taken) {
     if (order.steps[i].is_core() && !find_sides(system, i == 0 ? std::set<int>() : given, order.steps[i]))
       return std::nullopt;
   set_given_steps_apart(system, order.steps);
-  return is_trivial(order) ? std::nullopt : std::optional(std::move(order));
+  return is_trivial(order, system.equations().unknowns) ? std::nullopt : std::optional(std::move(order));
 }
 
 /// What is to be made small: cores are solved, at a cost that grows fast with their size.

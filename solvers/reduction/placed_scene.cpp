@@ -95,8 +95,8 @@ class PlacedSolve {
         system_(order.scene),
         equations_(general_equations(system_)) {}
 
-  SolveReport run(std::size_t most_listed) {
-    place_steps();
+  std::optional<SolveReport> run(std::size_t most_listed) {
+    if (!place_steps()) return std::nullopt;
     report_.status = common_status(reports_, is_empty_);
     report_.claim = common_claim(reports_);
     if (report_.status == SolveStatus::complete) report_.reason.clear();
@@ -111,13 +111,17 @@ class PlacedSolve {
   }
 
  private:
-  void place_steps() {
+  /// False where a step has no way at random numbers.
+  bool place_steps() {
     for (const PlacingStep& step : order_.steps) {
       steps_.emplace_back();
       if (step.alone) steps_.back().given = ways_alone(step, steps_.back().totals);
       if (!steps_.back().given)
         steps_.back().solver = std::make_unique<StepSolver>(equations_, step, request_);
+      const bool has_ways = !steps_.back().solver || steps_.back().solver->generic_ways() > 0;
+      if (!has_ways && !request_.stop.stop_requested()) return false;
     }
+    return true;
   }
 
   /// One for each class that is found, or two. `totals`: where they are more than are listed.
@@ -242,8 +246,8 @@ class PlacedSolve {
 
 }  // namespace
 
-SolveReport solve_placed(const SolveRequest& request, const ElementOrder& order, const PartSolver& solve,
-                         std::size_t most_listed) {
+std::optional<SolveReport> solve_placed(const SolveRequest& request, const ElementOrder& order,
+                                        const PartSolver& solve, std::size_t most_listed) {
   return PlacedSolve(request, order, solve).run(most_listed);
 }
 

@@ -266,7 +266,9 @@ class ReducedStrategy final : public Strategy {
       if (!step.is_core() && !knows_part(of_part, of_part.scene.problem())) return std::nullopt;
       return part(next++).solve(request_for(of_part, is_only_core));
     };
-    return solve_placed(request, order, solve, request.most_listed.value_or(most_combinations));
+    if (auto report = solve_placed(request, order, solve, request.most_listed.value_or(most_combinations)))
+      return std::move(*report);
+    return solve_whole(request);
   }
 
   ReducedStrategy& part(std::size_t number) {
@@ -278,6 +280,16 @@ class ReducedStrategy final : public Strategy {
   SolveRequest request_for(SolveRequest of_part, bool is_only_core) {
     if (!is_only_core) of_part.starts = &no_starts_;
     return of_part;
+  }
+
+  /// In one piece, where it cannot be taken apart.
+  SolveReport solve_whole(const SolveRequest& request) {
+    SolveReport report;
+    if (const auto reason = strategies_.front()->why_unsupported(request))
+      report.reason = "a step has no way at random numbers, and in one piece: " + *reason;
+    else
+      report = make_()->solve(request);
+    return report;
   }
 
   Strategy& strategy(std::size_t number) {

@@ -108,7 +108,7 @@ bool ElementCurve::correct(CorrectorTest& test) {
 }
 
 bool ElementCurve::start(int orientation, ArcSeries& series) {
-  y_ << family_.start(), 0.0;
+  y_ = family_.start();
   differentiate();
   plan_.choose(jacobian_, options_.alpha);
   linearise();

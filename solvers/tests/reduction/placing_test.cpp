@@ -208,9 +208,6 @@ TEST_CASE("what is not known of the core is not known of the whole") {
   CHECK(all.failed_checks.empty());
   CHECK(all.solutions.size() == 8 * 12);
   CHECK(all.proofs->classes == 8 * 12);
-  const Answer untested = solve(Scene::unchecked(problem), "monodromy", {{"trace", "off"}}, {});
-  CHECK(untested.status == RunStatus::partial);
-  CHECK(untested.reason.find("not tested") != std::string::npos);
   const Answer some = answer_to(problem, "on", "newton-multistart");
   CHECK(some.claim == Claim::some_real);
   CHECK_FALSE(some.counts.complex_up_to_reflection);

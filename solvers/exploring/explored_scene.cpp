@@ -23,8 +23,8 @@ QuadraticSystem exact_distances(const Scene& scene, const DistanceSystem& system
   QuadraticSystem result{system.unknowns(), {}, mirror_axes(scene, system)};
   for (int e = 0; e < system.equations(); ++e) {
     const auto [a, b] = system.edges()[static_cast<std::size_t>(e)];
-    QuadraticEquation& equation =
-        result.equations.emplace_back(std::vector<FormProduct>(), given_square(scene, e));
+    QuadraticEquation& equation = result.equations.emplace_back();
+    equation.given = given_square(scene, e);
     for (int axis = system.is_line(b) ? 1 : 0; axis < system.dimension(); ++axis) {
       LinearForm difference;
       add_coordinate(system, a, axis, 1, difference);

@@ -30,7 +30,7 @@ ReleasedFamily::ReleasedFamily(const RealEquations& equations, const SignMasks& 
       start_(std::move(start)) {
   const auto is_square = [](const RealEquations::Product& product) { return product.left == product.right; };
   std::vector<RealEquations::Product> products = equations.products;
-  squares_ = std::ranges::stable_partition(products, is_square).begin() - products.begin();
+  squares_ = std::stable_partition(products.begin(), products.end(), is_square) - products.begin();
   for (const RealEquations::Product& product : products) {
     equation_of_.push_back(product.equation);
     add_form(product.left);

@@ -44,7 +44,7 @@ std::optional<std::vector<std::complex<double>>> zero_near(const QuadraticSystem
   for (int i = 0; i < most_iterations && point.allFinite(); ++i) {
     const EquationResiduals here = residuals_at(system, x);
     if ((here.value(equations).cwiseAbs().array() <= settled * (1 + here.size(equations).array())).all())
-      return point.cwiseAbs().maxCoeff() <= far ? std::optional(x) : std::nullopt;
+      return point.lpNorm<Eigen::Infinity>() <= far ? std::optional(x) : std::nullopt;
     const Eigen::MatrixXcd jacobian = jacobian_at(system, x)(equations, Eigen::all);
     point -= jacobian.completeOrthogonalDecomposition().solve(Eigen::VectorXcd(here.value(equations)));
   }

@@ -107,6 +107,7 @@ Structure analyse_general_structure(const Scene& scene) {
   Structure structure;
   if (why_no_system(scene)) return structure;
   const SceneSystem system(scene);
+  if (system.equations().unknowns == 0) return structure;
   std::mt19937_64 random(1);
   auto figure = random_zero(system.equations(), system.without_value(), random);
   if (!figure) figure = random_zero(system.equations(), system.of_parts(), random);

@@ -15,9 +15,6 @@
 namespace gcs {
 namespace {
 
-/// Of a general scene, in its units: S is taken to go to infinity beyond it.
-constexpr double infinite_coordinate = 1e6;
-
 /// A crossing found by the tracker is good to about 1e-6 of the scene; further away Newton may have gone elsewhere.
 constexpr double largest_refinement = 1e-3;
 

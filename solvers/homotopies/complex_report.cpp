@@ -107,9 +107,9 @@ class ComplexReporter {
   void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder) {
     const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
     const Figure figure = is_singular ? singular_figure(distinct[i]) : figure_of(distinct[i], next_to_real);
-    if ((is_singular || jacobian_condition(scene_, figure) >= rank_lost) &&
-        finder.lies_on_motion(distinct[i], singular_uncertainty))
-      return;
+    const std::optional<Collapse> loose = finder.loose_at(distinct[i], singular_uncertainty);
+    const bool may_move = loose && (is_singular || jacobian_condition(scene_, figure) >= rank_lost);
+    if (may_move && finder.lies_on_motion(*loose, distinct[i])) return;
     const bool is_isolated = !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
     missing_.too_far += loses_distances(scene_, figure);
     missing_.lonely += is_lonely;

@@ -1,9 +1,9 @@
 #include "solvers/motions/collapse.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "solvers/model/given_numbers.hpp"
-#include "solvers/numeric/rational.hpp"
 
 namespace gcs {
 namespace {
@@ -51,34 +51,34 @@ class RowSpace {
 
 class Collapser {
  public:
-  Collapser(const Scene& scene, const DistanceSystem& system, const QuadraticSystem& distances)
-      : scene_(scene), system_(system), distances_(distances) {
+  Collapser(const DistanceSystem& system, const QuadraticSystem& distances, const ComplexPoints& points,
+            double tolerance)
+      : system_(system), distances_(distances), points_(points), tolerance_(tolerance) {
     result_.equations.unknowns = distances.unknowns;
     result_.equations.mirror =
         SignMasks(std::vector<SignMask>(static_cast<std::size_t>(distances.unknowns), 0));
-    for (int e = 0; e < scene.constraint_count(); ++e) squares_.push_back(rational(given_square(scene, e)));
   }
 
-  void join_points(const ComplexPoints& points, double tolerance) {
-    for (int a = 0; a < points.cols(); ++a)
-      for (int b = a + 1; b < points.cols(); ++b)
-        if (is_small(points.col(a) - points.col(b), tolerance) && impose({{a, 1}, {b, -1}}))
+  void join_points() {
+    for (int a = 0; a < points_.cols(); ++a)
+      for (int b = a + 1; b < points_.cols(); ++b)
+        if (is_small(points_.col(a) - points_.col(b)) && impose({{a, 1}, {b, -1}}))
           result_.coincident.push_back({a, b});
   }
 
-  void join_bars(const ComplexPoints& points, double tolerance) {
-    for (int e = 0; e < scene_.constraint_count(); ++e)
-      for (int f = e + 1; f < scene_.constraint_count(); ++f)
-        if (squares_[e] == squares_[f]) join_bars(e, f, points, tolerance);
+  void join_bars(const std::vector<std::array<int, 2>>& equal_bars) {
+    for (const auto& [e, f] : equal_bars) join_bars(e, f);
   }
 
+  bool has_joined() const { return !result_.equations.equations.empty(); }
+
   /// Nothing where a distance that is not 0 is between points that are one.
-  std::optional<Collapse> with_distances() && {
+  std::optional<Collapse> with_distances(const std::vector<Rational>& squares) && {
     std::vector<std::pair<Rational, Row>> kept;
-    for (int e = 0; e < scene_.constraint_count(); ++e) {
+    for (int e = 0; e < system_.equations(); ++e) {
       Row bar = bar_on_space(e);
       if (std::ranges::all_of(bar, &Rational::is_zero)) return std::nullopt;
-      const std::pair<Rational, Row> distance{squares_[e], std::move(bar)};
+      const std::pair<Rational, Row> distance{squares[static_cast<std::size_t>(e)], std::move(bar)};
       if (std::ranges::find(kept, distance) != kept.end()) continue;
       result_.equations.equations.push_back(distances_.equations[static_cast<std::size_t>(e)]);
       kept.push_back(distance);
@@ -87,16 +87,16 @@ class Collapser {
   }
 
  private:
-  static bool is_small(const Eigen::Vector3cd& difference, double tolerance) {
-    return difference.cwiseAbs().maxCoeff() <= tolerance;
+  bool is_small(const Eigen::Vector3cd& difference) const {
+    return difference.cwiseAbs().maxCoeff() <= tolerance_;
   }
 
-  void join_bars(int e, int f, const ComplexPoints& points, double tolerance) {
+  void join_bars(int e, int f) {
     const auto [a, b] = system_.edges()[static_cast<std::size_t>(e)];
     const auto [c, d] = system_.edges()[static_cast<std::size_t>(f)];
-    const Eigen::Vector3cd one = points.col(a) - points.col(b), other = points.col(c) - points.col(d);
+    const Eigen::Vector3cd one = points_.col(a) - points_.col(b), other = points_.col(c) - points_.col(d);
     for (const int sign : {1, -1})
-      if (is_small(one - sign * other, tolerance) && impose({{a, 1}, {b, -1}, {c, -sign}, {d, sign}}))
+      if (is_small(one - sign * other) && impose({{a, 1}, {b, -1}, {c, -sign}, {d, sign}}))
         result_.parallel.push_back({e, f});
   }
 
@@ -138,23 +138,31 @@ class Collapser {
     return bar;
   }
 
-  const Scene& scene_;
   const DistanceSystem& system_;
   const QuadraticSystem& distances_;
-  std::vector<Rational> squares_;
+  const ComplexPoints& points_;
+  double tolerance_;
   RowSpace space_;
   Collapse result_;
 };
 
 }  // namespace
 
-std::optional<Collapse> collapse_at(const Scene& scene, const DistanceSystem& system,
-                                    const QuadraticSystem& distances, const ComplexPoints& points,
-                                    double tolerance, bool with_parallel_bars) {
-  Collapser collapser(scene, system, distances);
-  collapser.join_points(points, tolerance);
-  if (with_parallel_bars) collapser.join_bars(points, tolerance);
-  return std::move(collapser).with_distances();
+CollapseSearch::CollapseSearch(const Scene& scene, const DistanceSystem& system, QuadraticSystem distances)
+    : system_(system), distances_(std::move(distances)) {
+  for (int e = 0; e < scene.constraint_count(); ++e) squares_.push_back(rational(given_square(scene, e)));
+  for (int e = 0; e < scene.constraint_count(); ++e)
+    for (int f = e + 1; f < scene.constraint_count(); ++f)
+      if (squares_[static_cast<std::size_t>(e)] == squares_[static_cast<std::size_t>(f)])
+        equal_bars_.push_back({e, f});
+}
+
+std::optional<Collapse> CollapseSearch::at(const ComplexPoints& points, double tolerance,
+                                           bool with_parallel_bars) const {
+  Collapser collapser(system_, distances_, points, tolerance);
+  collapser.join_points();
+  if (with_parallel_bars) collapser.join_bars(equal_bars_);
+  return collapser.has_joined() ? std::move(collapser).with_distances(squares_) : std::nullopt;
 }
 
 }  // namespace gcs

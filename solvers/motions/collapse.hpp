@@ -14,6 +14,7 @@
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/quadratic_system.hpp"
+#include "solvers/numeric/rational.hpp"
 
 namespace gcs {
 
@@ -27,11 +28,23 @@ struct Collapse {
   int looseness() const { return equations.unknowns - static_cast<int>(equations.equations.size()); }
 };
 
-/// The coincidences of `points`, as far as `tolerance`, a length, tells; without parallel bars if not asked for. Nothing
-/// where distances contradict them. Preconditions: points and distances alone, no given positions; `system` is the
-/// scene's and `distances` are its equations with the exact numbers, one for each constraint.
-std::optional<Collapse> collapse_at(const Scene& scene, const DistanceSystem& system,
-                                    const QuadraticSystem& distances, const ComplexPoints& points,
-                                    double tolerance, bool with_parallel_bars);
+/// Looks for coincidences in figures of one scene: in most there are none, which is told by their coordinates alone.
+class CollapseSearch {
+ public:
+  /// Keeps a reference to `system`, which is the scene's; `distances` are its equations with the exact numbers, one for each
+  /// constraint. Precondition: points and distances alone, no given positions.
+  CollapseSearch(const Scene& scene, const DistanceSystem& system, QuadraticSystem distances);
+
+  const QuadraticSystem& distances() const { return distances_; }
+  /// The coincidences of `points`, as far as `tolerance`, a length, tells; without parallel bars if not asked for. Nothing
+  /// where there are none, or distances contradict them.
+  std::optional<Collapse> at(const ComplexPoints& points, double tolerance, bool with_parallel_bars) const;
+
+ private:
+  const DistanceSystem& system_;
+  QuadraticSystem distances_;
+  std::vector<Rational> squares_;               ///< of the lengths
+  std::vector<std::array<int, 2>> equal_bars_;  ///< constraints of one length
+};
 
 }  // namespace gcs

@@ -91,33 +91,29 @@ std::string kind_in_words(const Motion& motion) {
 }  // namespace
 
 MotionFinder::MotionFinder(const Scene& scene, const DistanceSystem& system, std::mt19937_64& random)
-    : scene_(scene),
-      system_(system),
-      random_(random),
-      is_asked_(!scene.problem().is_general() && !scene.has_lines() && !scene.is_anchored()) {
-  if (is_asked_) distances_ = SceneEquations(scene).system();
+    : scene_(scene), system_(system), random_(random) {
+  if (!scene.problem().is_general() && !scene.has_lines() && !scene.is_anchored())
+    search_.emplace(scene, system, SceneEquations(scene).system());
 }
 
-bool MotionFinder::lies_on_motion(const Point& x, double uncertainty) {
-  if (!is_asked_) return false;
+std::optional<Collapse> MotionFinder::loose_at(const Point& x, double uncertainty) const {
+  if (!search_) return std::nullopt;
   const double tolerance = uncertainty * (1 + as_vector(x).cwiseAbs().maxCoeff());
-  const std::optional<Collapse> collapse = loose_at(x, tolerance);
-  if (!collapse) return false;
-  const auto is_same = [&](const Motion& motion) {
-    return motion.coincident == collapse->coincident && motion.parallel == collapse->parallel;
-  };
-  const std::optional<LoosePoint> near = proven_near(collapse->equations, x);
-  if (near && std::ranges::none_of(motions_, is_same)) add_motion(*collapse, *near);
-  return near.has_value();
-}
-
-std::optional<Collapse> MotionFinder::loose_at(const Point& x, double tolerance) const {
   const ComplexPoints points = complex_points(complex_figure(system_, Eigen::VectorXcd(as_vector(x))));
   for (const bool with_parallel_bars : {false, true}) {
-    auto collapse = collapse_at(scene_, system_, distances_, points, tolerance, with_parallel_bars);
+    auto collapse = search_->at(points, tolerance, with_parallel_bars);
     if (collapse && collapse->looseness() > 0) return collapse;
   }
   return std::nullopt;
+}
+
+bool MotionFinder::lies_on_motion(const Collapse& loose, const Point& x) {
+  const auto is_same = [&](const Motion& motion) {
+    return motion.coincident == loose.coincident && motion.parallel == loose.parallel;
+  };
+  const std::optional<LoosePoint> near = proven_near(loose.equations, x);
+  if (near && std::ranges::none_of(motions_, is_same)) add_motion(loose, *near);
+  return near.has_value();
 }
 
 std::optional<MotionFinder::LoosePoint> MotionFinder::proven(const QuadraticSystem& loose,
@@ -164,9 +160,9 @@ std::optional<MotionFinder::LoosePoint> MotionFinder::proven_real(const Quadrati
 /// Whether the scene's Jacobian is proven to have a rank of at least unknowns − dimension at the solution: no component
 /// through it is larger.
 bool MotionFinder::has_corank(const LoosePoint& point, int dimension) const {
-  const Eigen::MatrixXcd jacobian = jacobian_at(distances_, point.enclosure.mid);
+  const Eigen::MatrixXcd jacobian = jacobian_at(search_->distances(), point.enclosure.mid);
   const Eigen::FullPivLU<Eigen::MatrixXcd> factors(jacobian);
-  const Eigen::Index order = distances_.unknowns - dimension;
+  const Eigen::Index order = jacobian.cols() - dimension;
   const Eigen::PermutationMatrix<Eigen::Dynamic> order_of_rows(factors.permutationP().inverse());
   const Eigen::VectorXi rows = order_of_rows.indices().head(order),
                         columns = factors.permutationQ().indices().head(order);

@@ -23,10 +23,12 @@ class MotionFinder {
   /// Keeps references.
   MotionFinder(const Scene& scene, const DistanceSystem& system, std::mt19937_64& random);
 
-  /// Whether the solution next to x, of the unknowns of the system, lies on a motion; a new one is remembered. Always
-  /// false for scenes of more than points and distances, or with given positions. `uncertainty` of x, relative to
-  /// 1 + its largest entry.
-  bool lies_on_motion(const std::vector<std::complex<double>>& x, double uncertainty);
+  /// What coincides at x, of the unknowns of the system, if that leaves the scene loose: nearly so, it may be, where x is
+  /// not singular. Nothing for scenes of more than points and distances, or with given positions. `uncertainty` of x,
+  /// relative to 1 + its largest entry.
+  std::optional<Collapse> loose_at(const std::vector<std::complex<double>>& x, double uncertainty) const;
+  /// Whether the solution next to x is proven to lie on the motion that is loose there; a new one is remembered.
+  bool lies_on_motion(const Collapse& loose, const std::vector<std::complex<double>>& x);
 
   const std::vector<Motion>& motions() const { return motions_; }
 
@@ -40,7 +42,6 @@ class MotionFinder {
     bool is_real = false;
   };
 
-  std::optional<Collapse> loose_at(const Point& x, double tolerance) const;
   std::optional<LoosePoint> proven(const QuadraticSystem& loose, const Point& start) const;
   std::optional<LoosePoint> proven_near(const QuadraticSystem& loose, const Point& x);
   std::optional<LoosePoint> proven_real(const QuadraticSystem& loose);
@@ -50,8 +51,7 @@ class MotionFinder {
   const Scene& scene_;
   const DistanceSystem& system_;
   std::mt19937_64& random_;
-  bool is_asked_;
-  QuadraticSystem distances_;
+  std::optional<CollapseSearch> search_;  ///< for the scenes that it is asked of
   std::vector<Motion> motions_;
 };
 

@@ -95,8 +95,24 @@ AtomicFile::~AtomicFile() {
   if (written_ != target_) unlink(written_.c_str());
 }
 
+void AtomicFile::write(std::string_view text) {
+  constexpr std::size_t most_kept = 1 << 20;
+  kept_ += text;
+  if (kept_.size() >= most_kept) flush();
+}
+
+void AtomicFile::flush() {
+  if (const int error = write_all(descriptor_, kept_)) fail(error);
+  kept_.clear();
+}
+
 void AtomicFile::commit(std::string_view text) {
-  if (const int error = write_all(descriptor_, text)) fail(error);
+  write(text);
+  commit();
+}
+
+void AtomicFile::commit() {
+  flush();
   // Some file systems report a full disk only now.
   if (fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
   if (written_ != target_ && rename(written_.c_str(), target_.c_str()) != 0) fail(errno);
@@ -108,11 +124,20 @@ Output::Output(const std::string& place) {
   if (place != "-") file_.emplace(place);
 }
 
-void Output::commit(std::string_view text) {
+void Output::write(std::string_view text) {
   if (file_)
-    file_->commit(text);
+    file_->write(text);
   else
     std::cout << text;
+}
+
+void Output::commit() {
+  if (file_) file_->commit();
+}
+
+void Output::commit(std::string_view text) {
+  write(text);
+  commit();
 }
 
 void remove_leftovers(const fs::path& folder) {

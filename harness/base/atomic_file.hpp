@@ -24,11 +24,17 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Replaces the target's content by `text`. Call once. Throws OutputError when that fails;
+  /// Appends to what will be the content; of a target that is no regular file it is written before
+  /// commit(). Throws OutputError when that fails.
+  void write(std::string_view text);
+  /// Replaces the target's content by what was written. Call once, last. Throws OutputError when that fails;
   /// then nothing has changed.
+  void commit();
+  /// The same, with `text` written first.
   void commit(std::string_view text);
 
  private:
+  void flush();
   [[noreturn]] void fail(int error) const;
 
   std::filesystem::path named_;   ///< as the user named it, for messages
@@ -36,6 +42,7 @@ class AtomicFile {
   /// A new file beside the target, or the target when that is no regular file.
   std::filesystem::path written_;
   int descriptor_ = -1;
+  std::string kept_{};  ///< written, and not yet in the file
 };
 
 /// A file that will be written later, or standard output, which "-" stands for.
@@ -44,7 +51,9 @@ class Output {
   /// Throws OutputError when the file cannot be written.
   explicit Output(const std::string& place);
 
-  /// Writes all of `text`, as AtomicFile does. Call once.
+  /// As of AtomicFile.
+  void write(std::string_view text);
+  void commit();
   void commit(std::string_view text);
 
  private:

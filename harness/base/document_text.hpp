@@ -1,46 +1,80 @@
 #pragma once
 /// Files of JSON as text: a member a line, and an element a line of long lists.
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "solvers/reading/json_build.hpp"
+#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 
-/// One object on its way to a file. A list is written element by element: its JSON is never in memory as a whole.
-class DocumentText {
+using TextSink = std::function<void(std::string_view)>;
+
+/// One object on its way to a file. A list is written block by block: its text is never in memory as a whole.
+class DocumentWriter {
  public:
-  /// The first member is "format".
-  explicit DocumentText(std::string_view format) { member("format", json_text(std::string(format))); }
+  /// The first member is "format". `take` gets the text piece by piece. Lists are written on `threads` ≥ 1 threads, the
+  /// text is the same for any number.
+  DocumentWriter(std::string_view format, TextSink take, int threads = 1)
+      : take_(std::move(take)), threads_(threads) {
+    take_("{");
+    member("format", json_text(std::string(format)));
+  }
 
   void member(std::string_view name, const JsonValue& value) {
     begin(name);
-    text_ += to_text(value, -1);
+    take_(to_text(value, -1));
   }
 
-  /// The array of what `make` makes of each value.
+  /// The array of what `make` makes of each value; it is called from any thread.
   template <typename Values, typename Make>
   void list(std::string_view name, const Values& values, Make make) {
+    constexpr std::size_t most_elements = 1024;
     begin(name);
     std::string_view before = "[\n  ";
-    for (const auto& value : values) {
-      text_.append(before) += to_text(make(value), -1);
-      before = ",\n  ";
+    std::vector<std::string> block;
+    for (std::size_t first = 0; first < std::size(values); first += most_elements) {
+      block.resize(std::min(most_elements, std::size(values) - first));
+      share_on_threads(block.size(), threads_,
+                       [&](std::size_t i) { block[i] = to_text(make(values[first + i]), -1); });
+      for (const std::string& text : block) {
+        take_(before);
+        take_(text);
+        before = ",\n  ";
+      }
     }
-    text_ += before == "[\n  " ? "[]" : "\n ]";
+    take_(std::size(values) == 0 ? "[]" : "\n ]");
   }
 
-  /// The document, ending in a newline.
-  std::string text() && { return std::move(text_) + "\n}\n"; }
+  /// The document ends in a newline. Precondition: nothing follows.
+  void end() { take_("\n}\n"); }
 
  private:
   void begin(std::string_view name) {
-    text_.append(text_.empty() ? "{\n " : ",\n ") += to_text(json_text(std::string(name)), -1) + ": ";
+    take_(std::exchange(before_, ",\n "));
+    take_(to_text(json_text(std::string(name)), -1));
+    take_(": ");
   }
 
-  std::string text_;
+  TextSink take_;
+  int threads_;
+  std::string_view before_ = "\n ";
 };
+
+/// The document that `fill`, a function of a DocumentWriter, writes.
+template <typename Fill>
+std::string document_text(std::string_view format, Fill fill) {
+  std::string text;
+  DocumentWriter document(format, [&](std::string_view piece) { text += piece; });
+  fill(document);
+  document.end();
+  return text;
+}
 
 }  // namespace gcs

@@ -73,9 +73,11 @@ ExitCode exit_code(const SolveRun& run) {
 /// Standard output gets the JSON when it was asked for there, else the summary of what was run.
 void print_answer(const SolveArguments& arguments, const Instance& instance, const SolveRun& run,
                   std::optional<Output>& out) {
-  const std::string result =
-      arguments.out.empty() ? "" : result_text(instance, run, capture_environment(run.threads));
-  if (out) out->commit(result);
+  if (out) {
+    write_result(instance, run, capture_environment(run.threads),
+                 [&](std::string_view piece) { out->write(piece); });
+    out->commit();
+  }
   if (arguments.out == "-") return;
   if (run.status != RunStatus::unsupported) std::cout << solve_summary(instance, run);
 }

@@ -63,14 +63,14 @@ JsonValue leg_value(const ProblemStatement& problem, const ChangedValues& change
 }  // namespace
 
 std::string follow_text(const Instance& instance, const FollowedPolyline& polyline) {
-  DocumentText document("gcsbench-follow/1");
-  document.member("instance", instance.document);
-  document.member("from", figure_value(instance.problem, polyline.from));
-  std::size_t place = 0;
-  document.list("legs", polyline.legs, [&](const Followed& leg) {
-    return leg_value(instance.problem, polyline.vertices[place++], leg);
+  return document_text("gcsbench-follow/1", [&](DocumentWriter& document) {
+    document.member("instance", instance.document);
+    document.member("from", figure_value(instance.problem, polyline.from));
+    std::size_t place = 0;
+    document.list("legs", polyline.legs, [&](const Followed& leg) {
+      return leg_value(instance.problem, polyline.vertices[place++], leg);
+    });
   });
-  return std::move(document).text();
 }
 
 }  // namespace gcs

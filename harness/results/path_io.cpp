@@ -153,21 +153,21 @@ std::string path_text(const Instance& instance, const Scene& scene, const std::v
   std::vector<std::string> columns{"t", "length", "radius"};
   columns.insert(columns.end(), coordinates.moving.begin(), coordinates.moving.end());
   const double length = lengths.nearest(std::ldexp(nodes.back().length, unit_exponent));
-  DocumentText document(format_name);
-  document.member("instance", instance.document);
-  document.member("convention", json_text(std::string(convention)));
-  document.member("unit", json_number(std::ldexp(1.0, unit_exponent)));
-  document.member("within", json_number(within));
-  document.member("proven", json_boolean(true));
-  document.member("closed", json_boolean(true));
-  document.member("tubes", json_number(static_cast<double>(arcs.size())));
-  document.member("length", json_number(length));
-  document.member("crossings", crossings_value(nodes));
-  document.member("fixed", json_object(std::move(coordinates.fixed)));
-  document.member("columns", json_texts(columns));
-  document.list("rows", nodes,
-                [&](const PathNode& node) { return row_value(node, unit_exponent, lengths, radii); });
-  return std::move(document).text();
+  return document_text(format_name, [&](DocumentWriter& document) {
+    document.member("instance", instance.document);
+    document.member("convention", json_text(std::string(convention)));
+    document.member("unit", json_number(std::ldexp(1.0, unit_exponent)));
+    document.member("within", json_number(within));
+    document.member("proven", json_boolean(true));
+    document.member("closed", json_boolean(true));
+    document.member("tubes", json_number(static_cast<double>(arcs.size())));
+    document.member("length", json_number(length));
+    document.member("crossings", crossings_value(nodes));
+    document.member("fixed", json_object(std::move(coordinates.fixed)));
+    document.member("columns", json_texts(columns));
+    document.list("rows", nodes,
+                  [&](const PathNode& node) { return row_value(node, unit_exponent, lengths, radii); });
+  });
 }
 
 }  // namespace gcs

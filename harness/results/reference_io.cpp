@@ -82,16 +82,16 @@ std::string reference_text(const StoredResult& result, const ReferenceSettings& 
                                  settings.digits),
                      "ask for fewer digits");
   const Answer& answer = result.answer;
-  DocumentText document(format_name);
-  document.member("instance", result.instance.document);
-  document.member("origin",
-                  json_object({{"strategy", json_text(answer.strategy)},
-                               {"claim", json_text(answer.claim ? std::string(word(*answer.claim)) : "")},
-                               {"digits", json_number(settings.digits)},
-                               {"only_real", json_boolean(settings.only_real)}}));
-  document.member("proofs", proofs_value(verification.proofs));
-  document.list("solutions", solutions, [](const JsonValue& solution) { return solution; });
-  return std::move(document).text();
+  return document_text(format_name, [&](DocumentWriter& document) {
+    document.member("instance", result.instance.document);
+    document.member("origin",
+                    json_object({{"strategy", json_text(answer.strategy)},
+                                 {"claim", json_text(answer.claim ? std::string(word(*answer.claim)) : "")},
+                                 {"digits", json_number(settings.digits)},
+                                 {"only_real", json_boolean(settings.only_real)}}));
+    document.member("proofs", proofs_value(verification.proofs));
+    document.list("solutions", solutions, [](const JsonValue& solution) { return solution; });
+  });
 }
 
 }  // namespace gcs

@@ -171,8 +171,9 @@ JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motio
   return json_array_of(motions, [&](const Motion& motion) { return motion_value(problem, motion); });
 }
 
-std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment) {
-  DocumentText document("gcsbench-result/1");
+void write_result(const Instance& instance, const SolveRun& run, const Environment& environment,
+                  const TextSink& take) {
+  DocumentWriter document("gcsbench-result/1", take, run.threads);
   document.member("instance", instance.document);
   document.member("strategy", json_text(run.strategy));
   document.member("options", options_value(run.options));
@@ -194,7 +195,13 @@ std::string result_text(const Instance& instance, const SolveRun& run, const Env
   document.member("statistics", statistics_value(run));
   document.member("timing", timing_value(run.timing));
   document.member("environment", environment_value(environment));
-  return std::move(document).text();
+  document.end();
+}
+
+std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment) {
+  std::string text;
+  write_result(instance, run, environment, [&](std::string_view piece) { text += piece; });
+  return text;
 }
 
 }  // namespace gcs

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "harness/base/document_text.hpp"
 #include "harness/base/environment.hpp"
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/solving/solve_run.hpp"
@@ -16,8 +17,10 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs);
 /// Solutions that are not isolated, as in a result.
 JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motion>& motions);
 
-/// The result as JSON text that ends in a newline: one top-level member a line, one solution a line. What
+/// The result as JSON text, piece by piece, that ends in a newline: one top-level member a line, one solution a line. What
 /// does not apply is null; so is an infinite condition. The instance keeps the decimal text of its numbers.
+void write_result(const Instance& instance, const SolveRun& run, const Environment& environment,
+                  const TextSink& take);
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment);
 
 }  // namespace gcs

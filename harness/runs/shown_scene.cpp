@@ -73,18 +73,18 @@ std::optional<MetSolution> read_crossing(const JsonCursor& cursor, std::size_t s
 
 std::string to_json_text(const ShownScene& record) {
   const ProblemStatement& problem = record.instance.problem;
-  DocumentText document(format_name);
-  document.member("instance", record.instance.document);
-  document.member("source", json_text(record.source));
-  document.member("proven", json_boolean(record.are_proven));
-  document.member("all_real", json_boolean(record.has_all_real));
-  document.member("all_real_proven", json_boolean(record.is_real_proven));
-  document.list("solutions", record.solutions,
-                [&](const ShownSolution& solution) { return solution_value(problem, solution); });
-  document.member("no_path", json_text(record.no_path));
-  document.list("crossings", record.crossings, crossing_value);
-  document.member("trails", json_of(record.trails));
-  return std::move(document).text();
+  return document_text(format_name, [&](DocumentWriter& document) {
+    document.member("instance", record.instance.document);
+    document.member("source", json_text(record.source));
+    document.member("proven", json_boolean(record.are_proven));
+    document.member("all_real", json_boolean(record.has_all_real));
+    document.member("all_real_proven", json_boolean(record.is_real_proven));
+    document.list("solutions", record.solutions,
+                  [&](const ShownSolution& solution) { return solution_value(problem, solution); });
+    document.member("no_path", json_text(record.no_path));
+    document.list("crossings", record.crossings, crossing_value);
+    document.member("trails", json_of(record.trails));
+  });
 }
 
 ShownScene parse_shown_scene(const std::string& text, const std::string& file) {

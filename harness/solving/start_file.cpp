@@ -48,14 +48,14 @@ JsonValue search_value(const GenericSolutions& generic) {
 }
 
 std::string file_text(const StartFamily& family, const StartSystem& start) {
-  DocumentText document(format_name);
-  document.list("equations", family.equations, json_text);
-  document.member("search", search_value(start.generic));
-  document.member("trace", json_of(start.trace));
-  document.member("squares", json_array_of(start.generic.squares, json_complex));
-  document.list("solutions", start.generic.solutions,
-                [](const ComplexVectorX& solution) { return json_array_of(solution, json_complex); });
-  return std::move(document).text();
+  return document_text(format_name, [&](DocumentWriter& document) {
+    document.list("equations", family.equations, json_text);
+    document.member("search", search_value(start.generic));
+    document.member("trace", json_of(start.trace));
+    document.member("squares", json_array_of(start.generic.squares, json_complex));
+    document.list("solutions", start.generic.solutions,
+                  [](const ComplexVectorX& solution) { return json_array_of(solution, json_complex); });
+  });
 }
 
 void require_equations(const JsonCursor& equations, const StartFamily& family) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "solvers/answers/judged_candidates.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
 
@@ -25,39 +26,6 @@ constexpr double singular_condition = 1e12;
 /// one.
 constexpr double fold_condition = 1e6;
 
-/// A candidate that can be judged, with everything that does not depend on the others.
-struct Judged {
-  Figure figure;          ///< in the frame, not mirrored
-  Figure representative;  ///< in the scene's unit
-  double condition = 0;
-  int multiplicity = 1;
-  double error = 0;  ///< that of the candidate
-  SignVerdict signs{};
-};
-
-bool is_finite(const LinePosition& line) { return line.point.allFinite() && line.direction.allFinite(); }
-bool is_finite(const PlanePosition& plane) { return plane.normal.allFinite() && std::isfinite(plane.offset); }
-
-/// Up to motions, complex figures are compared with one line at most.
-bool is_usable_as_complex(const Scene& scene, const Figure& figure) {
-  if (figure.imaginary.cols() != scene.point_count() || figure.imaginary_lines.size() != figure.lines.size())
-    return false;
-  if (figure.imaginary_planes.size() != figure.planes.size()) return false;
-  if (!scene.problem().is_general() && !scene.is_anchored() && figure.lines.size() > 1) return false;
-  const Figure framed = scene.in_frame(figure);
-  return framed.points.allFinite() && framed.imaginary.allFinite() &&
-         std::isfinite(extent(scene.representative(figure)));
-}
-
-bool is_usable(const Scene& scene, const Candidate& candidate) {
-  const Figure& figure = candidate.figure;
-  return figure.points.cols() == scene.point_count() && figure.lines.size() == scene.problem().lines.size() &&
-         figure.planes.size() == scene.problem().planes.size() && figure.points.allFinite() &&
-         std::ranges::all_of(figure.lines, [](const LinePosition& line) { return is_finite(line); }) &&
-         std::ranges::all_of(figure.planes, [](const PlanePosition& plane) { return is_finite(plane); }) &&
-         (figure.is_real() || is_usable_as_complex(scene, figure)) && candidate.multiplicity >= 1;
-}
-
 /// The most that a coordinate of a point differs by, and of a line's direction or a plane's normal, whichever way it
 /// goes, times `size`.
 double figure_distance(const Figure& a, const Figure& b, double size) {
@@ -68,93 +36,6 @@ double figure_distance(const Figure& a, const Figure& b, double size) {
   for (std::size_t i = 0; i < a.lines.size(); ++i) take(a.lines[i].direction, b.lines[i].direction);
   for (std::size_t i = 0; i < a.planes.size(); ++i) take(a.planes[i].normal, b.planes[i].normal);
   return largest;
-}
-
-std::vector<Figure> representatives(const std::vector<Judged>& judged) {
-  std::vector<Figure> figures;
-  for (const Judged& j : judged) figures.push_back(j.representative);
-  return figures;
-}
-
-std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged) {
-  std::vector<SolutionAccuracy> accuracies;
-  for (const Judged& candidate : judged) accuracies.push_back({candidate.condition, candidate.error});
-  return solution_classes(scene, representatives(judged), accuracies).class_of;
-}
-
-/// Appends the coordinates in units of `grain` of the scene's size, cut to integers so that rounding does not
-/// decide an order. The offset keeps the cuts away from round numbers such as the frame's zeros.
-void append_cut(const Scene& scene, const Figure& figure, double grain, std::vector<double>& key) {
-  const auto append = [&](const Eigen::Vector3d& v, double unit) {
-    for (const double x : v) key.push_back(std::floor(x / unit + 0.6180339887));
-  };
-  for (Eigen::Index i = 0; i < figure.points.cols(); ++i) append(figure.points.col(i), grain * scene.size());
-  for (Eigen::Index i = 0; i < figure.imaginary.cols(); ++i)
-    append(figure.imaginary.col(i), grain * scene.size());
-  for (const auto* lines : {&figure.lines, &figure.imaginary_lines})
-    for (const LinePosition& line : *lines) {
-      append(line.point, grain * scene.size());
-      append(line.direction, grain);
-    }
-  for (const auto* planes : {&figure.planes, &figure.imaginary_planes})
-    for (const PlanePosition& plane : *planes) {
-      append(plane.normal, grain);
-      append(Eigen::Vector3d(plane.offset, 0, 0), grain * scene.size());
-    }
-}
-
-/// What solutions are sorted by, real ones first, as they stand to what is stated; the finer cut tells neighbours apart.
-std::vector<double> order_key(const Scene& scene, const Judged& judged) {
-  const Figure& figure = judged.representative;
-  std::vector<double> key{figure.is_real() ? 0.0 : 1.0, static_cast<double>(judged.signs.standing)};
-  for (const double grain : {1e-7, 1e-10}) append_cut(scene, figure, grain, key);
-  return key;
-}
-
-/// Of a real figure, whose coordinates are as good as merging takes them to be, or as is proven.
-SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, const Judged& judged) {
-  if (signs.empty() || !judged.figure.is_real()) return {};
-  const double reach = std::max(scene.size(), extent(judged.representative));
-  const double error = std::min(judged.error, merging_tolerance(judged.condition) * reach);
-  return verdict_on(signs, judged.representative, error);
-}
-
-/// Multiplicity of a class: the largest that was reported for a member.
-AssessedSolution solution_of_class(const FigureJudge& judge, const Judged& first, int multiplicity,
-                                   const std::shared_ptr<const FileTerms>& terms) {
-  AssessedSolution solution;
-  solution.terms = terms;
-  solution.figure = first.representative;
-  solution.multiplicity = multiplicity;
-  solution.residual = judge.residual(first.representative);
-  solution.condition = first.condition;
-  solution.signs = first.signs;
-  return solution;
-}
-
-/// Fills `solutions` in their order; returns the index of the solution of each judged candidate.
-std::vector<int> list_solutions(const Scene& scene, const FigureJudge& judge,
-                                const std::vector<Judged>& judged, std::vector<AssessedSolution>& solutions) {
-  const std::vector<int> class_of = classify(scene, judged);
-  std::vector<int> first;
-  std::vector<int> multiplicity(judged.size(), 0);  // by class
-  for (int i = 0; i < static_cast<int>(judged.size()); ++i) {
-    if (multiplicity[class_of[i]] == 0) first.push_back(i);
-    multiplicity[class_of[i]] = std::max(multiplicity[class_of[i]], judged[i].multiplicity);
-  }
-  std::vector<std::pair<std::vector<double>, int>> order;
-  for (const int i : first) order.emplace_back(order_key(scene, judged[i]), i);
-  std::sort(order.begin(), order.end());
-
-  const auto terms = file_terms(scene);
-  std::vector<int> solution_of_class_index(judged.size(), -1);
-  for (const auto& [key, i] : order) {
-    solution_of_class_index[class_of[i]] = static_cast<int>(solutions.size());
-    solutions.push_back(solution_of_class(judge, judged[i], multiplicity[class_of[i]], terms));
-  }
-  std::vector<int> solution_of;
-  for (const int c : class_of) solution_of.push_back(solution_of_class_index[c]);
-  return solution_of;
 }
 
 /// What a figure in double precision can reach: every coordinate is rounded to u·extent, so a distance is off
@@ -171,11 +52,14 @@ double residual_limit(const Scene& scene, const Judged& judged) {
 
 class Assessor {
  public:
-  Assessor(const Scene& scene, const SolveReport& report) : scene_(scene), report_(report) {}
+  Assessor(const Scene& scene, const SolveReport& report, int threads)
+      : scene_(scene), report_(report), threads_(threads) {}
 
   Assessment run() {
     judge_candidates();
-    solution_of_ = list_solutions(scene_, judge_, judged_, assessment_.solutions);
+    ListedSolutions listed = list_solutions(scene_, judged_, threads_);
+    assessment_.solutions = std::move(listed.solutions);
+    solution_of_ = std::move(listed.solution_of);
     check_residuals();
     for (const PathRecord& path : report_.paths) take_crossings(path);
     for (const CurveRecord& curve : report_.curves) take_curve(curve);
@@ -194,20 +78,14 @@ class Assessor {
   }
 
   void judge_candidates() {
-    for (std::size_t i = 0; i < report_.candidates.size(); ++i) {
-      const Candidate& candidate = report_.candidates[i];
-      judged_index_.push_back(-1);
-      if (!is_usable(scene_, candidate)) {
+    std::vector<std::optional<Judged>> judged = judged_candidates(scene_, report_.candidates, threads_);
+    for (std::size_t i = 0; i < judged.size(); ++i) {
+      judged_index_.push_back(judged[i] ? static_cast<int>(judged_.size()) : -1);
+      if (judged[i])
+        judged_.push_back(*std::move(judged[i]));
+      else
         fail("malformed",
              fmt::format("candidate {} lacks an entity, is not finite or has no multiplicity", i));
-        continue;
-      }
-      judged_index_.back() = static_cast<int>(judged_.size());
-      Judged judged{scene_.in_frame(candidate.figure), scene_.representative(candidate.figure), 0,
-                    candidate.multiplicity, candidate.error};
-      judged.condition = judge_.condition(judged.representative);
-      judged.signs = signs_of(scene_, signs_, judged);
-      judged_.push_back(std::move(judged));
     }
   }
 
@@ -318,8 +196,7 @@ class Assessor {
 
   const Scene& scene_;
   const SolveReport& report_;
-  const FigureJudge judge_{scene_};
-  const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
+  int threads_;
   Assessment assessment_;
   std::vector<Judged> judged_;
   std::vector<int> judged_index_;  // by candidate: index in judged_, or −1
@@ -339,7 +216,7 @@ void Assessor::count() {
   if (claim == Claim::on_path || claim == Claim::on_path_of_core) counts.on_path = 0;
   if (claim == Claim::all_real || claim == Claim::all_complex) counts.real_up_to_reflection = 0;
   if (claim == Claim::all_complex) counts.complex_up_to_reflection = 0;
-  if (!signs_.empty()) counts.not_as_stated = counts.undecided = 0;
+  if (!stated_signs(scene_.problem()).empty()) counts.not_as_stated = counts.undecided = 0;
   counts.generic = report_.generic;
   assessment_.totals = report_.totals;
   if (report_.totals) check_totals();
@@ -358,7 +235,9 @@ void Assessor::count() {
 
 }  // namespace
 
-Assessment assess(const Scene& scene, const SolveReport& report) { return Assessor(scene, report).run(); }
+Assessment assess(const Scene& scene, const SolveReport& report, int threads) {
+  return Assessor(scene, report, threads).run();
+}
 
 void recount(Assessment& assessment) {
   Counts& counts = assessment.counts;

@@ -92,9 +92,9 @@ struct Assessment {
   std::optional<Proofs> proofs;  ///< empty unless asked for (see certify)
 };
 
-/// Assesses a report of any strategy; the report may be wrong in every way. Deterministic. Never throws for a
-/// bad report: what is malformed is left out and becomes a failed check.
-Assessment assess(const Scene& scene, const SolveReport& report);
+/// Assesses a report of any strategy; the report may be wrong in every way. Deterministic, whatever `threads` ≥ 1 is. Never
+/// throws for a bad report: what is malformed is left out and becomes a failed check.
+Assessment assess(const Scene& scene, const SolveReport& report, int threads = 1);
 
 /// Brings the counts that are determined in line with the list.
 void recount(Assessment& assessment);

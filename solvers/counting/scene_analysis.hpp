@@ -21,8 +21,16 @@ class SceneAnalysis {
     return found.get([&] { return decompose(problem_, split); });
   }
 
+  /// See element_order.
+  const std::optional<ElementOrder>& order() const {
+    return order_.get([&] { return element_order(Scene::unchecked(problem_)); });
+  }
+
   const TheoreticalCounts& counts() const {
-    return counts_.get([&] { return theoretical_counts(problem_, parts(Split::all)); });
+    return counts_.get([&] {
+      return problem_.is_general() ? theoretical_counts(problem_, order())
+                                   : theoretical_counts(problem_, parts(Split::all));
+    });
   }
 
  private:
@@ -42,6 +50,7 @@ class SceneAnalysis {
 
   const ProblemStatement& problem_;
   mutable OnceFound<std::vector<Part>> all_parts_, hung_points_;
+  mutable OnceFound<std::optional<ElementOrder>> order_;
   mutable OnceFound<TheoreticalCounts> counts_;
 };
 

@@ -186,7 +186,8 @@ class ReducedStrategy final : public Strategy {
   /// Nothing where the strategy does not know the cores or, without any, what is placed.
   std::optional<ElementOrder> placing_of(const SolveRequest& request) const {
     if (!reduces_ || split_ != Split::all) return std::nullopt;
-    std::optional<ElementOrder> order = element_order(request.scene);
+    std::optional<ElementOrder> order =
+        request.analysis ? request.analysis->order() : element_order(request.scene);
     if (order && !knows(request, *order)) return std::nullopt;
     return order;
   }

@@ -1,12 +1,12 @@
 #include "solvers/running/run_on_threads.hpp"
 
+#include <algorithm>
+
 #ifdef GCS_TBB
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
-
-#include <algorithm>
 #else
 #include <thread>
 #include <vector>
@@ -32,5 +32,12 @@ void run_on_threads(int count, const std::function<void(int)>& function) {
 }
 
 #endif
+
+void share_on_threads(std::size_t items, int threads, const std::function<void(std::size_t)>& function) {
+  const auto step = std::min(static_cast<std::size_t>(threads), std::max<std::size_t>(items, 1));
+  run_on_threads(static_cast<int>(step), [&](int thread) {
+    for (auto i = static_cast<std::size_t>(thread); i < items; i += step) function(i);
+  });
+}
 
 }  // namespace gcs

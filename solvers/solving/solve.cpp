@@ -140,7 +140,7 @@ class Solve {
   void take(SolveReport& report) {
     set_status(report);
     answer_.claim = report.claim;
-    static_cast<Assessment&>(answer_) = assess(scene_, report);
+    static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
     answer_.work = report.work;
     answer_.particulars = std::move(report.particulars);
   }

@@ -1,0 +1,36 @@
+#pragma once
+/// The candidates of a report, each judged for itself, and the list of the solutions that they are.
+
+#include <optional>
+#include <vector>
+
+#include "solvers/answers/assessed_solution.hpp"
+#include "solvers/interface/strategy_interface.hpp"
+
+namespace gcs {
+
+/// A candidate that can be judged, with everything that does not depend on the others.
+struct Judged {
+  Figure figure;          ///< in the frame, not mirrored
+  Figure representative;  ///< in the scene's unit
+  double condition = 0;
+  int multiplicity = 1;
+  double error = 0;  ///< that of the candidate
+  SignVerdict signs{};
+};
+
+/// One for each candidate; nothing for what lacks an entity, is not finite or has no multiplicity. The same for any number
+/// of threads ≥ 1.
+std::vector<std::optional<Judged>> judged_candidates(const Scene& scene,
+                                                     const std::vector<Candidate>& candidates, int threads);
+
+struct ListedSolutions {
+  std::vector<AssessedSolution> solutions;  ///< one for each class, in their order
+  std::vector<int> solution_of;             ///< of each judged candidate
+};
+
+/// Real solutions first, those as stated before the others; with the largest multiplicity that was reported for a member
+/// of the class. The same for any number of threads ≥ 1.
+ListedSolutions list_solutions(const Scene& scene, const std::vector<Judged>& judged, int threads);
+
+}  // namespace gcs

@@ -29,9 +29,10 @@ class LegTracking {
   LegTracking(const System& system, const Elimination& elimination, const TrackingSetup& setup)
       : unknowns_(system.unknowns), journal_(setup.journal) {
     for (int i = 0; i < setup.threads; ++i) {
-      wide_trackers_.push_back(make_wide_tracker(system, elimination, wide(setup.options)));
-      trackers_.push_back(setup.all_wide ? make_wide_tracker(system, elimination, wide(setup.options))
-                                         : make_lane_tracker(setup.set, system, elimination, setup.options));
+      wide_trackers_.push_back(make_wide_tracker(setup.set, system, elimination, wide(setup.options)));
+      trackers_.push_back(setup.all_wide
+                              ? make_wide_tracker(setup.set, system, elimination, wide(setup.options))
+                              : make_lane_tracker(setup.set, system, elimination, setup.options));
     }
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The trackers of one kind of lanes, for both kinds of systems.
+/// The trackers of one instruction set, for both kinds of systems and both precisions.
 
 #include "solvers/lanes/lane_kernel.hpp"
 #include "solvers/lanes/lane_trackers.hpp"
@@ -14,9 +14,9 @@ std::unique_ptr<LaneTracker> make(const typename Equations::System& system, cons
   return std::make_unique<KernelTracker<Equations>>(system, elimination, options);
 }
 
-template <class Real>
-LaneTrackerFactories factories() {
-  return {make<SquareEquations<Real>>, make<MonomialEquations<Real>>};
+inline LaneTrackerFactories factories() {
+  return {make<SquareEquations<Lanes>>, make<MonomialEquations<Lanes>>, make<SquareEquations<Wide>>,
+          make<MonomialEquations<Wide>>};
 }
 
 }  // namespace gcs::GCS_LANES

@@ -4,6 +4,6 @@
 
 namespace gcs {
 
-LaneTrackerFactories avx2_lane_trackers() { return avx2_lanes::factories<avx2_lanes::Lanes>(); }
+LaneTrackerFactories avx2_lane_trackers() { return avx2_lanes::factories(); }
 
 }  // namespace gcs

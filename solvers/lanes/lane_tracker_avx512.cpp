@@ -4,6 +4,6 @@
 
 namespace gcs {
 
-LaneTrackerFactories avx512_lane_trackers() { return avx512_lanes::factories<avx512_lanes::Lanes>(); }
+LaneTrackerFactories avx512_lane_trackers() { return avx512_lanes::factories(); }
 
 }  // namespace gcs

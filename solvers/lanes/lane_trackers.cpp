@@ -52,14 +52,16 @@ std::unique_ptr<LaneTracker> make_lane_tracker(InstructionSet set, const Monomia
   return factories_of(set).for_monomials(system, elimination, options);
 }
 
-std::unique_ptr<LaneTracker> make_wide_tracker(const SquareSystem& system, const Elimination& elimination,
+std::unique_ptr<LaneTracker> make_wide_tracker(InstructionSet set, const SquareSystem& system,
+                                               const Elimination& elimination,
                                                const TrackingOptions& options) {
-  return wide_lane_trackers().for_squares(system, elimination, options);
+  return factories_of(set).wide_for_squares(system, elimination, options);
 }
 
-std::unique_ptr<LaneTracker> make_wide_tracker(const MonomialSystem& system, const Elimination& elimination,
+std::unique_ptr<LaneTracker> make_wide_tracker(InstructionSet set, const MonomialSystem& system,
+                                               const Elimination& elimination,
                                                const TrackingOptions& options) {
-  return wide_lane_trackers().for_monomials(system, elimination, options);
+  return factories_of(set).wide_for_monomials(system, elimination, options);
 }
 
 }  // namespace gcs

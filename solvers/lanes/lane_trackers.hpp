@@ -21,10 +21,12 @@ std::unique_ptr<LaneTracker> make_lane_tracker(InstructionSet set, const Monomia
                                                const Elimination& elimination,
                                                const TrackingOptions& options);
 
-/// One lane in arithmetic of about 106 bits: the same steps, for paths that doubles cannot follow.
-std::unique_ptr<LaneTracker> make_wide_tracker(const SquareSystem& system, const Elimination& elimination,
+/// In arithmetic of about 106 bits: the same steps, for paths that doubles cannot follow. Precondition as above.
+std::unique_ptr<LaneTracker> make_wide_tracker(InstructionSet set, const SquareSystem& system,
+                                               const Elimination& elimination,
                                                const TrackingOptions& options);
-std::unique_ptr<LaneTracker> make_wide_tracker(const MonomialSystem& system, const Elimination& elimination,
+std::unique_ptr<LaneTracker> make_wide_tracker(InstructionSet set, const MonomialSystem& system,
+                                               const Elimination& elimination,
                                                const TrackingOptions& options);
 
 template <class System>
@@ -34,10 +36,11 @@ using LaneTrackerFactory = std::unique_ptr<LaneTracker> (*)(const System&, const
 struct LaneTrackerFactories {
   LaneTrackerFactory<SquareSystem> for_squares;
   LaneTrackerFactory<MonomialSystem> for_monomials;
+  LaneTrackerFactory<SquareSystem> wide_for_squares;
+  LaneTrackerFactory<MonomialSystem> wide_for_monomials;
 };
 
 LaneTrackerFactories portable_lane_trackers();
-LaneTrackerFactories wide_lane_trackers();
 #ifdef GCS_X86
 LaneTrackerFactories avx2_lane_trackers();
 LaneTrackerFactories avx512_lane_trackers();

@@ -73,6 +73,8 @@ inline Lanes larger(Lanes a, Lanes b) { return {a.v > b.v ? a.v : b.v}; }
 /// `a` where `mask` is not 0, else `b`.
 inline Lanes selected(Lanes mask, Lanes a, Lanes b) { return {mask.v != 0 ? a.v : b.v}; }
 inline Lanes constant(double value, Lanes) { return {value - Lanes::Vector{}}; }
+/// 1 where a < b, else 0.
+inline Lanes is_less(Lanes a, Lanes b) { return {a.v < b.v ? constant(1, {}).v : Lanes::Vector{}}; }
 
 /// (u − v) − difference exactly, for the rounded difference.
 inline Lanes lost(Lanes u, Lanes v, Lanes difference) {
@@ -105,14 +107,17 @@ struct Compensated<Lanes> {
   Lanes value() const { return high + low; }
 };
 
-/// One number of about 106 bits in the place of lanes: for paths that doubles cannot follow.
+/// Numbers of about 106 bits in the place of doubles: for paths that doubles cannot follow.
 struct Wide {
-  static constexpr int count = 1;
+  static constexpr int count = Lanes::count;
 
-  DoubleDouble v;
+  Doubled<Lanes> v;
 
-  double lane(int) const { return v.hi; }
-  void set_lane(int, double value) { v = {value, 0}; }
+  double lane(int i) const { return v.hi.lane(i); }
+  void set_lane(int i, double value) {
+    v.hi.set_lane(i, value);
+    v.lo.set_lane(i, 0);
+  }
 };
 
 inline Wide operator+(Wide a, Wide b) { return {a.v + b.v}; }
@@ -122,10 +127,14 @@ inline Wide operator/(Wide a, Wide b) { return {a.v / b.v}; }
 inline Wide operator-(Wide a) { return {-a.v}; }
 inline Wide fused(Wide a, Wide b, Wide c) { return a * b + c; }
 inline Wide fused_minus(Wide a, Wide b, Wide c) { return c - a * b; }
-inline Wide absolute(Wide a) { return a.v.hi < 0 ? -a : a; }
-inline Wide larger(Wide a, Wide b) { return a.v.hi > b.v.hi ? a : b; }
-inline Wide selected(Wide mask, Wide a, Wide b) { return mask.v.hi != 0 ? a : b; }
-inline Wide constant(double value, Wide) { return {{value, 0}}; }
+/// `a` where `mask` is not 0, else `b`.
+inline Wide selected(Lanes mask, Wide a, Wide b) {
+  return {{selected(mask, a.v.hi, b.v.hi), selected(mask, a.v.lo, b.v.lo)}};
+}
+inline Wide selected(Wide mask, Wide a, Wide b) { return selected(mask.v.hi, a, b); }
+inline Wide absolute(Wide a) { return selected(is_less(a.v.hi, {}), -a, a); }
+inline Wide larger(Wide a, Wide b) { return selected(is_less(b.v.hi, a.v.hi), a, b); }
+inline Wide constant(double value, Wide) { return {{constant(value, Lanes{}), {}}}; }
 inline Wide lost(Wide, Wide, Wide) { return {}; }
 
 template <>

@@ -6,50 +6,67 @@
 
 namespace gcs {
 
-/// hi + lo with |lo| ≤ ulp(hi)/2. Overflow and underflow behave as for doubles.
-struct DoubleDouble {
-  double hi = 0;
-  double lo = 0;
+/// hi + lo with |lo| ≤ ulp(hi)/2; of doubles side by side for each of them. Overflow and underflow behave as for doubles.
+template <class Real>
+struct Doubled {
+  Real hi = {};
+  Real lo = {};
 
-  double value() const { return hi + lo; }
+  Real value() const { return hi + lo; }
 };
 
+using DoubleDouble = Doubled<double>;
+
+/// a·b + c with one rounding.
+inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
+
 /// a + b exactly.
-inline DoubleDouble two_sum(double a, double b) {
-  const double s = a + b;
-  const double t = s - a;
+template <class Real>
+Doubled<Real> two_sum(Real a, Real b) {
+  const Real s = a + b;
+  const Real t = s - a;
   return {s, (a - (s - t)) + (b - t)};
 }
 
 /// a · b exactly unless the low part underflows.
-inline DoubleDouble two_product(double a, double b) {
-  const double p = a * b;
-  return {p, std::fma(a, b, -p)};
+template <class Real>
+Doubled<Real> two_product(Real a, Real b) {
+  const Real p = a * b;
+  return {p, fused(a, b, -p)};
 }
 
-inline DoubleDouble operator-(DoubleDouble a) { return {-a.hi, -a.lo}; }
-
-inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
-  const DoubleDouble s = two_sum(a.hi, b.hi);
-  const DoubleDouble t = two_sum(a.lo, b.lo);
-  const DoubleDouble u = two_sum(s.hi, s.lo + t.hi);
-  return two_sum(u.hi, u.lo + t.lo);
+template <class Real>
+Doubled<Real> operator-(Doubled<Real> a) {
+  return {-a.hi, -a.lo};
 }
 
-inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + -b; }
+template <class Real>
+Doubled<Real> operator+(Doubled<Real> a, Doubled<Real> b) {
+  const Doubled<Real> s = two_sum(a.hi, b.hi);
+  const Doubled<Real> t = two_sum(a.lo, b.lo);
+  const Doubled<Real> u = two_sum<Real>(s.hi, s.lo + t.hi);
+  return two_sum<Real>(u.hi, u.lo + t.lo);
+}
 
-inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
-  const DoubleDouble p = two_product(a.hi, b.hi);
-  return two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+template <class Real>
+Doubled<Real> operator-(Doubled<Real> a, Doubled<Real> b) {
+  return a + -b;
+}
+
+template <class Real>
+Doubled<Real> operator*(Doubled<Real> a, Doubled<Real> b) {
+  const Doubled<Real> p = two_product(a.hi, b.hi);
+  return two_sum<Real>(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
 /// The quotient by two corrections of the double one.
-inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
-  const double first = a.hi / b.hi;
-  const DoubleDouble rest = a - b * DoubleDouble{first, 0};
-  const double second = rest.hi / b.hi;
-  const DoubleDouble last = rest - b * DoubleDouble{second, 0};
-  return two_sum(first, second) + DoubleDouble{last.hi / b.hi, 0};
+template <class Real>
+Doubled<Real> operator/(Doubled<Real> a, Doubled<Real> b) {
+  const Real first = a.hi / b.hi;
+  const Doubled<Real> rest = a - b * Doubled<Real>{first, {}};
+  const Real second = rest.hi / b.hi;
+  const Doubled<Real> last = rest - b * Doubled<Real>{second, {}};
+  return two_sum(first, second) + Doubled<Real>{last.hi / b.hi, {}};
 }
 
 /// Square root by one Newton step from the double one. Precondition: a ≥ 0.

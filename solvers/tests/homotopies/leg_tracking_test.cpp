@@ -169,16 +169,19 @@ TEST_CASE("the bits of a leg depend on no instruction set, thread or neighbour")
   const Elimination elimination = order_elimination(system, random);
   const Task task(system, 21, random);
   WorkCounters work;
-  LegTracking alone(system, elimination, {{}, InstructionSet::portable, 1});
-  std::vector<ComplexVectorX> expected;
-  for (const Leg& leg : task.legs())
-    expected.push_back(alone.follow(std::span(&leg, 1), never, work).front().x);
-  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (!is_available(set)) continue;
-    for (const int threads : {1, 2, 3}) {
-      LegTracking tracking(system, elimination, {{}, set, threads});
-      const std::vector<LegResult> results = tracking.follow(task.legs(), never, work);
-      for (std::size_t i = 0; i < results.size(); ++i) CHECK(results[i].x == expected[i]);
+  for (const bool all_wide : {false, true}) {
+    LegTracking alone(system, elimination, {{}, InstructionSet::portable, 1, nullptr, all_wide});
+    std::vector<ComplexVectorX> expected;
+    for (const Leg& leg : task.legs())
+      expected.push_back(alone.follow(std::span(&leg, 1), never, work).front().x);
+    for (const InstructionSet set :
+         {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!is_available(set)) continue;
+      for (const int threads : {1, 2, 3}) {
+        LegTracking tracking(system, elimination, {{}, set, threads, nullptr, all_wide});
+        const std::vector<LegResult> results = tracking.follow(task.legs(), never, work);
+        for (std::size_t i = 0; i < results.size(); ++i) CHECK(results[i].x == expected[i]);
+      }
     }
   }
 }

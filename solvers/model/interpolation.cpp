@@ -28,9 +28,9 @@ std::vector<double> times_quadratic(const std::vector<double>& c, double at, dou
 
 /// The lengths of a sketch are right to a few roundings: a smaller difference is none.
 bool is_constant(const LengthPath& path) {
-  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  constexpr double few_roundings = 64 * std::numeric_limits<double>::epsilon();
   return path.higher.empty() && path.bend == 0 &&
-         std::abs(path.at_target - path.at_sketch) <= rounding * (path.at_target + path.at_sketch);
+         std::abs(path.at_target - path.at_sketch) <= few_roundings * (path.at_target + path.at_sketch);
 }
 
 /// In powers of t, without leading zeros: at least two unless it is constant.

@@ -8,7 +8,7 @@ namespace gcs {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double rounding = std::numeric_limits<double>::epsilon();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 using ComplexMatrix = Eigen::Matrix<Complex, tangent_count, tangent_count>;
 
@@ -67,7 +67,7 @@ Complex mean_of(std::span<const Complex> values, const EigenvalueCluster& cluste
 bool may_be_one(std::span<const Complex> values, const EigenvalueCluster& cluster) {
   const Complex mean = mean_of(values, cluster);
   const double reach =
-      100 * std::pow(rounding, 1 / static_cast<double>(cluster.size())) * (1 + std::abs(mean));
+      100 * std::pow(epsilon, 1 / static_cast<double>(cluster.size())) * (1 + std::abs(mean));
   for (const int i : cluster)
     if (std::abs(values[i] - mean) > reach) return false;
   return true;

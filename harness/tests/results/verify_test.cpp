@@ -47,7 +47,7 @@ std::set<std::string> mismatches(const Json& result) {
   return names;
 }
 
-using Names = std::set<std::string>;
+using CheckNames = std::set<std::string>;
 
 /// The first number that is not 0 among the coordinates of the solution's points or lines.
 double& first_coordinate(Json& solution, const char* entities) {
@@ -172,27 +172,27 @@ TEST_CASE("a shifted solution is caught") {
     Json result = result_of(one);
     const bool has_free_line = one.instance == "tangents-durand";
     first_coordinate(result["solutions"][0], has_free_line ? "lines" : "points") += 1e-9;
-    CHECK(mismatches(result) == Names{"solution"});
+    CHECK(mismatches(result) == CheckNames{"solution"});
     // Where no bound is stated the scene's size sets it.
     result["solutions"][0]["error_bound"] = nullptr;
-    CHECK(mismatches(result) == Names{"solution"});
+    CHECK(mismatches(result) == CheckNames{"solution"});
   }
 }
 
 TEST_CASE("a shift of what the frame or the file gives is caught") {
   Json result = result_of({"octahedron", "cayley-menger"});
   result["solutions"][0]["points"]["p1"] = {1e-9, 0, 0};
-  CHECK(mismatches(result) == Names{"solution"});
+  CHECK(mismatches(result) == CheckNames{"solution"});
   result = result_of({"tangents-durand", "sphere-tangents"});
   Json& centre = result["solutions"][0]["points"].begin().value();
   centre[0] = centre[0].get<double>() + 1e-9;
-  CHECK(mismatches(result) == Names{"solution"});
+  CHECK(mismatches(result) == CheckNames{"solution"});
   result = result_of({"hoffmann-yuan", "theta-scan"});
   result["solutions"][0]["lines"].begin().value()["direction"] = {1, 1e-9, 0};
-  CHECK(mismatches(result) == Names{"solution"});
+  CHECK(mismatches(result) == CheckNames{"solution"});
   result = result_of({"hoffmann-yuan", "theta-scan"});
   result["solutions"][0]["lines"].begin().value()["point"] = {0, 1e-9, 0};
-  CHECK(mismatches(result) == Names{"solution"});
+  CHECK(mismatches(result) == CheckNames{"solution"});
 }
 
 TEST_CASE("a duplicate is caught, and a mirror image too") {
@@ -215,7 +215,7 @@ TEST_CASE("a wrong multiplicity is caught") {
     Json result = result_of(one);
     result["solutions"][0]["multiplicity"] = 7;
     if (!result["counts"]["singular"].is_null()) result["counts"]["singular"] = 1;
-    CHECK(mismatches(result) == Names{"multiplicity"});
+    CHECK(mismatches(result) == CheckNames{"multiplicity"});
   }
 }
 
@@ -225,7 +225,7 @@ TEST_CASE("multiple solutions are verified as clusters of as many") {
   Json result = Json::parse(result_text(instance, run, {}));
   CHECK(mismatches(result).empty());
   result["solutions"][0]["multiplicity"] = 2;
-  CHECK(mismatches(result) == Names{"multiplicity"});
+  CHECK(mismatches(result) == CheckNames{"multiplicity"});
 }
 
 TEST_CASE("a dropped solution is caught") {
@@ -248,7 +248,7 @@ TEST_CASE("a solution without its conjugate is caught even where counts are adju
   result["solutions"].erase(left);
   for (const char* count : {"complex", "complex_up_to_reflection"}) result["counts"][count] = left;
   result["counts"]["certified"] = left;
-  CHECK(mismatches(result) == Names{"conjugate"});
+  CHECK(mismatches(result) == CheckNames{"conjugate"});
 }
 
 TEST_CASE("solutions of other lengths are caught") {
@@ -275,10 +275,10 @@ TEST_CASE("another convention, and counts by it that the list contradicts, are c
   Json result = result_of(cases[1]);
   CHECK(result["counts"]["convention"] == "up to reflection");
   result["counts"]["convention"] = "up to motion";
-  CHECK(mismatches(result) == Names{"convention"});
+  CHECK(mismatches(result) == CheckNames{"convention"});
   result = result_of(cases[1]);
   result["counts"]["real_up_to_reflection"] = 5;
-  CHECK(mismatches(result) == Names{"count"});
+  CHECK(mismatches(result) == CheckNames{"count"});
   // Results of earlier versions have neither.
   result = result_of(cases[1]);
   for (const char* member : {"convention", "real", "complex"}) result["counts"].erase(member);

@@ -1,9 +1,12 @@
 #include "harness/cli/argument_checks.hpp"
 
 #include <fmt/format.h>
+#include <sched.h>
 
+#include <algorithm>
 #include <charconv>
 #include <system_error>
+#include <thread>
 
 #include "harness/cli/commands.hpp"
 
@@ -21,6 +24,13 @@ CLI::Validator check(std::function<std::string(std::string&)> problem_with) {
   return CLI::Validator(std::move(problem_with), "");
 }
 
+/// 0 where it is not known.
+unsigned usable_cores() {
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof cores, &cores) == 0) return static_cast<unsigned>(CPU_COUNT(&cores));
+  return std::thread::hardware_concurrency();
+}
+
 }  // namespace
 
 void add_instance_argument(CLI::App& command, std::string& instance) {
@@ -30,6 +40,16 @@ void add_instance_argument(CLI::App& command, std::string& instance) {
           "A file, - for standard input, or what `gcsbench list` shows: a shipped instance, or a member "
           "of a family (short-edge@1e-8)")
       ->required();
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+  // More than any machine has, and few enough to start.
+  constexpr unsigned most = 1024;
+  threads = static_cast<int>(std::clamp(usable_cores(), 1U, most));
+  command.add_option("--threads", threads, "Threads to use; the result does not depend on them")
+      ->transform(whole_number(1, most))
+      ->type_name("N")
+      ->default_str("all cores");
 }
 
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {

@@ -11,8 +11,9 @@ namespace gcs {
 /// Adds the positional INSTANCE, which has to be given.
 void add_instance_argument(CLI::App& command, std::string& instance);
 
-/// More than any machine has, and few enough to start.
-constexpr std::uint64_t most_threads = 1024;
+/// Adds --threads. What commands compute does not depend on it, so that by default `threads` is set to all cores that the
+/// process may use.
+void add_threads_option(CLI::App& command, int& threads);
 
 /// A decimal whole number in [least, most]; the parser takes 010 for octal, and −1 for the largest there is.
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);

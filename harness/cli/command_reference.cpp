@@ -54,10 +54,7 @@ void add_reference_command(CLI::App& app, Invocation& invocation) {
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--only-real", arguments->settings.only_real, "Leave the complex solutions out");
-  command->add_option("--threads", arguments->settings.threads, "Threads to use")
-      ->transform(whole_number(1, most_threads))
-      ->type_name("N")
-      ->capture_default_str();
+  add_threads_option(*command, arguments->settings.threads);
   command->footer(
       "The result is verified first, as `gcsbench verify` does it; one that does not verify is refused.\n"
       "\nExample:\n"

@@ -173,10 +173,7 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
       ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--threads", arguments.limits.threads, "Threads that the strategy may use")
-      ->transform(whole_number(1, most_threads))
-      ->type_name("N")
-      ->capture_default_str();
+  add_threads_option(command, arguments.limits.threads);
   command.add_option("--time-limit", arguments.limits.time_limit_s, "Time after which the solve is stopped")
       ->type_name("SECONDS")
       ->check(number_between(std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max(),

@@ -58,10 +58,7 @@ void add_verify_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("verify", "Prove the solutions of a stored result anew");
   command->add_option("RESULT", arguments->result, "A result that solve --out wrote; - is standard input")
       ->required();
-  command->add_option("--threads", arguments->threads, "Threads to use")
-      ->transform(whole_number(1, most_threads))
-      ->type_name("N")
-      ->capture_default_str();
+  add_threads_option(*command, arguments->threads);
   command->footer(
       "Every solution is certified from the instance and the numbers in the file alone, by Krawczyk's test\n"
       "with the decimal lengths as they are written: it lies within its error bound of a proven solution, "

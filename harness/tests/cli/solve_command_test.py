@@ -5,6 +5,7 @@ Usage: solve_command_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import json
+import os
 import signal
 import subprocess
 import time
@@ -39,6 +40,13 @@ class Solve(command_line.CommandLine):
         one, two = (self.repeatable_part(run("solve", "octahedron", "--strategy", "rcp", "--threads", threads,
                                             "--out", "-")) for threads in [1, 2])
         self.assertEqual(one, two)
+
+    def test_all_cores_that_the_process_may_use_are_used(self):
+        one_core = {min(os.sched_getaffinity(0))}
+        for cores, prefix in [(os.sched_getaffinity(0), []), (one_core, ["taskset", "-c", str(*one_core)])]:
+            done = subprocess.run([*prefix, *argv("solve", "octahedron", "--strategy", "rcp", "--out", "-")],
+                                  capture_output=True, text=True, timeout=60)
+            self.assertEqual(json.loads(done.stdout)["environment"]["threads"], len(cores))
 
     def test_fewer_solutions_than_found_are_partial(self):
         done = run("solve", "octahedron", "--strategy", "full-space", "--max-solutions", 1, "--out", "-")

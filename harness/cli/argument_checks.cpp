@@ -42,10 +42,10 @@ void add_instance_argument(CLI::App& command, std::string& instance) {
       ->required();
 }
 
-void add_threads_option(CLI::App& command, int& threads) {
+void add_threads_option(CLI::App& command, int& threads, int ranks_here) {
   // More than any machine has, and few enough to start.
   constexpr unsigned most = 1024;
-  threads = static_cast<int>(std::clamp(usable_cores(), 1U, most));
+  threads = static_cast<int>(std::clamp(usable_cores() / static_cast<unsigned>(ranks_here), 1U, most));
   command.add_option("--threads", threads, "Threads to use; the result does not depend on them")
       ->transform(whole_number(1, most))
       ->type_name("N")

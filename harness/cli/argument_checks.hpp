@@ -12,8 +12,8 @@ namespace gcs {
 void add_instance_argument(CLI::App& command, std::string& instance);
 
 /// Adds --threads. What commands compute does not depend on it, so that by default `threads` is set to all cores that the
-/// process may use.
-void add_threads_option(CLI::App& command, int& threads);
+/// process may use, or its part of them where it is one of several ranks on a machine.
+void add_threads_option(CLI::App& command, int& threads, int ranks_here = 1);
 
 /// A decimal whole number in [least, most]; the parser takes 010 for octal, and −1 for the largest there is.
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);

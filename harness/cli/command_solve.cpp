@@ -103,7 +103,7 @@ std::unique_ptr<FileJournal> open_journal(const SolveArguments& arguments, const
                                        arguments.limits.seed, capture_environment(arguments.limits.threads)));
 }
 
-ExitCode solve(const SolveArguments& arguments, bool quiet) {
+ExitCode solve(const SolveArguments& arguments, bool quiet, Crew* crew) {
   const StrategyEntry entry = find_strategy_or_program(arguments.strategy);
   const OptionMap options = parse_settings(entry, arguments.settings);
   const Instance instance = load_instance(arguments.instance);
@@ -119,7 +119,7 @@ ExitCode solve(const SolveArguments& arguments, bool quiet) {
   const Scene scene = instance;
   SolveRun run = [&] {
     ProgressLine progress(!quiet);
-    return run_strategy(entry, options, scene, limits, {&progress, journal.get()});
+    return run_strategy(entry, options, scene, limits, {&progress, journal.get(), crew});
   }();
   if (journal) run.timing.recalled_steps = journal->recalled();
   print_answer(arguments, instance, run, out);
@@ -153,7 +153,7 @@ std::string settings_help() {
          "(solvers/strategies/README.md).\n";
 }
 
-void add_options(CLI::App& command, SolveArguments& arguments) {
+void add_options(CLI::App& command, SolveArguments& arguments, int ranks_here) {
   add_instance_argument(command, arguments.instance);
   command
       .add_option(
@@ -173,7 +173,7 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
       ->transform(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->type_name("N")
       ->capture_default_str();
-  add_threads_option(command, arguments.limits.threads);
+  add_threads_option(command, arguments.limits.threads, ranks_here);
   command.add_option("--time-limit", arguments.limits.time_limit_s, "Time after which the solve is stopped")
       ->type_name("SECONDS")
       ->check(number_between(std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max(),
@@ -200,9 +200,11 @@ void add_options(CLI::App& command, SolveArguments& arguments) {
 void add_solve_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand("solve", "Solve one instance with one strategy");
-  add_options(*command, *arguments);
+  add_options(*command, *arguments, invocation.ranks_here);
   command->callback([&invocation, arguments] {
-    invocation.action = [&invocation, arguments] { return solve(*arguments, invocation.quiet); };
+    invocation.action = [&invocation, arguments] {
+      return solve(*arguments, invocation.quiet, invocation.crew);
+    };
   });
 }
 

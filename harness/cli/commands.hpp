@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/base/errors.hpp"
+#include "solvers/running/crew.hpp"
 
 namespace CLI {
 class App;
@@ -19,6 +20,8 @@ namespace gcs {
 struct Invocation {
   std::vector<std::string> arguments;  ///< the words of the command line, that of the program first
   bool quiet = false;
+  Crew* crew = nullptr;  ///< the other ranks; null where the program was started alone
+  int ranks_here = 1;    ///< on this machine
   std::function<ExitCode()> action;
 };
 

@@ -15,6 +15,8 @@
 #include "harness/base/environment.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/cli/completion.hpp"
+#include "harness/ranks/rank_crew.hpp"
+#include "harness/ranks/ranks.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/reading/json_document.hpp"
 #include "solvers/reading/nearest_name.hpp"
@@ -108,10 +110,12 @@ ExitCode after_parse_error(const CLI::App& app, const CLI::ParseError& error) {
   return fail(message.value_or(error.what()) + "\n" + usage(app));
 }
 
-ExitCode parse_and_run(int argc, char** argv) {
+ExitCode parse_and_run(int argc, char** argv, gcs::Crew* crew, int ranks_here) {
   CLI::App app("Benchmarks for geometric constraint solving", "gcsbench");
   gcs::Invocation invocation;
   invocation.arguments.assign(argv, argv + argc);
+  invocation.crew = crew;
+  invocation.ranks_here = ranks_here;
   try {
     add_commands(app, invocation);
     app.parse(argc, argv);
@@ -129,12 +133,36 @@ ExitCode parse_and_run(int argc, char** argv) {
   }
 }
 
+/// The first rank runs the program, the others what it hands out.
+ExitCode run_ranks(int argc, char** argv, const gcs::MessagePassing& ranks) {
+  const std::string build = gcs::build_of_program();
+  if (ranks.rank > 0) {
+    gcs::serve(ranks, build);
+    return ExitCode::done;
+  }
+  gcs::RankCrew crew(ranks, build);
+  return crew.misfit().empty() ? parse_and_run(argc, argv, &crew, ranks.on_this_machine)
+                               : fail(crew.misfit());
+}
+
+ExitCode run(int argc, char** argv) {
+  try {
+    const gcs::MessagePassing* ranks = gcs::start_ranks();
+    if (ranks == nullptr) return parse_and_run(argc, argv, nullptr, 1);
+    const ExitCode code = run_ranks(argc, argv, *ranks);
+    ranks->finish();
+    return code;
+  } catch (const gcs::UserError& error) {
+    return *error.what() == '\0' ? ExitCode::bad_input : fail(error.what());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   // A file that outgrows the limit is reported as any other that cannot be written.
   std::signal(SIGXFSZ, SIG_IGN);
-  ExitCode code = parse_and_run(argc, argv);
+  ExitCode code = run(argc, argv);
   if (!std::cout.flush()) code = fail("standard output cannot be written");
   return static_cast<int>(code);
 }

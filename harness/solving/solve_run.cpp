@@ -90,6 +90,7 @@ SolveRun run_strategy(const StrategyEntry& entry, const OptionMap& given, const 
           },
       .entered = [&](SolveStage stage) { timer.enter(stage); },
       .journal = services.journal,
+      .crew = services.crew,
       .starts = &starts};
   if (services.monitor != nullptr)
     surroundings.progress = [&](std::string_view stage, double fraction) {

@@ -35,6 +35,7 @@ struct SolveRun : Answer {
 struct RunServices {
   Monitor* monitor = nullptr;
   Journal* journal = nullptr;
+  Crew* crew = nullptr;
 };
 
 /// Runs the strategy until it ends, the time limit passes or the user interrupts (see catch_interrupts). Throws what

@@ -167,6 +167,7 @@ TrackingSetup ComplexStrategy::setup_for(const SolveRequest& request) const {
   TrackingSetup setup = setup_;
   setup.threads = request.threads;
   setup.journal = request.journal;
+  setup.crew = request.crew;
   return setup;
 }
 

@@ -13,6 +13,21 @@ namespace {
 /// What is lost at most when a run is killed, and far more than all threads have in hand at once.
 constexpr std::size_t legs_per_block = 4096;
 
+/// Fewer are not worth a message: a tracker's lanes empty towards the end of a batch.
+constexpr std::size_t fewest_in_batch = 64;
+
+/// Large ones first, and of what is left so small ones that nobody is waited for long.
+std::vector<std::span<const Leg>> batches_of(std::span<const Leg> legs, int members) {
+  std::vector<std::span<const Leg>> batches;
+  while (!legs.empty()) {
+    const std::size_t share = legs.size() / (3 * static_cast<std::size_t>(members));
+    const std::size_t size = std::min(legs.size(), std::max(share, fewest_in_batch));
+    batches.push_back(legs.first(size));
+    legs = legs.subspan(size);
+  }
+  return batches;
+}
+
 /// Keeps the lanes of one tracker full until no leg is left.
 class LegFeeder {
  public:
@@ -139,6 +154,30 @@ FollowedLegs LegTracking::recall_or_follow(std::span<const Leg> legs, const std:
 }
 
 FollowedLegs LegTracking::follow_now(std::span<const Leg> legs, const std::function<bool()>& stopped) {
+  return crew_ != nullptr && legs.size() > fewest_in_batch ? follow_with_crew(legs, stopped)
+                                                           : follow_here(legs, stopped);
+}
+
+FollowedLegs LegTracking::follow_with_crew(std::span<const Leg> legs, const std::function<bool()>& stopped) {
+  const std::vector<std::span<const Leg>> batches = batches_of(legs, crew_->members());
+  std::vector<std::string> items;
+  for (const std::span<const Leg> batch : batches) items.push_back(to_message(batch, unknowns_));
+  const auto here = [&](std::size_t i) { return to_message(follow_here(batches[i], stopped)); };
+  const std::vector<std::string> results = crew_->results(task_, items, here, stopped);
+  FollowedLegs followed;
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    FollowedLegs some;
+    if (!results[i].empty()) some = read_followed(results[i]);
+    some.results.resize(batches[i].size());
+    followed.work.accepted += some.work.accepted;
+    followed.work.rejected += some.work.rejected;
+    followed.work.evaluations += some.work.evaluations;
+    std::move(some.results.begin(), some.results.end(), std::back_inserter(followed.results));
+  }
+  return followed;
+}
+
+FollowedLegs LegTracking::follow_here(std::span<const Leg> legs, const std::function<bool()>& stopped) {
   FollowedLegs followed;
   followed.results = follow_with(trackers_, legs, stopped, followed.work);
   follow_lost_again(legs, stopped, followed);

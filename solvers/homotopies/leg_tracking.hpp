@@ -1,5 +1,5 @@
 #pragma once
-/// Follows any number of paths on any number of threads, with the same bits for each whatever the others are.
+/// Follows any number of paths on any number of threads and processes, with the same bits for each whatever the others are.
 
 #include <functional>
 #include <memory>
@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "solvers/homotopies/leg_block.hpp"
+#include "solvers/homotopies/leg_message.hpp"
 #include "solvers/lanes/lane_trackers.hpp"
+#include "solvers/running/crew.hpp"
 
 namespace gcs {
 
@@ -19,6 +21,7 @@ struct TrackingSetup {
   int threads = 1;             ///< ≥ 1
   Journal* journal = nullptr;  ///< what it has recorded is not followed again
   bool all_wide = false;       ///< everything in twice the precision, not only what doubles cannot follow
+  Crew* crew = nullptr;        ///< other processes that follow some
 };
 
 /// Follows legs of one system.
@@ -27,7 +30,9 @@ class LegTracking {
   /// `system`, of squares or of monomials, `elimination` and the journal are referred to.
   template <class System>
   LegTracking(const System& system, const Elimination& elimination, const TrackingSetup& setup)
-      : unknowns_(system.unknowns), journal_(setup.journal) {
+      : unknowns_(system.unknowns), journal_(setup.journal), crew_(setup.crew) {
+    if (crew_ != nullptr)
+      task_ = to_message({system, elimination, setup.options, setup.set, setup.threads, setup.all_wide});
     for (int i = 0; i < setup.threads; ++i) {
       wide_trackers_.push_back(make_wide_tracker(setup.set, system, elimination, wide(setup.options)));
       trackers_.push_back(setup.all_wide
@@ -42,6 +47,8 @@ class LegTracking {
   /// `stopped` is called from any of the threads. Adds to `work`.
   std::vector<LegResult> follow(std::span<const Leg> legs, const std::function<bool()>& stopped,
                                 WorkCounters& work);
+  /// The same on this process alone and without a journal, in one go.
+  FollowedLegs follow_here(std::span<const Leg> legs, const std::function<bool()>& stopped);
 
  private:
   using Trackers = std::vector<std::unique_ptr<LaneTracker>>;  // one per thread
@@ -50,6 +57,7 @@ class LegTracking {
   static TrackingOptions wide(TrackingOptions options);
   FollowedLegs recall_or_follow(std::span<const Leg> legs, const std::function<bool()>& stopped);
   FollowedLegs follow_now(std::span<const Leg> legs, const std::function<bool()>& stopped);
+  FollowedLegs follow_with_crew(std::span<const Leg> legs, const std::function<bool()>& stopped);
   std::vector<LegResult> follow_with(Trackers& trackers, std::span<const Leg> legs,
                                      const std::function<bool()>& stopped, LegWork& work) const;
   void follow_lost_again(std::span<const Leg> legs, const std::function<bool()>& stopped,
@@ -60,6 +68,8 @@ class LegTracking {
   Trackers trackers_;
   Trackers wide_trackers_;
   Journal* journal_;
+  Crew* crew_;
+  std::string task_{};  ///< for the crew
 };
 
 }  // namespace gcs

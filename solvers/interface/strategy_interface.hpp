@@ -21,6 +21,7 @@
 #include "solvers/construction/plan_use.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/natural.hpp"
+#include "solvers/running/crew.hpp"
 #include "solvers/running/errors.hpp"
 #include "solvers/running/journal.hpp"
 #include "solvers/running/work.hpp"
@@ -37,6 +38,7 @@ struct SolveMeans {
   std::stop_token stop{};        ///< asked for: return what is there with SolveStatus::stopped
   Monitor* monitor = nullptr;    ///< may be null
   Journal* journal = nullptr;    ///< may be null; see StrategyEntry::keeps_journal
+  Crew* crew = nullptr;          ///< may be null; other processes that do parts of the work
   StartStore* starts = nullptr;  ///< may be null for strategies whose options name no start system
   /// Solutions to list at most, where there are so many that they are counted without being listed.
   std::optional<std::size_t> most_listed = std::nullopt;

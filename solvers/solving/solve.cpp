@@ -81,6 +81,7 @@ class Solve {
              .stop = surroundings_.stop,
              .monitor = monitor_,
              .journal = surroundings_.journal,
+             .crew = surroundings_.crew,
              .starts = surroundings_.starts,
              .most_listed = settings_.max_solutions},
             &analysis_};

@@ -50,6 +50,7 @@ struct SolveSurroundings {
   /// Called when a stage begins, by the thread that solves. The library reads no clock; this is where others do.
   std::function<void(SolveStage)> entered{};
   Journal* journal = nullptr;
+  Crew* crew = nullptr;
   StartStore* starts = nullptr;
 };
 

@@ -1,0 +1,40 @@
+#pragma once
+/// A crew of the ranks of one run: the first one hands out, the others do what they get.
+
+#include <string>
+
+#include "harness/ranks/message_passing.hpp"
+#include "solvers/running/crew.hpp"
+
+namespace gcs {
+
+/// Of the first rank. It works too, between messages.
+class RankCrew final : public Crew {
+ public:
+  /// Waits for the others. `build`: what all must have in common.
+  RankCrew(const MessagePassing& passing, const std::string& build);
+  /// Lets the others go.
+  ~RankCrew() override;
+  RankCrew(const RankCrew&) = delete;
+  RankCrew& operator=(const RankCrew&) = delete;
+
+  /// Why the ranks cannot work together, in a sentence; empty where they can.
+  const std::string& misfit() const { return misfit_; }
+
+  int members() const override { return passing_.size; }
+  std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
+                                   const std::function<std::string(std::size_t)>& here,
+                                   const std::function<bool()>& stopped) override;
+
+ private:
+  class Hand;  ///< one call of results
+
+  const MessagePassing& passing_;
+  std::string misfit_;
+  std::vector<std::string> told_;  ///< of each rank, its last task
+};
+
+/// Of every other rank: does what the first one sends, until it lets go. `build` as above.
+void serve(const MessagePassing& passing, const std::string& build);
+
+}  // namespace gcs

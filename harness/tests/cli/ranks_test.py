@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+"""Several ranks solve as one process does: to the last bit, and after any of them was killed.
+
+Usage: ranks_test.py PROGRAM SOURCE_DIR [unittest arguments]
+
+Skipped where there is no mpirun, or the program was built without MPI.
+"""
+
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+from pathlib import Path
+
+import command_line
+from command_line import BAD_INPUT, DONE, argv, run
+
+MPIRUN = shutil.which("mpirun")
+MODULE = Path(argv()[0]).with_name("gcsbench_mpi.so")
+LIMIT_S = 120
+SOLVE = ["solve", "dodecagon", "--strategy", "monodromy"]
+
+
+def mpirun(ranks, *arguments):
+    own = ["--allow-run-as-root"] if os.geteuid() == 0 else []
+    return [MPIRUN, *own, "--oversubscribe", "-n", str(ranks), *argv(*arguments)]
+
+
+def run_ranks(ranks, *arguments):
+    return subprocess.run(mpirun(ranks, *arguments), capture_output=True, text=True, timeout=LIMIT_S)
+
+
+def answer(text):
+    """All of a result that does not depend on the machine and its load."""
+    return {key: value for key, value in json.loads(text).items() if key not in ("timing", "environment")}
+
+
+def own_lines(done):
+    return [line for line in done.stderr.splitlines() if line.startswith("gcsbench")]
+
+
+def ranks_of(process):
+    """The processes that mpirun has started."""
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+    return [int(child) for child in children.read_text().split()] if children.exists() else []
+
+
+class RanksWithoutMpi(command_line.CommandLine):
+    def test_a_build_without_mpi_says_so_once(self):
+        alone = self.folder / "gcsbench"
+        shutil.copy(argv()[0], alone)
+        for rank, lines in [(0, 1), (1, 0)]:
+            done = subprocess.run([alone, "list"], capture_output=True, text=True, timeout=LIMIT_S,
+                                  env={**os.environ, "OMPI_COMM_WORLD_SIZE": "2", "OMPI_COMM_WORLD_RANK": str(rank)})
+            self.assertEqual((done.returncode, len(own_lines(done))), (BAD_INPUT, lines), done.stderr)
+            self.assertEqual("GCSBENCH_WITH_MPI=ON" in done.stderr, rank == 0)
+
+
+@unittest.skipUnless(MPIRUN and MODULE.exists(), "needs mpirun, and a program that was built with MPI")
+class Ranks(command_line.CommandLine):
+    def test_the_bits_are_those_of_one_process(self):
+        solves = [[*SOLVE, "--certify"], ["solve", "disulfide", "--strategy", "polyhedral"],
+                  ["solve", "platform", "--strategy", "monodromy"], ["solve", "octahedron", "--strategy", "rcp"]]
+        for solve in solves:
+            alone = run(*solve, "--out", "-")
+            self.assertEqual(alone.returncode, DONE, alone.stderr)
+            for ranks in [2, 3]:
+                with self.subTest(solve=solve, ranks=ranks):
+                    done = run_ranks(ranks, *solve, "--out", "-")
+                    self.assertEqual(done.returncode, DONE, done.stderr)
+                    self.assertEqual(answer(done.stdout), answer(alone.stdout))
+
+    def test_one_message_tells_of_an_error(self):
+        done = run_ranks(3, "solve", "nowhere.json", "--strategy", "monodromy")
+        self.assertEqual((done.returncode, len(own_lines(done))), (BAD_INPUT, 1), done.stderr)
+
+    def test_commands_that_do_not_solve_run_once(self):
+        self.assertEqual(run_ranks(2, "list", "strategies").stdout, run("list", "strategies").stdout)
+
+    def test_any_number_of_ranks_goes_on_after_one_was_killed(self):
+        expected = answer(run(*SOLVE, "--out", "-").stdout)
+        dice = random.Random(23)
+        killed = 0
+        for round_number in range(8):
+            journal = self.folder / f"journal{round_number}"
+            process = subprocess.Popen(mpirun(2 + round_number % 2, *SOLVE, "--resume", journal, "--out", "-"),
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(dice.uniform(0.2, 1.5))
+            ranks = ranks_of(process)
+            if ranks:
+                os.kill(dice.choice(ranks), signal.SIGKILL)
+                killed += process.wait(LIMIT_S) != 0
+            process.wait(LIMIT_S)
+            done = run_ranks(3 - round_number % 2, *SOLVE, "--resume", journal, "--out", "-")
+            self.assertEqual(done.returncode, DONE, done.stderr)
+            self.assertEqual(answer(done.stdout), expected)
+        self.assertGreater(killed, 0, "no rank was killed while it worked")
+
+
+if __name__ == "__main__":
+    command_line.main()

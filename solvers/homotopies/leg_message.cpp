@@ -1,0 +1,175 @@
+#include "solvers/homotopies/leg_message.hpp"
+
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+namespace gcs {
+namespace {
+
+template <class T>
+concept Plain = std::is_trivially_copyable_v<T>;
+
+class Writer {
+ public:
+  template <Plain T>
+  void operator()(const T& value) {
+    append(&value, sizeof value);
+  }
+  template <Plain T>
+  void operator()(const std::vector<T>& values) {
+    (*this)(values.size());
+    append(values.data(), values.size() * sizeof(T));
+  }
+
+  std::string message;
+
+ private:
+  void append(const void* bytes, std::size_t size) { message.append(static_cast<const char*>(bytes), size); }
+};
+
+class Reader {
+ public:
+  explicit Reader(std::string_view message) : rest_(message) {}
+
+  template <Plain T>
+  void operator()(T& value) {
+    take(&value, sizeof value);
+  }
+  template <Plain T>
+  void operator()(std::vector<T>& values) {
+    std::size_t size = 0;
+    (*this)(size);
+    if (size > rest_.size() / sizeof(T)) throw std::invalid_argument("a message ends early");
+    values.resize(size);
+    take(values.data(), size * sizeof(T));
+  }
+
+ private:
+  void take(void* place, std::size_t size) {
+    if (size > rest_.size()) throw std::invalid_argument("a message ends early");
+    if (size > 0) std::memcpy(place, rest_.data(), size);
+    rest_.remove_prefix(size);
+  }
+
+  std::string_view rest_;
+};
+
+// Each calls `visit` with all members, to be written or read.
+
+template <class Fields>
+void visit_all(Fields& visit, auto&... members) {
+  (visit(members), ...);
+}
+
+template <class System>
+void visit_squares(auto& visit, System& s) {
+  visit_all(visit, s.unknowns, s.differences, s.first, s.linear, s.first_linear, s.given);
+}
+
+template <class System>
+void visit_monomials(auto& visit, System& s) {
+  visit_all(visit, s.unknowns, s.monomials, s.first);
+}
+
+template <class Order>
+void visit_elimination(auto& visit, Order& e) {
+  visit_all(visit, e.unknowns, e.entries, e.equation, e.unknown, e.steps, e.lower, e.upper, e.targets,
+            e.entry_numbers);
+}
+
+template <class SomeRoute>
+void visit_route(auto& visit, SomeRoute& route) {
+  for (auto& coefficients : route.coefficients) visit(coefficients);
+  visit_all(visit, route.end, route.rates);
+}
+
+}  // namespace
+
+std::vector<Leg> SentLegs::legs() const {
+  std::vector<Leg> result;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    result.push_back(
+        {starts[i].data(), &routes.at(static_cast<std::size_t>(route_of[i])), shortest_steps[i]});
+  return result;
+}
+
+std::string to_message(const LegTask& task) {
+  Writer write;
+  const auto* squares = std::get_if<SquareSystem>(&task.system);
+  write(squares != nullptr);
+  if (squares != nullptr)
+    visit_squares(write, *squares);
+  else
+    visit_monomials(write, std::get<MonomialSystem>(task.system));
+  visit_elimination(write, task.elimination);
+  visit_all(write, task.options, task.set, task.threads, task.all_wide);
+  return std::move(write.message);
+}
+
+LegTask read_task(std::string_view message) {
+  Reader read(message);
+  LegTask task;
+  bool are_squares = false;
+  read(are_squares);
+  if (are_squares)
+    visit_squares(read, task.system.emplace<SquareSystem>());
+  else
+    visit_monomials(read, task.system.emplace<MonomialSystem>());
+  visit_elimination(read, task.elimination);
+  visit_all(read, task.options, task.set, task.threads, task.all_wide);
+  return task;
+}
+
+std::string to_message(std::span<const Leg> legs, int unknowns) {
+  Writer write;
+  std::vector<const Route*> routes;
+  std::vector<int> route_of;
+  for (const Leg& leg : legs) {
+    // One route serves many legs in a row.
+    if (routes.empty() || routes.back() != leg.route) routes.push_back(leg.route);
+    route_of.push_back(static_cast<int>(routes.size()) - 1);
+  }
+  write(routes.size());
+  for (const Route* route : routes) visit_route(write, *route);
+  write(route_of);
+  for (const Leg& leg : legs) {
+    write(ComplexVectorX(leg.start, leg.start + unknowns));
+    write(leg.shortest_step);
+  }
+  return std::move(write.message);
+}
+
+SentLegs read_legs(std::string_view message) {
+  Reader read(message);
+  SentLegs sent;
+  std::size_t routes = 0;
+  read(routes);
+  while (sent.routes.size() < routes) visit_route(read, sent.routes.emplace_back());
+  read(sent.route_of);
+  for (std::size_t i = 0; i < sent.route_of.size(); ++i)
+    visit_all(read, sent.starts.emplace_back(), sent.shortest_steps.emplace_back());
+  return sent;
+}
+
+std::string to_message(const FollowedLegs& followed) {
+  Writer write;
+  write(followed.work);
+  write(followed.results.size());
+  for (const LegResult& result : followed.results) visit_all(write, result.state, result.x);
+  return std::move(write.message);
+}
+
+FollowedLegs read_followed(std::string_view message) {
+  Reader read(message);
+  FollowedLegs followed;
+  std::size_t results = 0;
+  visit_all(read, followed.work, results);
+  while (followed.results.size() < results) {
+    LegResult& result = followed.results.emplace_back();
+    visit_all(read, result.state, result.x);
+  }
+  return followed;
+}
+
+}  // namespace gcs

@@ -1,52 +1,57 @@
 #include "solvers/counting/bigraph.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <utility>
+
+#include "solvers/counting/bits.hpp"
+#include "solvers/counting/two_forests.hpp"
 
 namespace gcs {
 namespace {
 
 using Ends = std::array<std::uint8_t, 2>;
 
-bool is_loop(const Ends& ends) { return ends[0] == ends[1]; }
-
 bool are_parallel(const Ends& a, const Ends& b) { return std::minmax(a[0], a[1]) == std::minmax(b[0], b[1]); }
 
-bool has_loop(const Bigraph& bigraph) {
-  return std::any_of(bigraph.begin(), bigraph.end(),
-                     [](const Biedge& edge) { return is_loop(edge.ends[0]) || is_loop(edge.ends[1]); });
+Bigraph without_edges(const Bigraph& bigraph, EdgeSet edges) {
+  Bigraph rest;
+  for (std::size_t e = 0; e < bigraph.size(); ++e)
+    if ((edges >> e & 1) == 0) rest.push_back(bigraph[e]);
+  return rest;
 }
 
-bool has_double_biedge(const Bigraph& bigraph) {
-  for (auto a = bigraph.begin(); a != bigraph.end(); ++a)
-    for (auto b = bigraph.begin(); b != a; ++b)
-      if (are_parallel(a->ends[0], b->ends[0]) && are_parallel(a->ends[1], b->ends[1])) return true;
-  return false;
+using Circuits = std::array<std::vector<EdgeSet>, 2>;  ///< of each side, see circuits_through_edges
+
+/// All that are a bridge on one side, but one that is left when they are all.
+EdgeSet bridges(const Circuits& circuits) {
+  const std::size_t edges = circuits[0].size();
+  EdgeSet found = 0;
+  for (std::size_t e = 0; e < edges; ++e)
+    if (circuits[0][e] == 0 || circuits[1][e] == 0) found |= single_bit(e);
+  return std::popcount(found) == static_cast<int>(edges) ? found & (found - 1) : found;
 }
 
-enum class Bridge { none, removed, of_both };
-
-/// Removes one edge that is a bridge on one side.
-Bridge remove_bridge(Bigraph& bigraph) {
-  const EdgeSet all = all_edges(bigraph);
-  const std::array whole{rank(bigraph, 0, all), rank(bigraph, 1, all)};
-  for (std::size_t e = 0; e < bigraph.size(); ++e) {
-    const EdgeSet others = all & ~(EdgeSet{1} << e);
-    const bool first = rank(bigraph, 0, others) < whole[0], second = rank(bigraph, 1, others) < whole[1];
-    if (first && second) return Bridge::of_both;
-    if (!first && !second) continue;
-    bigraph.erase(bigraph.begin() + static_cast<std::ptrdiff_t>(e));
-    return Bridge::removed;
-  }
-  return Bridge::none;
+/// An edge that is parallel to another one on this side and in series with it on the other side.
+std::optional<std::size_t> mergeable_edge(const Bigraph& bigraph, const Circuits& circuits, int side) {
+  for (std::size_t e = 0; e < bigraph.size(); ++e)
+    for (std::size_t f = 0; f < e; ++f)
+      if (circuits[1 - side][e] == circuits[1 - side][f] &&
+          are_parallel(bigraph[e].ends[side], bigraph[f].ends[side]))
+        return e;
+  return std::nullopt;
 }
 
-/// The finaliser of SplitMix64: a bijection that spreads every bit.
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
+/// One step of it; nothing where no edge can be left out.
+std::optional<Bigraph> with_less_edges(const Bigraph& bigraph) {
+  if (bigraph.size() == 1) return std::nullopt;
+  const Circuits circuits{circuits_through_edges(bigraph, 0), circuits_through_edges(bigraph, 1)};
+  if (const EdgeSet found = bridges(circuits); found != 0) return without_edges(bigraph, found);
+  for (const int side : {0, 1})
+    if (const auto edge = mergeable_edge(bigraph, circuits, side))
+      return contracted(bigraph, 1 - side, single_bit(*edge));
+  return std::nullopt;
 }
 
 /// Colour refinement: after k rounds the colour of a vertex depends on what is within k edges of it, on both
@@ -62,7 +67,7 @@ class Colours {
   /// The side that comes first.
   int first_side() const { return swapped_ ? 1 : 0; }
   std::uint64_t of(const Biedge& edge) const {
-    return mixed(3 * on_side(edge, first_side()) + on_side(edge, 1 - first_side()));
+    return mixed_bits(3 * on_side(edge, first_side()) + on_side(edge, 1 - first_side()));
   }
   std::uint64_t of(int side, std::uint8_t vertex) const { return vertex_[side][vertex]; }
 
@@ -72,12 +77,12 @@ class Colours {
 
   std::uint64_t on_side(const Biedge& edge, int side) const {
     const Ends& ends = edge.ends[side];
-    return mixed(mixed(vertex_[side][ends[0]]) + mixed(vertex_[side][ends[1]]));
+    return mixed_bits(mixed_bits(vertex_[side][ends[0]]) + mixed_bits(vertex_[side][ends[1]]));
   }
 
   std::uint64_t side_colour(const Bigraph& bigraph, int side) const {
     std::uint64_t sum = 0;
-    for (const Biedge& edge : bigraph) sum += mixed(3 * on_side(edge, side) + on_side(edge, 1 - side));
+    for (const Biedge& edge : bigraph) sum += mixed_bits(3 * on_side(edge, side) + on_side(edge, 1 - side));
     return sum;
   }
 
@@ -87,11 +92,11 @@ class Colours {
       for (const int side : {0, 1}) {
         const std::uint64_t other_side = on_side(edge, 1 - side);
         const auto [a, b] = edge.ends[side];
-        next[side][a] += mixed(other_side + 3 * vertex_[side][b]);
-        next[side][b] += mixed(other_side + 3 * vertex_[side][a]);
+        next[side][a] += mixed_bits(other_side + 3 * vertex_[side][b]);
+        next[side][b] += mixed_bits(other_side + 3 * vertex_[side][a]);
       }
     for (auto& side : next)
-      for (std::uint64_t& colour : side) colour = mixed(colour);
+      for (std::uint64_t& colour : side) colour = mixed_bits(colour);
     vertex_ = next;
   }
 
@@ -157,17 +162,11 @@ Bigraph contracted(const Bigraph& bigraph, int side, EdgeSet edges) {
 }
 
 std::optional<Bigraph> simplified(Bigraph bigraph) {
-  for (;;) {
-    const EdgeSet all = all_edges(bigraph);
-    if (has_loop(bigraph)) return std::nullopt;
-    if (rank(bigraph, 0, all) + rank(bigraph, 1, all) != static_cast<int>(bigraph.size()) + 1)
-      return std::nullopt;
-    if (bigraph.size() == 1) return bigraph;
-    const Bridge bridge = remove_bridge(bigraph);
-    if (bridge == Bridge::of_both) return std::nullopt;
-    if (bridge == Bridge::none) break;
-  }
-  if (has_double_biedge(bigraph)) return std::nullopt;
+  const EdgeSet all = all_edges(bigraph);
+  if (rank(bigraph, 0, all) + rank(bigraph, 1, all) != static_cast<int>(bigraph.size()) + 1 ||
+      !is_independent(bigraph))
+    return std::nullopt;
+  while (auto smaller = with_less_edges(bigraph)) bigraph = std::move(*smaller);
   return bigraph;
 }
 

@@ -55,12 +55,11 @@ EdgeSet all_edges(const Bigraph& bigraph);
 /// `edges` contracted on `side` and deleted on the other: ᴹB for side 0, Bᴺ for side 1.
 Bigraph contracted(const Bigraph& bigraph, int side, EdgeSet edges);
 
-/// A bigraph with as many realisations and no bridge on either side, except that a single edge is returned as
-/// it is; nothing where there are none, because of a loop, of dim G + dim H ≠ |E| + 1, of a bridge of both
-/// sides or of two edges that are parallel on both. Precondition: not empty.
-/// A bridge e of G alone can go: x_e is free, and x_e·y_e = λ_e determines it. If e is a bridge of H too, the
-/// equations of the other edges have one unknown too few. Two edges parallel on both have one and the same
-/// product x_e·y_e for two values λ.
+/// A bigraph with as many realisations in which no edge can be left out, or a single edge; nothing where there are
+/// none, because the map of bigraph_count.hpp is not dominant. Precondition: not empty.
+/// A bridge e of G alone can go: x_e is free, and x_e·y_e = λ_e determines it. Where e and f are parallel in G and in
+/// series in H, f can be deleted in G and contracted in H: with x = x_e = ±x_f all other equations know y_e and y_f by
+/// their sum z alone, for which x·z = λ_e ± λ_f, and λ_e = x·y_e determines them.
 std::optional<Bigraph> simplified(Bigraph bigraph);
 
 /// Renames vertices and orders edges and sides by what the bigraph looks like around them, so that isomorphic

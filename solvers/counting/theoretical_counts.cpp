@@ -8,16 +8,13 @@
 
 #include "solvers/counting/bezout_bound.hpp"
 #include "solvers/counting/general_bound.hpp"
-#include "solvers/counting/plane_count.hpp"
+#include "solvers/counting/realisation_count.hpp"
 #include "solvers/counting/ring_bound.hpp"
 #include "solvers/structure/core_reduction.hpp"
 #include "solvers/structure/sub_problem.hpp"
 
 namespace gcs {
 namespace {
-
-/// For the bigraph recursion: some seconds, and enough for most 3-connected graphs of 16 points.
-constexpr std::int64_t most_steps = 4'000'000;
 
 using Edge = std::array<int, 2>;
 using References = std::vector<std::vector<int>>;  ///< sets of points that make a frame
@@ -122,16 +119,16 @@ void bound_points(const ProblemStatement& problem, const PointGraph& graph, Theo
 }
 
 void count_exactly(const ProblemStatement& problem, const CoreReduction& reduction, const PointGraph& core,
-                   TheoreticalCounts& counts) {
+                   const RecursionLimits& limits, TheoreticalCounts& counts) {
   if (problem.dimension == 3 && !reduction.core_is_trivial) {
     counts.why_no_exact =
         "In space no method gives the exact number unless the points can be placed one by "
         "one.";
     return;
   }
-  const auto of_core = reduction.core_is_trivial ? Natural(1) : count_in_plane(core.edges, most_steps);
+  const auto of_core = reduction.core_is_trivial ? Natural(1) : count_in_plane(core.edges, limits);
   if (!of_core) {
-    counts.why_no_exact = "The core is too large: the recursion over bigraphs would take too long.";
+    counts.why_no_exact = why_given_up("bigraphs", core.points.size(), limits);
     return;
   }
   const int hanging = static_cast<int>(reduction.placed.size());
@@ -139,10 +136,11 @@ void count_exactly(const ProblemStatement& problem, const CoreReduction& reducti
 }
 
 /// In the core, or, when it has no triangle, with the points that hang on it.
-void count_undivided(const ProblemStatement& problem, TheoreticalCounts& counts) {
+void count_undivided(const ProblemStatement& problem, const RecursionLimits& limits,
+                     TheoreticalCounts& counts) {
   const CoreReduction reduction = reduce_to_core(problem, {});
   const PointGraph core = core_graph(problem, reduction);
-  count_exactly(problem, reduction, core, counts);
+  count_exactly(problem, reduction, core, limits, counts);
   const bool core_has_reference = !reference_simplices(core, problem.dimension).empty();
   bound_points(problem, core_has_reference ? core : whole_graph(problem), counts);
 }
@@ -154,7 +152,8 @@ struct PartCounts {
   int hung = 0;
 };
 
-PartCounts counts_of_parts(const ProblemStatement& problem, const std::vector<Part>& parts) {
+PartCounts counts_of_parts(const ProblemStatement& problem, const std::vector<Part>& parts,
+                           const RecursionLimits& limits) {
   PartCounts counts;
   for (const Part& part : parts) {
     if (part.is_hung_point()) {
@@ -163,7 +162,7 @@ PartCounts counts_of_parts(const ProblemStatement& problem, const std::vector<Pa
     }
     const PartProblem alone = part_problem(problem, part);
     if (counts.solved.empty()) counts.first = alone.points;
-    count_undivided(alone.problem, counts.solved.emplace_back());
+    count_undivided(alone.problem, limits, counts.solved.emplace_back());
   }
   return counts;
 }
@@ -188,12 +187,12 @@ void multiply(const ProblemStatement& problem, const PartCounts& parts, Theoreti
 }
 
 void count_points(const ProblemStatement& problem, const std::vector<Part>& parts,
-                  TheoreticalCounts& counts) {
-  const PartCounts of_parts = counts_of_parts(problem, parts);
+                  const RecursionLimits& limits, TheoreticalCounts& counts) {
+  const PartCounts of_parts = counts_of_parts(problem, parts, limits);
   if (of_parts.solved.size() > 1)
     multiply(problem, of_parts, counts);
   else
-    count_undivided(problem, counts);
+    count_undivided(problem, limits, counts);
 }
 
 void bound_points_and_line(const ProblemStatement& problem, TheoreticalCounts& counts) {
@@ -267,15 +266,16 @@ void bound_beyond_points(const ProblemStatement& problem, TheoreticalCounts& cou
 
 }  // namespace
 
-TheoreticalCounts theoretical_counts(const ProblemStatement& problem) {
+TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const RecursionLimits& limits) {
   if (problem.is_general()) return theoretical_counts(problem, element_order(Scene::unchecked(problem)));
-  return theoretical_counts(problem, decompose(problem, Split::all));
+  return theoretical_counts(problem, decompose(problem, Split::all), limits);
 }
 
-TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std::vector<Part>& parts) {
+TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std::vector<Part>& parts,
+                                     const RecursionLimits& limits) {
   TheoreticalCounts counts;
   if (problem.lines.empty() && !problem.is_anchored())
-    count_points(problem, parts, counts);
+    count_points(problem, parts, limits, counts);
   else
     bound_beyond_points(problem, counts);
   return counts;

@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "solvers/counting/laman_graphs.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/solving/solve.hpp"
-#include "solvers/tests/laman_graphs.hpp"
 #include "solvers/tests/random_numbers.hpp"
 
 using namespace gcs;

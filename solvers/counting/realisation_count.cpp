@@ -2,14 +2,18 @@
 /// uv is an edge, because 2n − 3 edges of n vertices leave 2n_A − 3 and 2n_B − 3 less one together; the other
 /// is one with uv added. At generic lengths every realisation of the first part gives |uv|² a generic value
 /// (lengths and placements determine each other up to finitely many choices), and with each the second has
-/// its full number: the numbers multiply. A vertex of degree 2 is the simplest case, with a triangle: 2.
+/// its full number: the numbers multiply. A vertex of degree 2 is the simplest case, with a triangle: 2. The same
+/// holds on the sphere, whose motions have as many freedoms.
 
-#include "solvers/counting/plane_count.hpp"
+#include "solvers/counting/realisation_count.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
 #include "solvers/counting/bigraph_count.hpp"
+#include "solvers/counting/cross_ratio_count.hpp"
 
 namespace gcs {
 namespace {
@@ -139,15 +143,45 @@ std::array<GraphEdges, 2> laman_parts(Separation separation) {
   return std::move(separation.parts);
 }
 
-std::optional<Natural> count_3_connected(const GraphEdges& edges, BigraphCounter& counter) {
+std::optional<Natural> natural(std::optional<std::uint64_t> number) {
+  return number ? std::optional<Natural>(*number) : std::nullopt;
+}
+
+std::optional<Natural> count_by_bigraphs(const GraphEdges& edges, BigraphCounter& counter) {
   if (edges.size() > most_biedges) return std::nullopt;
   Bigraph bigraph;
   for (const Edge& edge : edges) {
     const std::array ends{static_cast<std::uint8_t>(edge[0]), static_cast<std::uint8_t>(edge[1])};
     bigraph.push_back({{ends, ends}});
   }
-  const auto count = counter.count(bigraph);
-  return count ? std::optional<Natural>(*count) : std::nullopt;
+  return natural(counter.count(bigraph));
+}
+
+std::optional<Natural> count_by_cross_ratios(const GraphEdges& edges, CrossRatioCounter& counter) {
+  constexpr MarkSet pair = 3;
+  CrossRatios ratios{2 * vertex_count(edges), {}};
+  if (ratios.marks > most_marks) return std::nullopt;
+  for (const auto& [a, b] : edges) ratios.quadruples.push_back(pair << 2 * a | pair << 2 * b);
+  return natural(counter.count(ratios));
+}
+
+/// The product of what `count` gives for the 3-connected parts.
+template <typename Count>
+std::optional<Natural> product_over_parts(const GraphEdges& edges, Count count) {
+  Natural product = 1;
+  std::vector<GraphEdges> open{renumbered(edges)};
+  while (!open.empty()) {
+    const GraphEdges graph = std::move(open.back());
+    open.pop_back();
+    if (auto separation = separate(graph)) {
+      for (GraphEdges& part : laman_parts(std::move(*separation))) open.push_back(std::move(part));
+      continue;
+    }
+    const std::optional<Natural> of_part = count(graph);
+    if (!of_part) return std::nullopt;
+    product = product * *of_part;
+  }
+  return product;
 }
 
 }  // namespace
@@ -162,22 +196,22 @@ std::optional<Separation> separate(const GraphEdges& edges) {
   return std::nullopt;
 }
 
-std::optional<Natural> count_in_plane(const GraphEdges& edges, std::int64_t most_steps) {
-  BigraphCounter counter(most_steps);
-  Natural product = 1;
-  std::vector<GraphEdges> open{renumbered(edges)};
-  while (!open.empty()) {
-    const GraphEdges graph = std::move(open.back());
-    open.pop_back();
-    if (auto separation = separate(graph)) {
-      for (GraphEdges& part : laman_parts(std::move(*separation))) open.push_back(std::move(part));
-      continue;
-    }
-    const auto count = count_3_connected(graph, counter);
-    if (!count) return std::nullopt;
-    product = product * *count;
-  }
-  return product;
+std::optional<Natural> count_in_plane(const GraphEdges& edges, const RecursionLimits& limits) {
+  BigraphCounter counter(limits);
+  return product_over_parts(edges, [&](const GraphEdges& part) { return count_by_bigraphs(part, counter); });
+}
+
+std::optional<Natural> count_on_sphere(const GraphEdges& edges, const RecursionLimits& limits) {
+  CrossRatioCounter counter(limits);
+  return product_over_parts(edges,
+                            [&](const GraphEdges& part) { return count_by_cross_ratios(part, counter); });
+}
+
+std::string why_given_up(std::string_view over, std::size_t points, const RecursionLimits& limits) {
+  return fmt::format("The core of {} points is too large: the recursion over {} {}.", points, over,
+                     limits.stop.stop_requested()
+                         ? std::string("was stopped")
+                         : fmt::format("takes more than the {} steps that it is given", limits.steps));
 }
 
 }  // namespace gcs

@@ -9,7 +9,6 @@
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace gcs {
@@ -54,13 +53,6 @@ EdgeSet all_edges(const Bigraph& bigraph);
 
 /// `edges` contracted on `side` and deleted on the other: ᴹB for side 0, Bᴺ for side 1.
 Bigraph contracted(const Bigraph& bigraph, int side, EdgeSet edges);
-
-/// A bigraph with as many realisations in which no edge can be left out, or a single edge; nothing where there are
-/// none, because the map of bigraph_count.hpp is not dominant. Precondition: not empty.
-/// A bridge e of G alone can go: x_e is free, and x_e·y_e = λ_e determines it. Where e and f are parallel in G and in
-/// series in H, f can be deleted in G and contracted in H: with x = x_e = ±x_f all other equations know y_e and y_f by
-/// their sum z alone, for which x·z = λ_e ± λ_f, and λ_e = x·y_e determines them.
-std::optional<Bigraph> simplified(Bigraph bigraph);
 
 /// Renames vertices and orders edges and sides by what the bigraph looks like around them, so that isomorphic
 /// bigraphs mostly become equal. The result is isomorphic to what was given in any case.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "solvers/counting/bits.hpp"
+#include "solvers/counting/simplified_bigraph.hpp"
 #include "solvers/counting/split_search.hpp"
 
 namespace gcs {

@@ -12,6 +12,7 @@
 
 #include "solvers/counting/bigraph_count.hpp"
 #include "solvers/counting/laman_graphs.hpp"
+#include "solvers/counting/simplified_bigraph.hpp"
 #include "solvers/counting/split_search.hpp"
 #include "solvers/counting/two_forests.hpp"
 #include "solvers/tests/laman_graphs.hpp"

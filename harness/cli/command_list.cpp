@@ -40,10 +40,18 @@ FoundInstances find_instances() {
   return found;
 }
 
-std::vector<InstanceFamily> all_families() {
+std::vector<InstanceFamily> families_of_all_kinds() {
   std::vector<InstanceFamily> all;
-  for (const auto kind : {families(), growing_families()}) all.insert(all.end(), kind.begin(), kind.end());
+  for (const auto kind : all_families()) all.insert(all.end(), kind.begin(), kind.end());
   return all;
+}
+
+/// "@1, @2, @5"; of many the first and the last.
+std::string members_text(const InstanceFamily& family) {
+  constexpr std::size_t most_listed = 12;
+  return family.values.size() <= most_listed
+             ? fmt::format("@{}", fmt::join(family.values, ", @"))
+             : fmt::format("@{} to @{}", family.values.front(), family.values.back());
 }
 
 std::size_t constraint_count(const ProblemStatement& problem) {
@@ -65,7 +73,7 @@ JsonValue instances_value(const std::vector<Instance>& instances) {
 
 JsonValue families_value() {
   std::vector<JsonValue> values;
-  for (const InstanceFamily& family : all_families())
+  for (const InstanceFamily& family : families_of_all_kinds())
     values.push_back(json_object({{"name", json_text(std::string(family.name))},
                                   {"summary", json_text(std::string(family.summary))},
                                   {"members", json_texts(family.members())}}));
@@ -111,11 +119,10 @@ void print_instances(const std::vector<Instance>& instances) {
 }
 
 void print_families() {
-  const std::vector<InstanceFamily> all = all_families();
+  const std::vector<InstanceFamily> all = families_of_all_kinds();
   const std::size_t width = widest(all, [](const InstanceFamily& family) { return family.name; });
   for (const InstanceFamily& family : all)
-    std::cout << fmt::format("{:{}}  {}: @{}\n", family.name, width, family.summary,
-                             fmt::join(family.values, ", @"));
+    std::cout << fmt::format("{:{}}  {}: {}\n", family.name, width, family.summary, members_text(family));
 }
 
 void print_strategies() {

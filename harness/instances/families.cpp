@@ -29,9 +29,13 @@ std::span<const InstanceFamily> families() {
   return all;
 }
 
+std::array<std::span<const InstanceFamily>, 3> all_families() {
+  return {families(), growing_families(), graph_families()};
+}
+
 const InstanceFamily* find_family(std::string_view name) {
-  for (const auto all : {families(), growing_families()})
-    for (const InstanceFamily& family : all)
+  for (const auto kind : all_families())
+    for (const InstanceFamily& family : kind)
       if (family.name == name) return &family;
   return nullptr;
 }

@@ -2,6 +2,7 @@
 /// Families of instances that grow stiff or extreme with a parameter, made here with lengths in as many
 /// decimals as the parameter needs.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,7 +20,13 @@ std::span<const InstanceFamily> families();
 /// Scenes with more and more of what need not be solved for, or of turns of S; the parameter says how much.
 std::span<const InstanceFamily> growing_families();
 
-/// The family of that name, of both kinds, or nullptr.
+/// Minimally rigid graphs of the plane with random lengths, there and on a sphere (families_graphs.hpp).
+std::span<const InstanceFamily> graph_families();
+
+/// All kinds of families, in this order.
+std::array<std::span<const InstanceFamily>, 3> all_families();
+
+/// The family of that name, of all kinds, or nullptr.
 const InstanceFamily* find_family(std::string_view name);
 
 /// Whether the member of that id is one of the ill-posed ones. Precondition: it is one of some family.

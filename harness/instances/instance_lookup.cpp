@@ -39,21 +39,28 @@ std::string find_shipped(const std::string& id) {
                        "'? 'gcsbench list instances' shows all; a file needs a '/' or ends in .json");
 }
 
+std::string short_list(const InstanceFamily& family) {
+  constexpr std::size_t most_named = 20;
+  const std::vector<std::string> members = family.members();
+  return members.size() <= most_named ? quoted_list(members)
+                                      : "'" + members.front() + "' to '" + members.back() + "'";
+}
+
 /// A member of a family, "short-edge@1e-8".
 Instance load_made(const std::string& id) {
   const std::string name = id.substr(0, id.find('@'));
   const InstanceFamily* family = find_family(name);
   if (family == nullptr) {
     std::vector<std::string> names;
-    for (const auto all : {families(), growing_families()})
-      for (const InstanceFamily& one : all) names.emplace_back(one.name);
+    for (const auto kind : all_families())
+      for (const InstanceFamily& one : kind) names.emplace_back(one.name);
     throw InputError("'" + id + "'", "", "there is no family '" + name + "'",
                      "did you mean '" + nearest_name(name, names) + "'?");
   }
   const std::vector<std::string> members = family->members();
   if (std::find(members.begin(), members.end(), id) == members.end())
     throw InputError("'" + id + "'", "", "the family has no such member",
-                     "did you mean '" + nearest_name(id, members) + "'? It has " + quoted_list(members));
+                     "did you mean '" + nearest_name(id, members) + "'? It has " + short_list(*family));
   return load_member(id);
 }
 
@@ -67,11 +74,22 @@ Instance load_instance(const std::string& argument) {
                        "give a file, the id of a shipped instance, or -");
 }
 
+namespace {
+
+std::optional<JsonValue> shipped_document(const std::string& id) {
+  if (const InstanceFamily* family = find_family(id.substr(0, id.find('@'))); family != nullptr) {
+    const std::vector<std::string> members = family->members();
+    if (std::find(members.begin(), members.end(), id) != members.end()) return load_member(id).document;
+  }
+  const auto file = shipped_file(fs::path("instances") / (id + ".json"));
+  return file ? std::optional(parse_json(read_file(*file, ""), *file)) : std::nullopt;
+}
+
+}  // namespace
+
 bool is_shipped(const Instance& instance) {
-  const auto file = shipped_file(fs::path("instances") / (instance.id + ".json"));
-  if (!file) return false;
-  const JsonValue document = parse_json(read_file(*file, ""), *file);
-  return to_text(document, -1) == to_text(instance.document, -1);
+  const auto document = shipped_document(instance.id);
+  return document && to_text(*document, -1) == to_text(instance.document, -1);
 }
 
 std::vector<std::string> shipped_instances() {

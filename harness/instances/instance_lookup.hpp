@@ -14,7 +14,7 @@ namespace gcs {
 /// Throws InputError.
 Instance load_instance(const std::string& argument);
 
-/// Whether the shipped instance of that id says the same.
+/// Whether the shipped instance of that id, or the member of a family, says the same.
 bool is_shipped(const Instance& instance);
 
 /// Ids of all shipped instances, sorted.

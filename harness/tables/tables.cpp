@@ -14,6 +14,7 @@ namespace {
 constexpr std::string_view imbach = "imbach-mathis-schreck-2016";
 constexpr std::string_view hoffmann = "hoffmann-yuan-2000";
 constexpr std::string_view general_scenes = "general-scenes";
+constexpr std::string_view realisations = "realisations";
 
 constexpr bool free_columns = true;
 constexpr bool shows_solutions = true;
@@ -145,6 +146,10 @@ std::span<const TableKind> table_kinds() {
       TableKind{"general", "scenes of lines, planes, bodies and angles: what is known, found and proven",
                 general_scenes, general_instances, free_columns, !shows_solutions, general_variants,
                 build_general, no_drawing, !measures_accuracy, load_instance, shows_times, knows_general},
+      TableKind{"realisations",
+                "exact counts of realisations of minimally rigid graphs, and what is found of them",
+                realisations, realisations_instances, !free_columns, !shows_solutions, realisations_variants,
+                build_realisations, no_drawing, !measures_accuracy, load_instance, !shows_times},
   };
   return kinds;
 }

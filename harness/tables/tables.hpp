@@ -164,6 +164,12 @@ std::vector<Variant> general_variants();
 /// What is known of general scenes, and what each strategy finds and proves.
 std::vector<Table> build_general(const RunFile& run, const Publication& paper);
 
+/// Minimally rigid graphs, those with most realisations and all small ones.
+const std::vector<std::string>& realisations_instances();
+std::vector<Variant> realisations_variants();
+/// Exact counts beside what is found and certified.
+std::vector<Table> build_realisations(const RunFile& run, const Publication& published);
+
 /// Every cell of the run with its repetitions, whatever the tables show of it.
 Table build_measurements(const RunFile& run);
 

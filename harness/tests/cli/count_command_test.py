@@ -30,6 +30,18 @@ class Count(unittest.TestCase):
         for instance in ["octahedral-5p1h", "octahedral-4p2h", "octahedral-3p3h"]:
             self.assertEqual(self.counts(instance)["bound"]["up_to_reflection"], 8)
 
+    # Gallet, Grasegger, Schicho 2020.
+    def test_on_the_sphere(self):
+        for instance, number in {"k33": 16, "prism": 32}.items():
+            data = json.loads(run("count", instance, "--on", "sphere", "--json").stdout)
+            self.assertEqual(data, {"id": instance, "on": "sphere", "why_no_exact": None,
+                                    "exact": {"fixed_frame": number, "up_to_reflection": number // 2}})
+            self.assertIn(f"exactly {number} in the fixed frame", run("count", instance, "--on", "sphere").stdout)
+        data = json.loads(run("count", "octahedron", "--on", "sphere", "--json").stdout)
+        self.assertIsNone(data["exact"])
+        self.assertIn("plane", data["why_no_exact"])
+        self.assertEqual(run("count", "prism", "--on", "torus").returncode, BAD_INPUT)
+
     def test_conventions(self):
         self.assertEqual(self.counts("dodecagon")["exact"],
                          {"fixed_frame": 6180, "up_to_reflection": 3090, "all_signs": 12360})

@@ -3,17 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "harness/base/atomic_file.hpp"
-#include "harness/base/environment.hpp"
 #include "harness/base/stop_conditions.hpp"
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/sweeps/follow_check.hpp"
+#include "harness/sweeps/sweep_main.hpp"
 
 namespace {
 
@@ -66,7 +65,6 @@ std::string text_of(const Row& row) {
 }
 
 std::string report(const SweepOptions& options, const std::vector<Row>& rows) {
-  const Environment environment = capture_environment(1);
   std::string text = fmt::format(
       "# Figures that move with changing values\n\n"
       "`gcs::follow` from the real solutions on S of each scene, {} changes for each size (seed {}): every "
@@ -80,11 +78,11 @@ std::string report(const SweepOptions& options, const std::vector<Row>& rows) {
       "another orientation of some points, or lands *elsewhere* without one; *silent*: it finds a solution "
       "where the "
       "figure folds before. Times: of one follow with and without proof, one core, mean. Written by "
-      "`scripts/sweep-follow`.\n\nCommit {}, {}, {}.\n\n"
+      "`scripts/sweep-follow`.\n\n{}.\n\n"
       "| scene | p | changes | reached | folds | undecided | differs | Newton fails | flips | elsewhere | "
       "silent | ms "
       "proven | ms |\n| --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |\n",
-      options.changes, options.seed, environment.commit, environment.compiler, environment.cpu);
+      options.changes, options.seed, where_measured());
   for (const double part : parts) {
     Row sum{"all", part, {}};
     for (const Row& row : rows)
@@ -124,15 +122,6 @@ int sweep(const SweepOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    CLI::App app("Compares follow with Newton's method for many random changes.");
-    SweepOptions options;
-    add_options(app, options);
-    CLI11_PARSE(app, argc, argv);
-    catch_interrupts();
-    return sweep(options);
-  } catch (const std::exception& error) {
-    std::cerr << "follow_sweep: " << error.what() << '\n';
-    return 2;
-  }
+  return gcs::sweep_main(argc, argv, "follow_sweep",
+                         "Compares follow with Newton's method for many random changes.", add_options, sweep);
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -11,10 +10,10 @@
 #include <random>
 
 #include "harness/base/atomic_file.hpp"
-#include "harness/base/environment.hpp"
 #include "harness/base/stop_conditions.hpp"
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/sweeps/open_side_check.hpp"
+#include "harness/sweeps/sweep_main.hpp"
 
 namespace {
 
@@ -71,7 +70,6 @@ std::string differences(const std::vector<OpenSideVerdict>& verdicts) {
 
 std::string report(const SweepOptions& options, const FineScan& scan,
                    const std::vector<OpenSideVerdict>& verdicts, double total_s) {
-  const Environment environment = capture_environment(1);
   const auto by_closest = [](const auto& a, const auto& b) { return a.closest < b.closest; };
   const double closest = std::min_element(verdicts.begin(), verdicts.end(), by_closest)->closest;
   return fmt::format(
@@ -80,12 +78,12 @@ std::string report(const SweepOptions& options, const FineScan& scan,
       "values {:.6g} to {:.6g} that the curve takes, against a scan of the published kind at {} angles, {:g} "
       "times finer than 1°: from every branch with |d34(θ) − d34| < {:g} Newton's method starts. Solutions "
       "are up to reflection. Written by `scripts/sweep-open-side`.\n\n"
-      "Commit {}, {}, {}, {:.0f} s.\n\n{}\n"
+      "{}, {:.0f} s.\n\n{}\n"
       "The closest two solutions for one length differ in no distance by more than {:.1e} of the scene's "
       "size.\n\n## Lengths that differ\n\n{}",
       instance, verdicts.size(), options.seed, scan.shortest(), scan.longest(), options.angles,
-      options.angles / 360.0, options.band, environment.commit, environment.compiler, environment.cpu,
-      total_s, counts_table(verdicts), closest, differences(verdicts));
+      options.angles / 360.0, options.band, where_measured(), total_s, counts_table(verdicts), closest,
+      differences(verdicts));
 }
 
 /// An interrupt ends the series before the length that it met.
@@ -119,15 +117,7 @@ int sweep(const SweepOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    CLI::App app("Compares theta-scan with a fine scan for many lengths of the open side.");
-    SweepOptions options;
-    add_options(app, options);
-    CLI11_PARSE(app, argc, argv);
-    catch_interrupts();
-    return sweep(options);
-  } catch (const std::exception& error) {
-    std::cerr << "open_side_sweep: " << error.what() << '\n';
-    return 2;
-  }
+  return gcs::sweep_main(argc, argv, "open_side_sweep",
+                         "Compares theta-scan with a fine scan for many lengths of the open side.",
+                         add_options, sweep);
 }

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "harness/base/environment.hpp"
+#include "harness/sweeps/sweep_main.hpp"
 #include "harness/tables/table_writer.hpp"
 
 namespace gcs {
@@ -108,7 +108,6 @@ std::string failures(std::span<const SweptScene> scenes) {
 }  // namespace
 
 std::string step_bound_report(const SweepHeader& header, std::span<const SweptScene> scenes) {
-  const Environment environment = capture_environment(1);
   return fmt::format(
       "# Solutions on S and the bound of the steps\n\n"
       "Random rigid graphs with random sketch and target, seeds {} to {}. Each strategy runs with its "
@@ -117,11 +116,10 @@ std::string step_bound_report(const SweepHeader& header, std::span<const SweptSc
       "scene "
       "that gave up is counted there and, where its other runs differ, as a disagreement too. Written by "
       "`scripts/sweep-step-bound`.\n\n"
-      "Commit {}, {}, {}, {:.0f} s.\n\n{}\n"
+      "{}, {:.0f} s.\n\n{}\n"
       "## Scenes that disagree or gave up\n\n{}\n## Options\n\n{}",
-      header.first_seed, header.first_seed + scenes.size() - 1, environment.commit, environment.compiler,
-      environment.cpu, header.total_s, kind_table(scenes, header), failures(scenes),
-      options_line(scenes.front().verdict));
+      header.first_seed, header.first_seed + scenes.size() - 1, where_measured(), header.total_s,
+      kind_table(scenes, header), failures(scenes), options_line(scenes.front().verdict));
 }
 
 }  // namespace gcs

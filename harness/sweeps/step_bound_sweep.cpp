@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "harness/base/stop_conditions.hpp"
 #include "harness/instances/problem_text.hpp"
 #include "harness/sweeps/step_bound_report.hpp"
+#include "harness/sweeps/sweep_main.hpp"
 #include "solvers/model/scene.hpp"
 
 namespace {
@@ -102,15 +102,8 @@ int sweep(const SweepOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    CLI::App app("Checks on random scenes that the solutions on S do not depend on the bound of the steps.");
-    SweepOptions options;
-    add_options(app, options);
-    CLI11_PARSE(app, argc, argv);
-    catch_interrupts();
-    return sweep(options);
-  } catch (const std::exception& error) {
-    std::cerr << "step_bound_sweep: " << error.what() << '\n';
-    return 2;
-  }
+  return gcs::sweep_main(
+      argc, argv, "step_bound_sweep",
+      "Checks on random scenes that the solutions on S do not depend on the bound of the steps.", add_options,
+      sweep);
 }

@@ -13,9 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-bool are_real(const Answer& answer) {
-  return std::ranges::all_of(answer.solutions, &AssessedSolution::is_real);
-}
+bool are_real(const std::vector<Figure>& figures) { return std::ranges::all_of(figures, &Figure::is_real); }
 
 template <typename Number>
 py::array array_of(const std::vector<py::ssize_t>& shape, const std::vector<Complex>& numbers) {
@@ -31,15 +29,15 @@ py::array array_of(const std::vector<py::ssize_t>& shape, const std::vector<Comp
   return result;
 }
 
-/// k × elements × axes numbers, of each solution what `append(placement, numbers)` appends.
+/// k × elements × axes numbers, of each figure what `append(figure, numbers)` appends.
 template <typename Append>
-py::array array_of(const Answer& answer, std::size_t elements, int axes, Append append) {
+py::array array_of(const std::vector<Figure>& figures, std::size_t elements, int axes, Append append) {
   std::vector<Complex> numbers;
-  for (const AssessedSolution& solution : answer.solutions) append(solution.placement(), numbers);
-  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(answer.solutions.size()),
+  for (const Figure& figure : figures) append(figure, numbers);
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(figures.size()),
                                  static_cast<py::ssize_t>(elements)};
   if (axes > 0) shape.push_back(axes);
-  return are_real(answer) ? array_of<double>(shape, numbers) : array_of<Complex>(shape, numbers);
+  return are_real(figures) ? array_of<double>(shape, numbers) : array_of<Complex>(shape, numbers);
 }
 
 Complex plane_offset(const Figure& figure, std::size_t plane) {
@@ -54,8 +52,14 @@ Complex plane_normal(const Figure& figure, std::size_t plane, int axis) {
 
 }  // namespace
 
-py::array point_array(const ProblemStatement& problem, const Answer& answer) {
-  return array_of(answer, problem.points.size(), problem.dimension,
+std::vector<Figure> placements(const Answer& answer) {
+  std::vector<Figure> figures;
+  for (const AssessedSolution& solution : answer.solutions) figures.push_back(solution.placement());
+  return figures;
+}
+
+py::array point_array(const ProblemStatement& problem, const std::vector<Figure>& figures) {
+  return array_of(figures, problem.points.size(), problem.dimension,
                   [&](const Figure& figure, std::vector<Complex>& numbers) {
                     const ComplexPoints points = complex_points(figure);
                     for (Eigen::Index i = 0; i < points.cols(); ++i)
@@ -63,9 +67,9 @@ py::array point_array(const ProblemStatement& problem, const Answer& answer) {
                   });
 }
 
-py::dict line_arrays(const ProblemStatement& problem, const Answer& answer) {
+py::dict line_arrays(const ProblemStatement& problem, const std::vector<Figure>& figures) {
   const auto array = [&](Eigen::Vector3cd ComplexLine::*part) {
-    return array_of(answer, problem.lines.size(), problem.dimension,
+    return array_of(figures, problem.lines.size(), problem.dimension,
                     [&](const Figure& figure, std::vector<Complex>& numbers) {
                       for (const ComplexLine& line : complex_lines(figure))
                         for (int axis = 0; axis < problem.dimension; ++axis)
@@ -78,14 +82,14 @@ py::dict line_arrays(const ProblemStatement& problem, const Answer& answer) {
   return result;
 }
 
-py::dict plane_arrays(const ProblemStatement& problem, const Answer& answer) {
+py::dict plane_arrays(const ProblemStatement& problem, const std::vector<Figure>& figures) {
   const std::size_t planes = problem.planes.size();
   py::dict result;
-  result["normal"] = array_of(answer, planes, 3, [&](const Figure& figure, std::vector<Complex>& numbers) {
+  result["normal"] = array_of(figures, planes, 3, [&](const Figure& figure, std::vector<Complex>& numbers) {
     for (std::size_t plane = 0; plane < planes; ++plane)
       for (int axis = 0; axis < 3; ++axis) numbers.push_back(plane_normal(figure, plane, axis));
   });
-  result["offset"] = array_of(answer, planes, 0, [&](const Figure& figure, std::vector<Complex>& numbers) {
+  result["offset"] = array_of(figures, planes, 0, [&](const Figure& figure, std::vector<Complex>& numbers) {
     for (std::size_t plane = 0; plane < planes; ++plane) numbers.push_back(plane_offset(figure, plane));
   });
   return result;

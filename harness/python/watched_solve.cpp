@@ -40,8 +40,8 @@ class SaidProgress {
 
 class Watch {
  public:
-  Watch(std::optional<double> time_limit_s, const py::object& progress)
-      : time_limit_s_(time_limit_s), progress_(progress) {}
+  Watch(std::optional<double> time_limit_s, py::object progress)
+      : time_limit_s_(time_limit_s), progress_(std::move(progress)) {}
 
   /// Of the solve, which may run until it has read its stop token.
   SolveSurroundings surroundings() {
@@ -53,22 +53,25 @@ class Watch {
     return result;
   }
 
-  Answer wait_for(std::future<Answer>& answer) {
-    while (!is_done(answer)) look();
-    if (failure_) std::rethrow_exception(failure_);
-    return answer.get();
-  }
-
- private:
-  static bool is_done(const std::future<Answer>& answer) {
-    const py::gil_scoped_release unlocked;
-    return answer.wait_for(between_looks) == std::future_status::ready;
-  }
-
+  std::stop_token token() const { return stop_.get_token(); }
   StopCause cause() const {
     if (is_timed_out_)
       return {RunStatus::timed_out, fmt::format("the time limit of {} s has passed", *time_limit_s_)};
     return {RunStatus::interrupted, "interrupted"};
+  }
+
+  template <typename Result>
+  Result wait_for(std::future<Result> result) {
+    while (!is_done(result)) look();
+    if (failure_) std::rethrow_exception(failure_);
+    return result.get();
+  }
+
+ private:
+  template <typename Result>
+  static bool is_done(const std::future<Result>& result) {
+    const py::gil_scoped_release unlocked;
+    return result.wait_for(between_looks) == std::future_status::ready;
   }
 
   void look() {
@@ -109,7 +112,7 @@ class Watch {
   }
 
   std::optional<double> time_limit_s_;
-  const py::object& progress_;
+  py::object progress_;
   Clock::time_point start_ = Clock::now();
   std::stop_source stop_;
   std::atomic<bool> is_timed_out_ = false;
@@ -124,9 +127,18 @@ Answer watched_solve(const Scene& scene, const std::string& strategy, const Opti
                      const py::object& progress) {
   Watch watch(time_limit_s, progress);
   const SolveSurroundings surroundings = watch.surroundings();
-  std::future<Answer> answer =
-      std::async(std::launch::async, [&] { return solve(scene, strategy, options, settings, surroundings); });
-  return watch.wait_for(answer);
+  return watch.wait_for(std::async(std::launch::async,
+                                   [&] { return solve(scene, strategy, options, settings, surroundings); }));
+}
+
+std::vector<Followed> watched_follow(const Scene& scene, const Figure& from,
+                                     const std::vector<ChangedValues>& vertices,
+                                     const FollowSettings& settings, std::optional<double> time_limit_s) {
+  Watch watch(time_limit_s, py::none());
+  std::vector<Followed> legs = watch.wait_for(std::async(
+      std::launch::async, [&] { return follow_polyline(scene, from, vertices, settings, watch.token()); }));
+  if (!legs.empty() && legs.back().end == ArcEnd::stopped) legs.back().reason = watch.cause().reason;
+  return legs;
 }
 
 }  // namespace gcs

@@ -1,10 +1,12 @@
 #pragma once
-/// A solve that Python waits for: its lock is free meanwhile, and Ctrl-C is heard.
+/// A solve, or a figure that is followed, for which Python waits: its lock is free meanwhile, and Ctrl-C is heard.
 
 #include <pybind11/pybind11.h>
 
 #include <optional>
+#include <vector>
 
+#include "solvers/solving/follow.hpp"
 #include "solvers/solving/solve.hpp"
 
 namespace gcs {
@@ -16,5 +18,10 @@ namespace gcs {
 Answer watched_solve(const Scene& scene, const std::string& strategy, const OptionMap& options,
                      const SolveSettings& settings, std::optional<double> time_limit_s,
                      const pybind11::object& progress);
+
+/// Follows in the same way; stopped, the last leg says so.
+std::vector<Followed> watched_follow(const Scene& scene, const Figure& from,
+                                     const std::vector<ChangedValues>& vertices,
+                                     const FollowSettings& settings, std::optional<double> time_limit_s);
 
 }  // namespace gcs

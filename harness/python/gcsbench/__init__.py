@@ -21,16 +21,17 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from . import _core
-from ._core import Answer, Error
+from ._core import Answer, Error, Followed
 
 if TYPE_CHECKING:
     import networkx  # type: ignore[import]
 
-__all__ = ["Answer", "Error", "Problem", "solve", "strategies"]
+__all__ = ["Answer", "Error", "Followed", "Problem", "follow", "follow_polyline", "solve", "strategies"]
 
 Number = Union[str, int, float, Decimal]
 Side = Union[str, Sequence[str]]
 Progress = Union[bool, Callable[[str, float], None]]
+Start = Union[Answer, Followed, Mapping[str, Any], np.ndarray, None]
 
 
 class _Literal(str):
@@ -213,6 +214,14 @@ class Problem:
             return _vector(position)
         return {part: _literal(value) if part == "offset" else _vector(value) for part, value in position.items()}
 
+    def _placed(self, positions: Mapping[str, Any]) -> Problem:
+        """The same with these positions for its sketch."""
+        placed = Problem()
+        placed._name = self._name
+        placed._document = {**self._document, "sketch": {
+            element: self._position(position) for element, position in positions.items()}}
+        return placed
+
     def _instance(self) -> _core.Instance:
         return _core.Instance(self.to_json(), self._name)
 
@@ -271,3 +280,66 @@ def solve(problem: Problem, strategy: str = "monodromy", *, certify: bool = Fals
         return _solve(problem, strategy, options, None, settings)
     with tqdm(total=1.0, bar_format="{desc}: {percentage:3.0f}% {elapsed}", leave=False) as bar:
         return _solve(problem, strategy, options, _Bar(bar), settings)
+
+
+def _positions(shown: Answer | Followed, points: Any, lines: Any, planes: Any) -> dict[str, Any]:
+    """Of one figure, as sketches have them."""
+    positions: dict[str, Any] = dict(zip(shown.points, points))
+    for names, arrays in ((shown.lines, lines), (shown.planes, planes)):
+        for i, name in enumerate(names):
+            positions[name] = {part: array[i] for part, array in arrays.items()}
+    return positions
+
+
+def _start(problem: Problem, start: Start, solution: int) -> Problem:
+    """The problem with the figure to begin at for its sketch."""
+    if start is None:
+        if "sketch" not in problem._document:
+            raise Error("the problem has no sketch to begin at; give a figure")
+        return problem
+    if isinstance(start, Mapping):
+        return problem._placed(start)
+    if isinstance(start, Followed):
+        if start.figure is None:
+            raise Error(f"there is no figure to begin at: {start.reason}")
+        return problem._placed(_positions(start, start.figure, start.figure_lines, start.figure_planes))
+    if isinstance(start, Answer):
+        if not -len(start) <= solution < len(start):
+            raise Error(f"there is no solution {solution}; the answer has {len(start)}")
+        if not start.is_real[solution]:
+            raise Error(f"solution {solution} is not real")
+        lines, planes = ({part: array[solution].real for part, array in arrays.items()}
+                         for arrays in (start.solution_lines, start.solution_planes))
+        return problem._placed(_positions(start, start.solutions[solution].real, lines, planes))
+    points = problem._document["points"]
+    if len(start) != len(points):
+        raise Error(f"{len(start)} positions for {len(points)} points; give positions by names where there is more")
+    return problem._placed(dict(zip(points, start)))
+
+
+def follow_polyline(problem: Problem, start: Start, vertices: Iterable[Mapping[str, Number]], *, solution: int = 0,
+                    prove: bool = True, beyond: bool = True, time_limit: float | None = None) -> list[Followed]:
+    """Follows a figure along a polyline of values, from each vertex that is reached on to the next: as `follow`, one for
+    each vertex up to the first that is not reached."""
+    texts = [{id: str(_literal(value)) for id, value in vertex.items()} for vertex in vertices]
+    return _core.follow(_start(problem, start, solution)._instance(), texts, prove, beyond, time_limit)
+
+
+def follow(problem: Problem, start: Start = None, to: Mapping[str, Number] = {}, *, solution: int = 0,
+           prove: bool = True, beyond: bool = True, time_limit: float | None = None) -> Followed:
+    """Where a figure moves to when values change: the solution that it becomes without a flip, or the fold at which there is
+    none any more.
+
+    start       the figure to begin at: an answer's real solution of that number, what was followed before, positions by
+                names as in Problem.sketch, or n × d coordinates of the points; without it the sketch
+    to          {id: value} in the form in which the problem states it: a length, its square, degrees or a cosine;
+                constraints are a1, a2, … in their order, or as a file names them. All values go straight there from those
+                of the figure
+    prove       by tubes along which t grows, from the figure's decimals to those given
+    beyond      at a fold: look for the solutions beyond
+    time_limit  seconds
+
+    Ctrl-C and the time limit stop it, with the end "stopped"; other threads of Python run meanwhile. Raises Error for a
+    figure or a value that is not right.
+    """
+    return follow_polyline(problem, start, [to], solution=solution, prove=prove, beyond=beyond, time_limit=time_limit)[0]

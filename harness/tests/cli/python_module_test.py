@@ -103,6 +103,80 @@ class Solving(unittest.TestCase):
         self.assertTrue(meaning)
 
 
+def corner(length):
+    """c above a–b of length 3 where ca is that long and bc is 4, by the law of cosines."""
+    along = (9 + length**2 - 16) / 6
+    return [along, math.sqrt(length**2 - along**2)]
+
+
+class Following(unittest.TestCase):
+    def setUp(self):
+        self.problem = gcsbench.Problem(dimension=2).points("a", "b", "c")
+        self.problem.distance("a", "b", 3).distance("b", "c", 4).distance("c", "a", 5)
+        self.at = {"a": [0, 0], "b": [3, 0], "c": [3, 4]}
+
+    def test_a_triangle_follows_its_side_from_any_kind_of_figure(self):
+        answer = gcsbench.solve(self.problem)
+        moved = gcsbench.follow(self.problem, self.at, {"a3": 6})
+        for start in (self.at, np.array(list(self.at.values()), dtype=float), answer, moved):
+            for prove in (True, False):
+                leg = gcsbench.follow(self.problem, start, to={"a3": "6.5"}, prove=prove)
+                self.assertEqual((leg.end, leg.reason, leg.proven, leg.fold), ("reached", "", prove, None))
+                np.testing.assert_allclose(leg.figure[2], corner(6.5), rtol=1e-13)
+                self.assertEqual(leg.error_bound is not None and leg.error_bound < 1e-13, prove)
+        for element, position in self.at.items():
+            self.problem.sketch(element, position)
+        np.testing.assert_allclose(gcsbench.follow(self.problem).figure[2], corner(5), rtol=1e-13)
+
+    def test_a_fold_is_enclosed_and_ends_a_polyline(self):
+        legs = gcsbench.follow_polyline(self.problem, self.at, [{"a3": 6}, {"a3": 8}, {"a3": 5}])
+        self.assertEqual([leg.end for leg in legs], ["reached", "folds"])
+        low, high = legs[1].values["a3"]
+        self.assertTrue(low <= 7 <= high < low + 1e-8)
+        low, high = legs[1].fold
+        self.assertTrue(low <= 0.5 <= high < low + 1e-8)
+        self.assertEqual((legs[1].beyond.status, len(legs[1].beyond)), ("complete", 0))
+        self.assertIsNone(gcsbench.follow(self.problem, self.at, {"a3": 8}, beyond=False).beyond)
+
+    def test_planes_move_too_there_and_back(self):
+        problem = gcsbench.Problem.read("octahedral-5p1h")
+        answer = gcsbench.solve(problem)
+        start = int(np.flatnonzero(answer.is_real)[0])
+        name = "a1"
+        length = Decimal(problem._document["constraints"][0]["length"])
+        there, back = gcsbench.follow_polyline(problem, answer, [{name: length * Decimal("1.0001")}, {name: length}],
+                                               solution=start)
+        self.assertTrue(there.proven and back.proven)
+        np.testing.assert_allclose(back.figure, answer.solutions[start].real, atol=1e-9)
+        self.assertGreater(abs(there.figure - back.figure).max(), 1e-6)
+        np.testing.assert_allclose((back.figure_planes["normal"] ** 2).sum(axis=-1), 1)
+        self.assertEqual(back.figure_planes["offset"].shape, (1,))
+
+    def test_what_is_wrong_is_said(self):
+        disulfide = gcsbench.Problem.read("disulfide")
+        answer = gcsbench.solve(disulfide)
+        imaginary = int(np.flatnonzero(~answer.is_real)[0])
+        said = {"no sketch": lambda: gcsbench.follow(self.problem),
+                "no constraint with a value has the id 'cd'": lambda: gcsbench.follow(self.problem, self.at, {"cd": 1}),
+                "> 0": lambda: gcsbench.follow(self.problem, self.at, {"a3": -1}),
+                "2 positions for 3 points": lambda: gcsbench.follow(self.problem, np.zeros((2, 2))),
+                "is not real": lambda: gcsbench.follow(disulfide, answer, solution=imaginary),
+                "there is no solution 99": lambda: gcsbench.follow(disulfide, answer, solution=99)}
+        for words, call in said.items():
+            with self.assertRaises(gcsbench.Error) as raised:
+                call()
+            self.assertIn(words, str(raised.exception))
+        flat = gcsbench.follow(self.problem, self.at, {"a3": 7})
+        self.assertEqual((flat.end, flat.figure, flat.fold), ("undecided", None, None))
+        self.assertIn(flat.reason, repr(flat))
+        with self.assertRaisesRegex(gcsbench.Error, "no figure to begin at"):
+            gcsbench.follow(self.problem, flat)
+
+    def test_the_time_limit_ends_it(self):
+        moved = gcsbench.follow(gcsbench.Problem.read("icosahedron"), time_limit=0.05)
+        self.assertEqual((moved.end, moved.beyond.status), ("folds", "stopped"))
+
+
 class Stating(unittest.TestCase):
     def test_texts_decimals_and_whole_numbers_are_exact_and_floats_binary(self):
         def given(number):
@@ -199,7 +273,8 @@ class Shown(command_line.WithFolder):
     @unittest.skipUnless(Path("/usr/bin/mypy").exists(), "needs mypy")
     def test_the_stubs_say_what_is_there(self):
         compiled = self.folder / "compiled"  # their metaclass has no stub, and nobody makes an answer
-        compiled.write_text("gcsbench._core.Answer\ngcsbench._core.Answer.__init__\ngcsbench._core.Instance\n")
+        compiled.write_text("gcsbench._core.Answer\ngcsbench._core.Answer.__init__\ngcsbench._core.Followed\n"
+                            "gcsbench._core.Followed.__init__\ngcsbench._core.Instance\n")
         for module, arguments in [("mypy.stubtest", ["gcsbench._core", "--allowlist", compiled]),
                                   ("mypy", ["--strict", "-p", "gcsbench"])]:
             done = subprocess.run([sys.executable, "-m", module, *arguments], cwd=self.folder, capture_output=True,

@@ -72,6 +72,13 @@ constexpr double least_margin = 1e-9;
 
 constexpr const char* nearly_flat = "it lies, to rounding, in the plane of the points that it hangs on";
 
+HungPlace loose_place(const char* why) {
+  HungPlace place;
+  place.undecided = why;
+  place.is_loose = true;
+  return place;
+}
+
 /// Precondition: the base is given.
 std::array<Rational, 3> base_squares(const Scene& scene, const Part& part) {
   std::array<Rational, 3> squares;
@@ -94,11 +101,8 @@ HungPlace exact_place(const Scene& scene, const Part& hung) {
   for (int i = 0; i < scene.dimension(); ++i)
     squares.radii[i] = rational(given_square(scene, hung.constraints[i]));
   const Quotients<Rational> q = quotients(scene.dimension(), squares);
+  if (q.V.sign() == 0) return loose_place(collinear);
   HungPlace place;
-  if (q.V.sign() == 0) {
-    place.undecided = collinear;
-    return place;
-  }
   const Rational square = q.D / (q.a * (scene.dimension() == 2 ? q.a : q.V * q.V));
   place.is_real = square.sign() >= 0;
   place.is_flat = square.sign() == 0;
@@ -121,21 +125,15 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
     squares.radii[i] = radius * radius;
   }
   const Quotients<Complex> q = quotients(scene.dimension(), squares);
-  HungPlace place;
   double shortest = scene.size();
   for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
     shortest = std::min(shortest, std::sqrt(std::abs(squares.base[pair])));
   // Relative errors of the base's edges, a thousand times.
   const double margin = std::max(
       least_margin, 1e3 * std::numeric_limits<double>::epsilon() * condition * scene.size() / shortest);
-  if (!(margin < 1)) {
-    place.undecided = coinciding;
-    return place;
-  }
-  if (std::abs(q.V) <= margin * std::abs(q.largest_term_of_V)) {
-    place.undecided = nearly_collinear;
-    return place;
-  }
+  if (!(margin < 1)) return loose_place(coinciding);
+  if (std::abs(q.V) <= margin * std::abs(q.largest_term_of_V)) return loose_place(nearly_collinear);
+  HungPlace place;
   if (std::abs(q.D) <= margin * std::abs(q.largest_term_of_D)) {
     place.undecided = nearly_flat;
     return place;

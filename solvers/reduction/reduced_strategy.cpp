@@ -238,24 +238,33 @@ class ReducedStrategy final : public Strategy {
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategy(0).solve(request);
     if (split_ == Split::hung_points) return solve_on_path(request, parts);
-    SolveReport report = solve_parts(request, parts);
-    return may_move(request.scene, report) ? with_motions(request, std::move(report)) : report;
+    SolvedParts solved = solve_parts(request, parts);
+    return is_open(request.scene, solved.report) ? in_one_piece(request, std::move(solved)) : solved.report;
   }
 
-  /// Where points coincide, parts do not say whether the whole moves. So small scenes take no second in one piece.
-  static bool may_move(const Scene& scene, const SolveReport& report) {
+  struct SolvedParts {
+    SolveReport report;
+    bool has_loose_points = false;  ///< as SolutionProduct says
+  };
+
+  /// Where points coincide, parts do not say whether the whole moves, and where a point is flat, not where it is. So small
+  /// scenes take no second in one piece.
+  static bool is_open(const Scene& scene, const SolveReport& report) {
     constexpr int most_points = 12;
-    const bool is_open = report.status == SolveStatus::partial || report.status == SolveStatus::infinite;
-    return is_open && report.claim == Claim::all_complex && scene.point_count() <= most_points;
+    const bool is_unsettled = report.status == SolveStatus::partial || report.status == SolveStatus::infinite;
+    return is_unsettled && report.claim == Claim::all_complex && scene.point_count() <= most_points;
   }
 
-  /// The answer in one piece where that has motions, otherwise that of the parts.
-  SolveReport with_motions(const SolveRequest& request, SolveReport of_parts) {
-    if (strategies_.front()->why_unsupported(request)) return of_parts;
+  /// The answer in one piece where that has motions, or is complete and no point may turn; otherwise that of the parts.
+  SolveReport in_one_piece(const SolveRequest& request, SolvedParts parts) {
+    if (strategies_.front()->why_unsupported(request)) return parts.report;
     SolveRequest alone = request;
     alone.starts = &no_starts_;
     SolveReport whole = make_()->solve(alone);
-    return whole.motions.empty() ? of_parts : whole;
+    const bool may_be_complete = parts.report.status == SolveStatus::partial && !parts.has_loose_points;
+    const bool is_settled =
+        !whole.motions.empty() || (may_be_complete && whole.status == SolveStatus::complete);
+    return is_settled ? whole : parts.report;
   }
 
   /// Each part by a strategy of its own, which takes it apart further where it can.
@@ -313,7 +322,7 @@ class ReducedStrategy final : public Strategy {
     return with_hung_points(request.scene, parts, std::move(report));
   }
 
-  SolveReport solve_parts(const SolveRequest& request, const std::vector<Part>& parts) {
+  SolvedParts solve_parts(const SolveRequest& request, const std::vector<Part>& parts) {
     std::vector<SolveReport> reports;
     std::vector<std::vector<PartSolution>> solved;
     SolveReport whole;
@@ -339,7 +348,7 @@ class ReducedStrategy final : public Strategy {
     SolutionProduct product(request.scene, parts, std::move(solved));
     multiply(request, product, whole);
     whole.totals->generic = generic_classes(reports, parts.size());
-    return whole;
+    return {std::move(whole), product.has_loose_points()};
   }
 
   /// Counts, and lists as many as asked for.

@@ -100,14 +100,19 @@ Figure random_placement(const SceneKind& kind, double size, Dice& dice) {
   return figure;
 }
 
-void add_constraints(const HennebergGraph& graph, const Figure& target, ProblemStatement& problem) {
-  for (const auto& [a, b] : graph.edges()) {
-    DistanceConstraint constraint;
-    constraint.id = fmt::format("a{}", problem.constraints.size() + 1);
-    constraint.between = {a, b};
-    constraint.given.value = (target.points.col(a) - target.points.col(b)).norm();
+void add_constraints(const HennebergGraph& graph, ProblemStatement& problem) {
+  for (const auto& edge : graph.edges()) {
+    DistanceConstraint& constraint = problem.constraints.emplace_back();
+    constraint.id = fmt::format("a{}", problem.constraints.size());
+    constraint.between = edge;
+  }
+}
+
+void give_lengths_of(const Figure& figure, ProblemStatement& problem) {
+  for (DistanceConstraint& constraint : problem.constraints) {
+    const auto [a, b] = constraint.between;
+    constraint.given.value = (figure.points.col(a) - figure.points.col(b)).norm();
     constraint.given.text = fmt::format("{}", constraint.given.value);
-    problem.constraints.push_back(std::move(constraint));
   }
 }
 
@@ -129,11 +134,18 @@ ProblemStatement random_problem(const SceneKind& kind, std::uint64_t seed) {
   Figure target = random_placement(kind, size, dice);
   const double way = std::ldexp(1.0, -dice.below(4));
   target.points = way * target.points + (1 - way) * problem.sketch->points;
-  add_constraints(graph, target, problem);
+  add_constraints(graph, problem);
+  give_lengths_of(target, problem);
   problem.interpolation.bent = dice.below(static_cast<int>(problem.constraints.size()));
   problem.interpolation.bend = std::ldexp(size, 1 - dice.below(5));
   if (const Structure structure = analyse_structure(problem); !structure.well_posed())
     throw std::logic_error(fmt::format("seed {}: {}", seed, structure.defects.front().what));
+  return problem;
+}
+
+ProblemStatement random_problem_of_sketch(const SceneKind& kind, std::uint64_t seed) {
+  ProblemStatement problem = random_problem(kind, seed);
+  give_lengths_of(*problem.sketch, problem);
   return problem;
 }
 

@@ -28,4 +28,7 @@ SceneKind random_scene_kind(std::uint64_t seed);
 /// the bend is twice the size of the box. Throws std::logic_error when the result is not well posed.
 ProblemStatement random_problem(const SceneKind& kind, std::uint64_t seed);
 
+/// The same with the lengths that the sketch has.
+ProblemStatement random_problem_of_sketch(const SceneKind& kind, std::uint64_t seed);
+
 }  // namespace gcs

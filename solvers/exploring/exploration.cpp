@@ -145,6 +145,13 @@ std::string Exploration::shortcomings() const {
   return "";
 }
 
+/// Whether every curve from every solution is walked and proven, and all that they meet are among the solutions: no other real
+/// solution is joined to one of these by a chain of such curves.
+bool Exploration::has_proven_components() const {
+  return graph_.size() > 0 && graph_.walked_part() == 1 && first_doubt_.empty() &&
+         std::ranges::all_of(graph_.curves(), [](const CurveRecord& curve) { return curve.path.proven; });
+}
+
 SolveReport Exploration::report() const {
   SolveReport report;
   report.claim = Claim::some_real;
@@ -155,6 +162,7 @@ SolveReport Exploration::report() const {
       {"curves", std::ssize(graph_.curves())},
       {"proven_curves",
        std::ranges::count_if(graph_.curves(), [](const CurveRecord& curve) { return curve.path.proven; })},
+      {"proven_components", has_proven_components() ? 1 : 0},
       {"meetings", graph_.meetings()},
       {"starts", started_},
       {"singular_points", graph_.singular() + singular_starts_}};

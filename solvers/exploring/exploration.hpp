@@ -39,6 +39,7 @@ class Exploration {
   void walk(const std::vector<Walk>& round);
   void take(const std::vector<Walk>& round, std::vector<SolveReport> reports);
   void take(const SolveReport& path);
+  bool has_proven_components() const;
   SolveReport report() const;
   std::string shortcomings() const;
 

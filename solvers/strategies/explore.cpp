@@ -10,7 +10,8 @@
 /// followed by Taylor series (tracking/series_tracker.hpp on exploring/released_curve.hpp).
 ///
 /// In mode=certified curves are followed by tubes too (proven_paths/certified_tracker.hpp): of each that closes it is proven
-/// that it does, and how many crossings it has, in which order. Others are followed as in mode=fast, and not proven.
+/// that it does, and how many crossings it has, in which order. Others are followed as in mode=fast, and not proven. Where all
+/// curves from all solutions are, `proven_components` says so: then no other real solution is joined to one of these.
 ///
 /// Claims some real solutions. Fails where none is found that is not singular, and is partial where a curve could not be
 /// followed. A curve that crosses itself or another ends there, from both sides, and its record says so.

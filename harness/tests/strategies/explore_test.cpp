@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "harness/instances/instance_lookup.hpp"
@@ -34,6 +35,12 @@ bool alternate(const std::vector<AssessedCrossing>& crossings) {
   for (std::size_t i = 0; i < crossings.size(); ++i)
     if (crossings[i].direction == crossings[(i + 1) % crossings.size()].direction) return false;
   return true;
+}
+
+std::int64_t particular(const SolveRun& run, const std::string& name) {
+  const auto found = std::ranges::find(run.particulars, name, &Particular::name);
+  REQUIRE(found != run.particulars.end());
+  return found->value;
 }
 
 std::int64_t real_solutions(const SolveRun& run) {
@@ -100,6 +107,10 @@ TEST_CASE("curves of points and planes are proven, with the crossings that are f
       return curve.proven && curve.crossings.size() % 2 == 0 && alternate(curve.crossings);
     }));
     CHECK(std::ranges::none_of(fast.curves, [](const AssessedCurve& curve) { return curve.proven; }));
+    CHECK(particular(proven, "proven_components") == 1);
+    CHECK(particular(fast, "proven_components") == 0);
+    const SolveRun few = solved(problem, "explore", {{"mode", "certified"}, {"curves", "2"}});
+    CHECK(particular(few, "proven_components") == 0);
     CHECK(meetings(proven).size() == meetings(fast).size());
   }
 }

@@ -29,6 +29,11 @@ SeriesTrackerOptions tracker_options(const ArcSettings& settings) {
   return options;
 }
 
+/// The path of points alone, in the frame of three of them, has fewer unknowns.
+bool is_path_of_elements(const Scene& scene) {
+  return scene.problem().is_general() || scene.has_lines() || scene.is_anchored();
+}
+
 /// Newton's method at t = 1 from a crossing (x, 1); false where it does not settle near by.
 template <class Family>
 bool refine_crossing(Family family, double size, Eigen::VectorXd& y) {
@@ -58,27 +63,27 @@ class ArcFollower {
       : scene_(scene), options_(tracker_options(settings)), context_(context), proves_(settings.prove) {}
 
   StraightArc run() {
-    const bool is_general = scene_.problem().is_general();
-    if (auto reason = is_general ? why_no_general_arc() : why_no_path(scene_)) {
+    const bool has_elements = is_path_of_elements(scene_);
+    if (auto reason = has_elements ? why_no_arc_of_elements() : why_no_path(scene_)) {
       arc_.end = ArcEnd::unsupported;
       arc_.reason = *std::move(reason);
       return std::move(arc_);
     }
-    if (is_general)
-      prepare_general();
+    if (has_elements)
+      prepare_elements();
     else
       arc_.values.assign(scene_.length_paths().begin(), scene_.length_paths().end());
     if (proves_ && follow_with_proof()) return std::move(arc_);
     arc_.end = ArcEnd::undecided;
-    if (is_general)
-      follow_general();
+    if (has_elements)
+      follow_elements();
     else
       follow_points();
     return std::move(arc_);
   }
 
  private:
-  std::optional<std::string> why_no_general_arc() {
+  std::optional<std::string> why_no_arc_of_elements() {
     if (!scene_.sketch()) return "there is no figure to begin at";
     if (auto reason = why_no_system(scene_)) return reason;
     system_.emplace(scene_);
@@ -88,7 +93,7 @@ class ArcFollower {
     return std::nullopt;
   }
 
-  void prepare_general() {
+  void prepare_elements() {
     sketched_ = sketched_unknowns(scene_, *system_);
     if (!sketched_) return;
     const GeneralFamily family(scene_, *system_, sketched_->x, options_.order);
@@ -100,11 +105,12 @@ class ArcFollower {
 
   /// False where there is no proof.
   bool follow_with_proof() {
-    if (auto reason = why_not_proven(scene_)) {
+    if (auto reason = system_ ? std::nullopt : why_not_proven(scene_)) {
       arc_.why_unproven = *std::move(reason);
       return false;
     }
-    CertifiedTracker tracker(scene_, options_, context_);
+    const auto make_curve = system_ ? provable_curve_of_elements : provable_curve;
+    CertifiedTracker tracker(make_curve(scene_, options_.order, options_.tolerance), options_, context_);
     const TrackedPath path = tracker.run();
     add(path.work, arc_.work);
     if (path.end == TrackedPath::End::stopped) return stop(path);
@@ -164,7 +170,7 @@ class ArcFollower {
     follow(curve, [&](const Eigen::VectorXd& y) { return scene_.in_frame(curve.figure(y)); });
   }
 
-  void follow_general() {
+  void follow_elements() {
     if (!sketched_) {
       arc_.reason = too_far_from_incidences;
       return;
@@ -204,7 +210,7 @@ class ArcFollower {
   SeriesTrackerOptions options_;
   const TrackerContext& context_;
   bool proves_;
-  std::optional<SceneSystem> system_;  ///< of a general scene
+  std::optional<SceneSystem> system_;  ///< of more than points, or with given positions
   std::optional<SketchedUnknowns> sketched_;
   StraightArc arc_;
 };

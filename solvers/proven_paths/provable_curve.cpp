@@ -22,7 +22,9 @@ std::unique_ptr<ProvableCurve> curve_of_distances(const Scene& scene, int order,
       [system](const Eigen::VectorXd& y) { return system.figure(y.head(system.unknowns())); });
 }
 
-std::unique_ptr<ProvableCurve> general_curve(const Scene& scene, int order, double tolerance) {
+}  // namespace
+
+std::unique_ptr<ProvableCurve> provable_curve_of_elements(const Scene& scene, int order, double tolerance) {
   const auto system = std::make_shared<const SceneSystem>(scene);
   const auto sketched = sketched_unknowns(scene, *system);
   const Eigen::VectorXd start =
@@ -41,10 +43,8 @@ std::unique_ptr<ProvableCurve> general_curve(const Scene& scene, int order, doub
       });
 }
 
-}  // namespace
-
 std::unique_ptr<ProvableCurve> provable_curve(const Scene& scene, int order, double tolerance) {
-  return scene.problem().is_general() ? general_curve(scene, order, tolerance)
+  return scene.problem().is_general() ? provable_curve_of_elements(scene, order, tolerance)
                                       : curve_of_distances(scene, order, tolerance);
 }
 

@@ -63,4 +63,8 @@ class FollowedCurve final : public ProvableCurve {
 /// Precondition: see why_not_proven of certified_tracker.hpp. The scene outlives the curve.
 std::unique_ptr<ProvableCurve> provable_curve(const Scene& scene, int order, double tolerance);
 
+/// The same in the unknowns of SceneSystem, which knows lines and given positions too. Preconditions: there is a sketch, and
+/// !why_no_system(scene). The scene outlives the curve.
+std::unique_ptr<ProvableCurve> provable_curve_of_elements(const Scene& scene, int order, double tolerance);
+
 }  // namespace gcs

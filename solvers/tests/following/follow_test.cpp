@@ -111,6 +111,24 @@ TEST_CASE("a corner of a triangle follows its side") {
   }
 }
 
+TEST_CASE("where positions are given the corner follows too, and folds") {
+  Problem p(2);
+  p.points("a", "b", "c").distance("b", "c", 4).distance("c", "a", 5);
+  p.fix("a", {0, 0}).fix("b", {3, 0});
+  p.sketch("a", {0, 0}).sketch("b", {3, 0}).sketch("c", {3, 4});
+  for (const FollowSettings& settings : both) {
+    const Followed moved = follow(p, {{"a2", "6.5"}}, settings);
+    REQUIRE(moved.end == ArcEnd::reached);
+    CHECK(moved.proven == settings.arc.prove);
+    CHECK((moved.figure.points.col(2) - corner(6.5)).norm() < 1e-13);
+    const Followed folded = follow(p, {{"a2", 8}}, settings);
+    REQUIRE(folded.end == ArcEnd::folds);
+    CHECK(folded.proven == settings.arc.prove);
+    CHECK(folded.values[0].low <= 7);
+    CHECK(folded.values[0].high >= 7);
+  }
+}
+
 TEST_CASE("a triangle that becomes flat folds where its sides add up") {
   for (const FollowSettings& settings : both) {
     const Followed moved = follow(triangle(), {{"a3", 8}}, settings);

@@ -108,6 +108,17 @@ py::list failed_checks_of(const SolvedInstance& solved) {
   return result;
 }
 
+/// The figures of their curves as arrays.
+py::list motions_of(const SolvedInstance& solved) {
+  const ProblemStatement& problem = solved.instance.problem;
+  py::list result = python_of(motions_value(problem, solved.answer.motions));
+  for (std::size_t i = 0; i < solved.answer.motions.size(); ++i) {
+    const std::vector<Figure>& figures = solved.answer.motions[i].curve.figures;
+    if (!figures.empty()) result[i]["curve"]["figures"] = point_array(problem, figures);
+  }
+  return result;
+}
+
 std::optional<std::string> claim_of(const SolvedInstance& solved) {
   if (!solved.answer.claim) return std::nullopt;
   return std::string(word(*solved.answer.claim));
@@ -180,12 +191,11 @@ void bind_texts(BoundAnswer& bound) {
           "proofs", [](const SolvedInstance& s) { return python_of(proofs_value(s.answer.proofs)); },
           "what certificates prove; None without certify=True")
       .def_property_readonly(
-          "motions",
-          [](const SolvedInstance& s) {
-            return python_of(motions_value(s.instance.problem, s.answer.motions));
-          },
+          "motions", &motions_of,
           "solutions that are not isolated, beside the others: which points coincide and which bars are "
-          "parallel there")
+          "parallel there; ['curve']['figures'], where a real one is known: m × n × d coordinates along a "
+          "curve "
+          "of them")
       .def_property_readonly("particulars", &particulars_of, "counts that only this strategy knows")
       .def_property_readonly("failed_checks", &failed_checks_of,
                              "(name, sentence) of what must hold in a correct answer and does not");

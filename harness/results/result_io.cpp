@@ -53,16 +53,32 @@ JsonValue path_value(const SolveRun& run) {
   return list_of_crossings(run.crossings);
 }
 
+/// A position of every point, in the order of the instance, for each figure.
+JsonValue list_of_figures(const ProblemStatement& problem, const std::vector<Figure>& figures) {
+  return json_array_of(figures, [&](const Figure& figure) {
+    return json_array_of(figure.points.colwise(), [&](const Eigen::Vector3d& point) {
+      return json_coordinates(point, problem.dimension);
+    });
+  });
+}
+
+JsonValue edge_value(const ProblemStatement& problem, const AssessedCurve& curve) {
+  JsonMembers members{{"constraint", json_text(id_of_value(problem, curve.released))},
+                      {"end", json_text(std::string(word(curve.end)))},
+                      {"cause", json_text(curve.cause)},
+                      {"proven", json_boolean(curve.proven)},
+                      {"crossings", list_of_crossings(curve.crossings)}};
+  if (!curve.figures.empty()) {
+    members.emplace_back("figures", list_of_figures(problem, curve.figures));
+    members.emplace_back("places", json_array_of(curve.places, json_count));
+  }
+  return json_object(std::move(members));
+}
+
 /// Null for a strategy that walks along no curves.
 JsonValue graph_value(const ProblemStatement& problem, const SolveRun& run) {
   if (run.curves.empty()) return json_null();
-  return json_array_of(run.curves, [&](const AssessedCurve& curve) {
-    return json_object({{"constraint", json_text(id_of_value(problem, curve.released))},
-                        {"end", json_text(std::string(word(curve.end)))},
-                        {"cause", json_text(curve.cause)},
-                        {"proven", json_boolean(curve.proven)},
-                        {"crossings", list_of_crossings(curve.crossings)}});
-  });
+  return json_array_of(run.curves, [&](const AssessedCurve& curve) { return edge_value(problem, curve); });
 }
 
 /// In lowest terms; null where it is not determined.
@@ -92,6 +108,14 @@ JsonValue failed_check_value(const FailedCheck& check) {
   return json_object({{"name", json_text(check.name)}, {"what", json_text(check.what)}});
 }
 
+/// Null where no real figure is known.
+JsonValue curve_value(const ProblemStatement& problem, const FigureCurve& curve) {
+  if (curve.figures.empty()) return json_null();
+  return json_object({{"end", json_text(std::string(word(curve.end)))},
+                      {"residual", json_of(curve.residual)},
+                      {"figures", list_of_figures(problem, curve.figures)}});
+}
+
 JsonValue motion_value(const ProblemStatement& problem, const Motion& motion) {
   const auto pairs = [&](const std::vector<std::array<int, 2>>& list, auto name) {
     return json_array_of(list, [&](const std::array<int, 2>& pair) {
@@ -104,8 +128,10 @@ JsonValue motion_value(const ProblemStatement& problem, const Motion& motion) {
        {"parallel", pairs(motion.parallel, id)},
        {"dimension", json_number(motion.dimension)},
        {"exact", json_boolean(motion.is_exact)},
+       {"proven", json_boolean(motion.is_proven)},
        {"real", json_boolean(motion.figure.is_real())},
-       {"points", json_points(problem, motion.figure)}});
+       {"points", json_points(problem, motion.figure)},
+       {"curve", curve_value(problem, motion.curve)}});
 }
 
 JsonValue timing_value(const Timing& timing) {

@@ -64,10 +64,7 @@ class Assessor {
     for (const PathRecord& path : report_.paths) take_crossings(path);
     for (const CurveRecord& curve : report_.curves) take_curve(curve);
     if (report_.claim == Claim::on_path) check_all_met();
-    for (Motion motion : report_.motions) {
-      motion.figure = motion.figure.scaled(scene_.unit_exponent());
-      assessment_.motions.push_back(std::move(motion));
-    }
+    for (const Motion& motion : report_.motions) assessment_.motions.push_back(in_file_unit(motion));
     count();
     return std::move(assessment_);
   }
@@ -100,6 +97,12 @@ class Assessor {
     }
   }
 
+  Motion in_file_unit(Motion motion) const {
+    motion.figure = motion.figure.scaled(scene_.unit_exponent());
+    for (Figure& figure : motion.curve.figures) figure = figure.scaled(scene_.unit_exponent());
+    return motion;
+  }
+
   int judged_candidate(const Crossing& crossing) const {
     const bool known = crossing.candidate >= 0 && crossing.candidate < static_cast<int>(judged_index_.size());
     return known && std::abs(crossing.direction) == 1 ? judged_index_[crossing.candidate] : -1;
@@ -125,6 +128,9 @@ class Assessor {
     AssessedCurve assessed{curve.released, curve.path.end, curve.path.cause, curve.path.proven};
     for (const auto& [judged, direction] : taken)
       assessed.crossings.push_back({solution_of_[judged], direction});
+    if (taken.size() == curve.places.size()) assessed.places = curve.places;
+    for (const Figure& figure : curve.figures)
+      assessed.figures.push_back(figure.scaled(scene_.unit_exponent()));
     assessment_.curves.push_back(std::move(assessed));
     if (report_.status == SolveStatus::complete) check_alternation(curve.path, taken);
   }

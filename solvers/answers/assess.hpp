@@ -28,6 +28,8 @@ struct AssessedCurve {
   std::string cause;
   bool proven = false;  ///< that it is closed, and the order and number of its crossings
   std::vector<AssessedCrossing> crossings{};
+  std::vector<Figure> figures{};      ///< as in CurveRecord, in the file's unit
+  std::vector<std::size_t> places{};  ///< of the crossings
 };
 
 /// Counts of gcsbench-result/1; empty: the strategy does not determine it. Numbers of solutions may be those

@@ -1,39 +1,18 @@
 #include "solvers/exploring/curve_walk.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "solvers/exploring/released_curve.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/proven_paths/general_path_data.hpp"
 #include "solvers/tracking/general_path.hpp"
+#include "solvers/tracking/released_curve.hpp"
+#include "solvers/tracking/whole_curve.hpp"
 
 namespace gcs {
 namespace {
-
-/// To one side, until the curve is closed or ends.
-using FollowCurve = std::function<TrackedPath(const SeriesTrackerOptions&)>;
-
-/// Both halves ended; where one of them could not be followed on, that is the end of the whole.
-TrackedPath from_end_to_end(const TrackedPath& first, const TrackedPath& second) {
-  TrackedPath path = joined(first, second);
-  if (first.end == TrackedPath::End::failed && second.end != TrackedPath::End::stopped) {
-    path.end = first.end;
-    path.cause = first.cause;
-  }
-  return path;
-}
-
-TrackedPath whole_curve(const FollowCurve& follow, SeriesTrackerOptions options) {
-  options.infinite_coordinate = infinite_coordinate;
-  const TrackedPath first = follow(options);
-  if (first.end == TrackedPath::End::closed || first.end == TrackedPath::End::stopped) return first;
-  options.orientation = -options.orientation;
-  return from_end_to_end(first, follow(options));
-}
 
 class CurveWalk {
  public:
@@ -47,7 +26,10 @@ class CurveWalk {
       return SeriesTracker(curve, of_half, context_).run();
     };
     return report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
-      return path_report(scene_, whole_curve(follow, refined), explored_.target());
+      const TrackedPath path = whole_curve(follow, refined);
+      SolveReport report = path_report(scene_, path, explored_.target());
+      if (!path.points.empty()) report.curves.push_back(curve_record(path, report));
+      return report;
     });
   }
 
@@ -63,6 +45,23 @@ class CurveWalk {
   }
 
  private:
+  Figure figure_at(const Eigen::VectorXd& y) const {
+    return explored_.target().figure(explored_.target().coordinates(y));
+  }
+
+  /// The figures; of each crossing the place of the nearest one, of which the tracker kept its point.
+  CurveRecord curve_record(const TrackedPath& path, const SolveReport& report) const {
+    CurveRecord record;
+    for (const Eigen::VectorXd& y : path.points) record.figures.push_back(figure_at(y));
+    for (const Crossing& crossing : report.paths.front().crossings) {
+      const auto& points = report.candidates[static_cast<std::size_t>(crossing.candidate)].figure.points;
+      const auto nearest = std::ranges::min_element(
+          record.figures, {}, [&](const Figure& figure) { return (figure.points - points).squaredNorm(); });
+      record.places.push_back(static_cast<std::size_t>(nearest - record.figures.begin()));
+    }
+    return record;
+  }
+
   ReleasedCurve curve_from_solution(const SeriesTrackerOptions& options) const {
     return {ReleasedFamily::at_solution(explored_.equations(), explored_.signs(), released_, solution_,
                                         options.order),
@@ -94,9 +93,7 @@ class CurveWalk {
         ReleasedCurve(ReleasedFamily::at_figure(explored_.equations(), explored_.signs(), released_, start,
                                                 options.order),
                       options.tolerance),
-        [this](const Eigen::VectorXd& y) {
-          return explored_.target().figure(explored_.target().coordinates(y));
-        });
+        [this](const Eigen::VectorXd& y) { return figure_at(y); });
   }
 
   const Scene& scene_;

@@ -113,8 +113,10 @@ void Exploration::take(const std::vector<Walk>& round, std::vector<SolveReport> 
     if (std::any_of(first, last, [](int number) { return number < 0; }) && first_doubt_.empty())
       first_doubt_ = "a point at which the value fits is singular, or nearly so";
     const int released = explored_->value_of()[static_cast<std::size_t>(releasable_[round[i].value])];
-    graph_.add_curve(round[i].value, round[i].start, {released, std::move(report.paths.front())},
-                     {first, last});
+    CurveRecord curve = report.curves.empty() ? CurveRecord() : std::move(report.curves.front());
+    curve.released = released;
+    curve.path = std::move(report.paths.front());
+    graph_.add_curve(round[i].value, round[i].start, std::move(curve), {first, last});
     first = last;
   }
 }

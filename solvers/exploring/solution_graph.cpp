@@ -67,14 +67,18 @@ void SolutionGraph::add_curve(std::size_t value, int start, CurveRecord curve,
                               const std::vector<int>& solution_of) {
   mark(start, value);
   std::vector<Crossing> crossings;
-  for (const auto& [candidate, direction] : curve.path.crossings) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < curve.path.crossings.size(); ++i) {
+    const auto& [candidate, direction] = curve.path.crossings[i];
     const int solution = solution_of[static_cast<std::size_t>(candidate)];
     if (solution < 0) continue;
+    if (!curve.places.empty()) places.push_back(curve.places[i]);
     mark(solution, value);
     if (solution != start) ++meetings_;
     crossings.push_back({solution, direction});
   }
   curve.path.crossings = std::move(crossings);
+  curve.places = std::move(places);
   curves_.push_back(std::move(curve));
 }
 

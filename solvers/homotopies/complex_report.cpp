@@ -96,10 +96,11 @@ class ComplexReporter {
     MotionFinder finder(scene_, system_, random);
     missing_.jumps = distinct.jumps();
     for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i, finder);
+    if (loose_end_) finder.seems_to_move(*loose_end_);
     report_.motions = finder.motions();
     prove_neighbours();
     for (const PathEnd& end : ends) add_path(end);
-    conclude(ends, in_words(scene_.problem(), report_.motions), missing_.in_words(), report_);
+    conclude(ends, in_words(scene_.problem(), report_.motions), shortcomings_in_words(), report_);
     return std::move(report_);
   }
 
@@ -114,12 +115,18 @@ class ComplexReporter {
     missing_.too_far += loses_distances(scene_, figure);
     missing_.lonely += is_lonely;
     missing_.not_isolated += !is_isolated;
+    if (!is_isolated && !loose_end_) loose_end_ = distinct[i];
     if (!is_singular)
       add_proven(figure);
     else if (is_isolated)
       add_meeting(distinct[i], distinct.paths(i), figure);
     else
       add_multiple(figure, distinct.paths(i));
+  }
+
+  std::string shortcomings_in_words() const {
+    const std::string missing = missing_.in_words(), apparent = apparent_in_words(report_.motions);
+    return missing + (missing.empty() || apparent.empty() ? "" : "; ") + apparent;
   }
 
   /// An end at which paths met: solutions next to it, or a multiple one.
@@ -266,6 +273,7 @@ class ComplexReporter {
   const DistanceSystem& system_;
   const std::vector<DoubleDouble> squares_ = target_squares(scene_);
   Shortcomings missing_;
+  std::optional<ComplexVectorX> loose_end_;  ///< the first one that is not isolated
   SolveReport report_;
 };
 

@@ -93,14 +93,27 @@ struct PathRecord {
   std::vector<PlanUse> plans{};
 };
 
-/// Solutions that are not isolated, proven: where points coincide, or bars of one length are parallel, some distances say
-/// the same, and what is left of them is loose (motions/collapse.hpp).
+/// Figures of a scene along a curve, in order: a polyline, in the scene's unit.
+struct FigureCurve {
+  std::vector<Figure> figures;
+  /// closed: the last figure is the first again; at_infinity or singular: so at both ends, or at the one that was come to
+  /// first; stopped: after so many figures.
+  PathRecord::End end = PathRecord::End::stopped;
+  double residual = 0;  ///< the largest relative error of a distance
+};
+
+/// Solutions that are not isolated. Proven: where points coincide, or bars of one length are parallel, some distances say
+/// the same, and what is left of them is loose (motions/collapse.hpp). Others seem to move: along a curve of all distances
+/// but one that one stays met too, to rounding.
 struct Motion {
   std::vector<std::array<int, 2>> coincident;  ///< pairs of points
   std::vector<std::array<int, 2>> parallel;    ///< pairs of constraints
   int dimension = 1;  ///< of the solutions around `figure`; at least, unless it is exact
   bool is_exact = false;
+  bool is_proven = true;
   Figure figure;  ///< one of them, in the scene's frame and unit; real where a real one is known
+  /// From a real figure on, in the frame; empty where none is known. One of many where the dimension is not 1.
+  FigureCurve curve{};
 };
 
 /// A curve of figures that meet all equations but that of one value, followed to both ends or until it is closed. Its t
@@ -108,6 +121,9 @@ struct Motion {
 struct CurveRecord {
   int released = -1;  ///< the value, counted as constraints and then relations
   PathRecord path;
+  /// Along it, where they were asked for, in the scene's unit and in one position after the other.
+  std::vector<Figure> figures{};
+  std::vector<std::size_t> places{};  ///< of the crossings of the path: which of the figures is there
 };
 
 /// A count that only this strategy knows, such as the candidates of a scan.
@@ -142,7 +158,7 @@ struct SolveReport {
   /// Distinct points of S or solutions; the harness groups them into classes.
   std::vector<Candidate> candidates;
   std::vector<PathRecord> paths;
-  std::vector<Motion> motions;                  ///< no candidate lies on one of them
+  std::vector<Motion> motions;                  ///< no candidate lies on one that is proven
   std::vector<CurveRecord> curves;              ///< between candidates: the edges of a graph
   std::optional<std::uint64_t> generic;         ///< number of classes at generic lengths, where it is known
   std::optional<GenericMember> generic_member;  ///< proves `generic`, where certificates reach it

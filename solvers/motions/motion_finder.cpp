@@ -2,15 +2,20 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <sstream>
 #include <utility>
 
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/elements/dense_equations.hpp"
 #include "solvers/figures/complex_distances.hpp"
+#include "solvers/motions/figure_motion.hpp"
 #include "solvers/running/words.hpp"
 
 namespace gcs {
@@ -22,17 +27,21 @@ Eigen::Map<const Eigen::VectorXcd> as_vector(const Point& x) {
   return {x.data(), static_cast<Eigen::Index>(x.size())};
 }
 
-/// As many unknowns as are too many held at x, those on which the others depend best.
-QuadraticSystem held_at(QuadraticSystem system, const Point& x) {
+/// As many unknowns held at x as leave so many free, those on which the others depend best.
+QuadraticSystem held_at(QuadraticSystem system, const Point& x, int free) {
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(jacobian_at(system, x));
   const auto& order = factors.colsPermutation().indices();
-  for (auto i = static_cast<Eigen::Index>(system.equations.size()); i < system.unknowns; ++i) {
+  for (auto i = static_cast<Eigen::Index>(system.equations.size()) + free; i < system.unknowns; ++i) {
     const int unknown = order[i];
     system.equations.push_back({{{LinearForm{{{unknown}}, {}}, LinearForm{{}, exactly(1)}}},
                                 exactly(x[static_cast<std::size_t>(unknown)])});
   }
   return system;
 }
+
+Eigen::VectorXd real_parts_of(const Point& x) { return as_vector(x).real(); }
+
+Point as_complex(const Eigen::VectorXd& x) { return {x.begin(), x.end()}; }
 
 std::vector<int> all_of(const QuadraticSystem& system) {
   std::vector<int> numbers(system.equations.size());
@@ -54,6 +63,20 @@ bool is_proven_regular(const Eigen::MatrixXcd& a, double radius) {
   return off.rowwise().sum().maxCoeff() < 0.5;
 }
 
+/// All equations but the one that depends most on the others, where just one dependence is told at x.
+std::optional<RealEquations> without_dependent(const RealEquations& equations, const Eigen::VectorXd& x) {
+  constexpr double dependent = 1e-9, independent = 1e-6;
+  Eigen::MatrixXd jacobian(equations.count(), equations.unknowns);
+  equations.jacobian(x, jacobian);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullU);
+  const Eigen::VectorXd sizes = svd.singularValues() / svd.singularValues()[0];
+  const Eigen::Index last = sizes.size() - 1;
+  if (sizes[last] > dependent || (last > 0 && sizes[last - 1] < independent)) return std::nullopt;
+  Eigen::Index left_out = 0;
+  svd.matrixU().col(last).cwiseAbs().maxCoeff(&left_out);
+  return without(left_out, equations);
+}
+
 /// Pairs that share something, together.
 std::vector<std::vector<int>> groups_of(const std::vector<std::array<int, 2>>& pairs) {
   std::vector<std::vector<int>> groups;
@@ -66,19 +89,6 @@ std::vector<std::vector<int>> groups_of(const std::vector<std::array<int, 2>>& p
     if (std::ranges::count(group, b) == 0) group.push_back(b);
   }
   return groups;
-}
-
-std::string place_in_words(const ProblemStatement& problem, const Motion& motion) {
-  std::string text;
-  for (const std::vector<int>& group : groups_of(motion.coincident)) {
-    text += text.empty() ? "" : ", ";
-    for (const int point : group)
-      text += (point == group.front() ? "" : " = ") + problem.points[static_cast<std::size_t>(point)];
-  }
-  for (const auto& [one, other] : motion.parallel)
-    text += (text.empty() ? "" : ", ") + problem.constraints[static_cast<std::size_t>(one)].id + " ∥ " +
-            problem.constraints[static_cast<std::size_t>(other)].id;
-  return text;
 }
 
 std::string kind_in_words(const Motion& motion) {
@@ -120,7 +130,7 @@ std::optional<MotionFinder::LoosePoint> MotionFinder::proven(const QuadraticSyst
                                                              const Point& start) const {
   const auto zero = zero_near(loose, all_of(loose), start);
   if (!zero) return std::nullopt;
-  const Certificate certificate = Certifier(held_at(loose, *zero)).certify(*zero);
+  const Certificate certificate = Certifier(held_at(loose, *zero, 0)).certify(*zero);
   if (!certificate.is_proven) return std::nullopt;
   return LoosePoint{*zero, certificate.enclosure, certificate.realness == Certificate::Realness::real};
 }
@@ -179,12 +189,77 @@ void MotionFinder::add_motion(const Collapse& collapse, const LoosePoint& near) 
   const LoosePoint& shown = real ? *real : near;
   const int dimension = collapse.looseness();
   Figure figure = complex_figure(system_, Eigen::VectorXcd(as_vector(shown.enclosure.mid)));
-  if (shown.is_real) figure = system_.figure(as_vector(shown.enclosure.mid).real());
-  motions_.push_back(
-      {collapse.coincident, collapse.parallel, dimension, has_corank(shown, dimension), std::move(figure)});
+  FigureCurve curve;
+  if (shown.is_real) {
+    const Eigen::VectorXd x = real_parts_of(shown.enclosure.mid);
+    figure = system_.figure(x);
+    const RealEquations held = real_equations(held_at(collapse.equations, as_complex(x), 1));
+    curve = followed(held, held, x, most_motion_steps);
+  }
+  motions_.push_back({collapse.coincident, collapse.parallel, dimension, has_corank(shown, dimension), true,
+                      std::move(figure), std::move(curve)});
 }
 
-std::string in_words(const ProblemStatement& problem, const std::vector<Motion>& motions) {
+FigureCurve MotionFinder::followed(const RealEquations& equations, const RealEquations& met,
+                                   const Eigen::VectorXd& x, int most_steps) const {
+  const auto figure_of = [this](const Eigen::VectorXd& at) { return system_.figure(at); };
+  return motion_from(scene_, equations, met, x, figure_of, most_steps);
+}
+
+/// A real zero next to x, or one from a start at random, at which the equations leave one direction.
+bool MotionFinder::seems_to_move(const Point& x) {
+  if (!search_) return false;
+  constexpr int tries = 20;
+  const RealEquations equations = real_equations(search_->distances());
+  std::normal_distribution<double> normal(0, scene_.size());
+  Eigen::VectorXd start = real_parts_of(x);
+  for (int i = 0; i < tries; ++i) {
+    const std::optional<Eigen::VectorXd> zero = real_zero_near(equations, start);
+    if (zero && take_apparent_motion(equations, *zero)) return true;
+    for (double& entry : start) entry = normal(random_);
+  }
+  return false;
+}
+
+/// Whether an equation stays met along the curve of the others: next to each of its points there is a figure that meets all.
+bool MotionFinder::take_apparent_motion(const RealEquations& equations, const Eigen::VectorXd& x) {
+  constexpr int first_steps = 4;
+  constexpr double rounding = 1e-12;  // of a few thousand units in the last place
+  const std::optional<RealEquations> others = without_dependent(equations, x);
+  if (!others || !(followed(*others, equations, x, first_steps).residual <= rounding)) return false;
+  FigureCurve curve = followed(*others, equations, x, most_motion_steps);
+  if (!(curve.residual <= rounding) || curve.figures.size() < 8 * first_steps) return false;
+  motions_.push_back({{}, {}, 1, false, false, system_.figure(x), std::move(curve)});
+  return true;
+}
+
+std::string place_in_words(const ProblemStatement& problem, const Motion& motion) {
+  std::string text;
+  for (const std::vector<int>& group : groups_of(motion.coincident)) {
+    text += text.empty() ? "" : ", ";
+    for (const int point : group)
+      text += (point == group.front() ? "" : " = ") + problem.points[static_cast<std::size_t>(point)];
+  }
+  for (const auto& [one, other] : motion.parallel)
+    text += (text.empty() ? "" : ", ") + problem.constraints[static_cast<std::size_t>(one)].id + " ∥ " +
+            problem.constraints[static_cast<std::size_t>(other)].id;
+  return text;
+}
+
+std::string apparent_in_words(const std::vector<Motion>& motions) {
+  const auto apparent = std::ranges::find(motions, false, &Motion::is_proven);
+  if (apparent == motions.end()) return "";
+  const FigureCurve& curve = apparent->curve;
+  std::ostringstream text;
+  text << seems_to_move_words << ": along a " << (curve.end == PathRecord::End::closed ? "closed " : "")
+       << "curve of " << curve.figures.size() << " real figures no distance is off by more than "
+       << std::setprecision(1) << curve.residual << " of itself, which proves nothing";
+  return text.str();
+}
+
+std::string in_words(const ProblemStatement& problem, const std::vector<Motion>& all) {
+  std::vector<Motion> motions;
+  std::ranges::copy_if(all, std::back_inserter(motions), &Motion::is_proven);
   if (motions.empty()) return "";
   constexpr std::size_t most_named = 3;
   std::string text = "infinitely many solutions, proven: ";

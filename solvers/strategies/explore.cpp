@@ -7,7 +7,7 @@
 /// needs a start of its own, which random starts give (exploring/random_starts.hpp).
 ///
 /// It starts from the solutions on S, or from that of Newton's method from the sketch, or from random starts. Curves are
-/// followed by Taylor series (tracking/series_tracker.hpp on exploring/released_curve.hpp).
+/// followed by Taylor series (tracking/series_tracker.hpp on tracking/released_curve.hpp).
 ///
 /// In mode=certified curves are followed by tubes too (proven_paths/certified_tracker.hpp): of each that closes it is proven
 /// that it does, and how many crossings it has, in which order. Others are followed as in mode=fast, and not proven. Where all
@@ -34,6 +34,7 @@ class ExploreStrategy final : public Strategy {
     walks_.tracking.tolerance = asked.tolerance;
     walks_.tracking.max_steps = asked.max_steps;
     walks_.tracking.step_max_far = 0.1;
+    walks_.tracking.kept_points = asked.samples;
   }
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {

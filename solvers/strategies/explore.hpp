@@ -21,6 +21,7 @@ struct Explore {
   std::int64_t max_steps = 1'000'000;
   int order = 12;
   double tolerance = 1e-7;
+  int samples = 0;
 
   template <class Self, class Visitor>
   static void options(Self& self, Visitor&& option) {
@@ -38,6 +39,8 @@ struct Explore {
     option("order", self.order, Range{4, 40}, "order of the series");
     option("tolerance", self.tolerance, Range{1e-14, 1e-5},
            "size of the last terms of the series, in units of the scene");
+    option("samples", self.samples, Range{0, 100},
+           "figures to keep of each step along a curve, for drawings; of a proven curve none");
   }
   bool operator==(const Explore&) const = default;
 };

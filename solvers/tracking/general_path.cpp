@@ -103,6 +103,7 @@ TrackedPath reversed(TrackedPath path) {
   }
   std::ranges::reverse(path.crossings);
   std::ranges::reverse(path.touches);
+  std::ranges::reverse(path.points);
   return path;
 }
 
@@ -206,6 +207,8 @@ TrackedPath joined(const TrackedPath& first, const TrackedPath& second) {
   TrackedPath path = reversed(second);
   path.crossings.insert(path.crossings.end(), first.crossings.begin(), first.crossings.end());
   path.touches.insert(path.touches.end(), first.touches.begin(), first.touches.end());
+  if (!path.points.empty() && !first.points.empty())  // both have the start
+    path.points.insert(path.points.end(), first.points.begin() + 1, first.points.end());
   path.length += first.length;
   add(first.work, path.work);
   return path;

@@ -60,6 +60,16 @@ RealEquations real_equations(const QuadraticSystem& system) {
   return result;
 }
 
+RealEquations without(Eigen::Index equation, const RealEquations& equations) {
+  RealEquations result{equations.unknowns, {}, Eigen::VectorXd(equations.count() - 1)};
+  result.given << equations.given.head(equation), equations.given.tail(equations.count() - 1 - equation);
+  for (const RealEquations::Product& product : equations.products)
+    if (product.equation != equation)
+      result.products.push_back(
+          {product.equation - (product.equation > equation ? 1 : 0), product.left, product.right});
+  return result;
+}
+
 Refinement refine(const RealEquations& equations, double tolerance, Eigen::VectorXd& x) {
   constexpr int most_iterations = 20;
   Refinement result{false, 0, std::numeric_limits<double>::infinity()};

@@ -42,6 +42,9 @@ struct RealEquations {
 
 Eigen::VectorXd real_parts(const std::vector<std::complex<double>>& values);
 
+/// All of them but one.
+RealEquations without(Eigen::Index equation, const RealEquations& equations);
+
 /// Precondition: the coefficients are real.
 RealEquations real_equations(const QuadraticSystem& system);
 

@@ -77,6 +77,7 @@ struct SeriesTrackerOptions {
   TimeRange far{};              ///< S is given up beyond it
   /// A path with a coordinate beyond this has its end at infinity.
   double infinite_coordinate = std::numeric_limits<double>::infinity();
+  int kept_points = 0;  ///< of each step, at equal arc lengths; crossings besides
 };
 
 /// A curve on which points are the same figure that differ in the signs of some coordinates.
@@ -131,8 +132,9 @@ class SeriesTracker {
       if (options_.stops_at_fold && ends_rise()) return finish_rise();
       const double closing = closing_length();
       record_crossings(closing);
+      keep_points(closing > 0 ? closing : step_);
       path_.length += closing > 0 ? closing : step_;
-      if (closing > 0) return finish(TrackedPath::End::closed, "");
+      if (closing > 0) return finish(TrackedPath::End::closed, "", closing);
       if (options_.stops_at_first && !path_.crossings.empty()) return finish(TrackedPath::End::reached, "");
       std::swap(here_, there_);
       if (auto cause = runs_off(options_.far, here_.coefficient(0)[t_row()]))
@@ -330,7 +332,25 @@ class SeriesTracker {
     if (context_.monitor && curve_.work().iterations % 256 == 0) context_.monitor->progress("tracking S", -1);
   }
 
-  TrackedPath finish(TrackedPath::End end, std::string cause) {
+  /// From the point of the series on; the crossings there are known.
+  void keep_points(double length) {
+    if (options_.kept_points == 0) return;
+    std::vector<double> places;
+    for (int i = 0; i < options_.kept_points; ++i) places.push_back(length * i / options_.kept_points);
+    for (const PathCrossing& crossing : path_.crossings)
+      if (crossing.at >= path_.length) places.push_back(crossing.at - path_.length);
+    std::ranges::sort(places);
+    for (const double s : places) keep_point(s);
+  }
+
+  void keep_point(double s) {
+    here_.evaluate(s, predicted_);
+    path_.points.push_back(predicted_);
+  }
+
+  /// So far from the point of the series.
+  TrackedPath finish(TrackedPath::End end, std::string cause, double s = 0) {
+    if (!path_.points.empty()) keep_point(s);
     path_.end = end;
     path_.cause = std::move(cause);
     path_.work = curve_.work();

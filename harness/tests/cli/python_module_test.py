@@ -58,6 +58,19 @@ class Solving(unittest.TestCase):
         self.assertIs(answer.solutions, answer.solutions)
         self.assertRaises(KeyError, answer.point, "d")
 
+    def test_a_motion_is_an_array_of_figures_along_it(self):
+        # Two regular triangles joined by three bars, all of length 1: the second one goes round.
+        prism = gcsbench.Problem(dimension=2).points(*"abcdef")
+        for a, b in ("ab", "bc", "ca", "de", "ef", "fd", "ad", "be", "cf"):
+            prism.distance(a, b, 1)
+        answer = gcsbench.solve(prism, "monodromy")
+        self.assertEqual(answer.status, "infinite")
+        curve = answer.motions[0]["curve"]
+        self.assertEqual((curve["end"], curve["figures"].shape[1:]), ("closed", (6, 2)))
+        crank = curve["figures"][:, 3] - curve["figures"][:, 0]
+        np.testing.assert_allclose(np.linalg.norm(crank, axis=1), 1, rtol=1e-12)
+        self.assertAlmostEqual(abs(np.unwrap(np.arctan2(crank[:, 1], crank[:, 0]))[[0, -1]] @ [1, -1]), 2 * math.pi)
+
     def test_complex_solutions_have_the_given_lengths_and_are_as_many_as_there_are(self):
         problem = gcsbench.Problem.read(SOURCE / "instances" / "disulfide.json")
         answer = gcsbench.solve(problem, "monodromy")

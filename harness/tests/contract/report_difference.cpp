@@ -27,8 +27,12 @@ class Fields {
     for (std::size_t i = 0; i < motions.size(); ++i) add(fmt::format("motions[{}]", i), motions[i]);
     add("curves.size()", curves.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      add(fmt::format("curves[{}].released", i), curves[i].released);
-      add(fmt::format("curves[{}]", i), curves[i].path);
+      const auto& [released, path, curve_figures, places] = curves[i];
+      const std::string name = fmt::format("curves[{}]", i);
+      add(name + ".released", released);
+      add(name, path);
+      add(name + ".figures", curve_figures);
+      for (const std::size_t place : places) add(name + ".place", place);
     }
     add("generic", generic);
     add("generic_member", generic_member);
@@ -98,12 +102,22 @@ class Fields {
   }
 
   void add(const std::string& name, const Motion& motion) {
-    const auto& [coincident, parallel, dimension, is_exact, figure] = motion;
+    const auto& [coincident, parallel, dimension, is_exact, is_proven, figure, curve] = motion;
     add(name + ".coincident", coincident);
     add(name + ".parallel", parallel);
     add(name + ".dimension", dimension);
     add(name + ".is_exact", is_exact);
+    add(name + ".is_proven", is_proven);
     add(name, figure);
+    const auto& [figures, end, residual] = curve;
+    add(name + ".curve", figures);
+    add(name + ".curve.end", end);
+    add(name + ".curve.residual", residual);
+  }
+
+  void add(const std::string& name, const std::vector<Figure>& figures) {
+    add(name + ".size()", figures.size());
+    for (const Figure& one : figures) add(name, one);
   }
 
   void add(const std::string& name, const std::vector<std::complex<double>>& numbers) {

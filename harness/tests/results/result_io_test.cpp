@@ -162,6 +162,34 @@ TEST_CASE("the graph names the constraint that each curve lacks, and solutions a
                                                      Json{{"solution", 0}, {"direction", -1}}})}}}));
 }
 
+TEST_CASE("figures along a curve are written where they were kept") {
+  SolveRun run = toy_run();
+  const Figure figure = run.solutions[0].placement();
+  run.curves.push_back({0, PathRecord::End::closed, "", false, {{1, 1}}, {figure, figure}, {1}});
+  const Json curve = parsed(run)["graph"][0];
+  CHECK(curve["places"] == Json::array({1}));
+  REQUIRE(curve["figures"].size() == 2);
+  const ProblemStatement problem = toy::instance().problem;
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    CHECK(curve["figures"][1][i] == parsed(run)["solutions"][0]["points"][problem.points[i]]);
+}
+
+TEST_CASE("a motion is written with the curve that was followed, if there is one") {
+  SolveRun run = toy_run();
+  const Figure figure = run.solutions[0].placement();
+  run.motions.push_back({.coincident = {{0, 1}}, .figure = figure});
+  run.motions.push_back({.is_proven = false,
+                         .figure = figure,
+                         .curve = {{figure, figure, figure}, PathRecord::End::at_infinity, 0.5}});
+  const Json motions = parsed(run)["motions"];
+  CHECK(motions[0]["proven"] == true);
+  CHECK(motions[0]["curve"].is_null());
+  CHECK(motions[1]["proven"] == false);
+  CHECK(motions[1]["curve"]["end"] == "at infinity");
+  CHECK(motions[1]["curve"]["residual"] == 0.5);
+  CHECK(motions[1]["curve"]["figures"].size() == 3);
+}
+
 TEST_CASE("ends that are alike are counted together") {
   SolveRun run = toy_run();
   CHECK(parsed(run)["ends"] ==

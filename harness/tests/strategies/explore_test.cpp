@@ -115,6 +115,34 @@ TEST_CASE("curves of points and planes are proven, with the crossings that are f
   }
 }
 
+TEST_CASE("figures kept along curves meet every value but one, and the solutions at their places") {
+  const ProblemStatement problem = load_instance("octahedron").problem;
+  const SolveRun bare = solved(problem, "explore"), run = solved(problem, "explore", {{"samples", "3"}});
+  CHECK(run.solutions.size() == bare.solutions.size());
+  REQUIRE(run.curves.size() == bare.curves.size());
+  const auto error = [&](const Figure& figure, const DistanceConstraint& c) {
+    return std::abs((figure.points.col(c.between[0]) - figure.points.col(c.between[1])).norm() - c.length());
+  };
+  for (const AssessedCurve& curve : run.curves) {
+    REQUIRE(curve.places.size() == curve.crossings.size());
+    REQUIRE(curve.figures.size() > 3 * curve.crossings.size());
+    double released = 0;
+    for (const Figure& figure : curve.figures)
+      for (std::size_t e = 0; e < problem.constraints.size(); ++e) {
+        const double off = error(figure, problem.constraints[e]);
+        if (static_cast<int>(e) != curve.released)
+          CHECK(off < 1e-5);
+        else
+          released = std::max(released, off);
+      }
+    CHECK(released > 1e-3);
+    for (const std::size_t place : curve.places)
+      CHECK(error(curve.figures[place], problem.constraints[static_cast<std::size_t>(curve.released)]) <
+            1e-5);
+  }
+  CHECK(std::ranges::all_of(bare.curves, [](const AssessedCurve& curve) { return curve.figures.empty(); }));
+}
+
 TEST_CASE("fewer curves are walked when so many are asked for, or few classes are expected to be unseen") {
   const ProblemStatement problem = load_instance("disulfide").problem;
   const std::size_t all = solved(problem, "explore").curves.size();

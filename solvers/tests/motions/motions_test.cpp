@@ -1,8 +1,14 @@
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 #include <set>
+#include <string>
 
 #include "solvers/counting/laman_graphs.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/solving/problem.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/tests/random_numbers.hpp"
 
@@ -29,6 +35,41 @@ double largest_error(const ProblemStatement& problem, const Figure& figure) {
   return error;
 }
 
+/// By how much the direction from one point to another turns in the plane along the figures.
+double turn_of(const FigureCurve& curve, int from, int to) {
+  const auto angle = [&](const Figure& figure) {
+    const Eigen::Vector3d direction = figure.points.col(to) - figure.points.col(from);
+    return std::atan2(direction.y(), direction.x());
+  };
+  double turn = 0;
+  for (std::size_t i = 1; i < curve.figures.size(); ++i)
+    turn += std::remainder(angle(curve.figures[i]) - angle(curve.figures[i - 1]), 2 * std::numbers::pi);
+  return turn;
+}
+
+void check_curve(const ProblemStatement& problem, const FigureCurve& curve) {
+  REQUIRE(curve.figures.size() > 32);
+  CHECK(curve.residual < 1e-12);
+  for (const Figure& figure : curve.figures) CHECK(largest_error(problem, figure) < 1e-12);
+  for (std::size_t i = 1; i < curve.figures.size(); ++i)
+    CHECK((curve.figures[i].points - curve.figures[i - 1].points).norm() < 0.5 * Scene(problem).size());
+}
+
+constexpr const char* corners[] = {"A", "a", "B", "b", "C", "c"};
+
+/// An octahedron whose opposite corners are A and a, B and b, C and c, with the exact distances that points at these places
+/// have. Coordinates are multiples of 1/8.
+Problem octahedron_at(const std::array<Eigen::Vector3d, 6>& places) {
+  Problem p(3);
+  p.points("A", "a", "B", "b", "C", "c");
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = i + 1; j < 6; ++j)
+      if (i / 2 != j / 2) p.squared_distance(corners[i], corners[j], (places[i] - places[j]).squaredNorm());
+  return p;
+}
+
+Eigen::Vector3d half_turned(const Eigen::Vector3d& p) { return {-p.x(), -p.y(), p.z()}; }
+
 /// Two points a, b at distance 1 from x, y and z, of which x and y are at distance 1: where a = b, z goes round them.
 /// Otherwise a and b are the two points next to x and y, at a distance of √3, and z is x or y.
 const Edges five_points{{0, 2}, {0, 3}, {0, 4}, {1, 2}, {1, 3}, {1, 4}, {2, 3}};
@@ -52,6 +93,12 @@ TEST_CASE("where two points coincide the rest moves, beside isolated solutions")
     CHECK(motion.is_exact);
     CHECK(motion.figure.is_real());
     CHECK(largest_error(problem, motion.figure) < 1e-12);
+    CHECK(motion.is_proven);
+    check_curve(problem, motion.curve);
+    CHECK(motion.curve.end == PathRecord::End::closed);
+    CHECK(std::abs(turn_of(motion.curve, 0, 4)) == Approx(2 * std::numbers::pi));  // all of z's circle, once
+    for (const Figure& figure : motion.curve.figures)
+      CHECK((figure.points.col(0) - figure.points.col(1)).norm() < 1e-12);
     REQUIRE(answer.solutions.size() == 2);
     std::set<int> on;  // the one of x and y that z is at
     for (const AssessedSolution& solution : answer.solutions) {
@@ -78,6 +125,10 @@ TEST_CASE("a prism of regular triangles with equal bars moves as a parallelogram
     CHECK(motion.is_exact);
     CHECK(motion.figure.is_real());
     CHECK(largest_error(problem, motion.figure) < 1e-12);
+    check_curve(problem, motion.curve);
+    CHECK(motion.curve.end == PathRecord::End::closed);
+    CHECK(std::abs(turn_of(motion.curve, 0, 3)) ==
+          Approx(2 * std::numbers::pi));  // a parallelogram's crank, once round
   }
   // Elsewhere the second triangle is the first one turned by ±120 degrees about its centre, or its image by a reflection at
   // one of the three lines that all corners are equally far from (√3/4) and a glide of ±1/2 along it.
@@ -95,6 +146,60 @@ TEST_CASE("a prism that nearly moves has only isolated solutions") {
   for (const AssessedSolution& solution : answer.solutions) CHECK(solution.certified);
 }
 
+TEST_CASE("Bricard's octahedra of both symmetric types seem to move, and those beside them do not") {
+  const Eigen::Vector3d a(3, 1, 2), b(1, -2, 0.5), c(-0.75, 1.5, -1);
+  const auto mirrored = [](const Eigen::Vector3d& p) { return Eigen::Vector3d(-p.x(), p.y(), p.z()); };
+  // Type 1: opposite corners are images by a half-turn. Type 2: two pairs by a plane that has the other corners.
+  const std::array line_symmetric{a, half_turned(a), b, half_turned(b), c, half_turned(c)};
+  const std::array plane_symmetric{
+      a, mirrored(a), b, mirrored(b), Eigen::Vector3d(0, 2.5, 1), Eigen::Vector3d(0, -1, 3)};
+  for (const auto& places : {line_symmetric, plane_symmetric}) {
+    const Scene scene = octahedron_at(places);
+    const Answer answer = solve(scene, "monodromy");
+    INFO(answer.reason);
+    CHECK(answer.status == RunStatus::partial);
+    CHECK_THAT(answer.reason, Catch::Contains("it seems to move"));
+    REQUIRE(answer.motions.size() == 1);
+    const Motion& motion = answer.motions[0];
+    CHECK_FALSE(motion.is_proven);
+    REQUIRE(motion.curve.figures.size() > 32);
+    std::set<long> diagonals;  // in tenths: they change, so that it does not only turn
+    for (const Figure& figure : motion.curve.figures) {
+      CHECK(largest_error(scene.problem(), figure) < 1e-10);
+      diagonals.insert(std::lround(10 * (figure.points.col(0) - figure.points.col(1)).norm()));
+    }
+    CHECK(diagonals.size() > 3);
+
+    auto beside = places;
+    beside[0].x() += 0.125;
+    const Answer rigid = solve(Scene(octahedron_at(beside)), "monodromy");
+    INFO(rigid.reason);
+    CHECK(rigid.motions.empty());
+    CHECK(rigid.status == RunStatus::complete);
+  }
+}
+
+TEST_CASE("Dixon's mechanism of the first kind seems to move as the closed form says") {
+  // Points on the x-axis at x_i with x_i² = a_i + s, on the y-axis at y_j with y_j² = b_j − s: |p_i − q_j|² = a_i + b_j.
+  const std::array<double, 3> a{1, 4, 9}, b{2, 5, 8};
+  Problem p(2);
+  p.points("p1", "p2", "p3", "q1", "q2", "q3");
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      p.squared_distance("p" + std::to_string(i + 1), "q" + std::to_string(j + 1), a[i] + b[j]);
+  const Scene scene = p;
+  const Answer answer = solve(scene, "monodromy");
+  INFO(answer.reason);
+  CHECK_THAT(answer.reason, Catch::Contains("it seems to move"));
+  REQUIRE(answer.motions.size() == 1);
+  for (const Figure& figure : answer.motions[0].curve.figures) {
+    const Eigen::Vector3d across = figure.points.col(1) - figure.points.col(0),
+                          along = figure.points.col(4) - figure.points.col(3);
+    CHECK(largest_error(scene.problem(), figure) < 1e-10);
+    CHECK(std::abs(across.dot(along)) < 1e-9);
+  }
+}
+
 TEST_CASE("no minimally rigid graph of up to six points has unexplained ends where the Jacobian loses rank") {
   int infinite = 0, graphs = 0;
   for (const int points : {4, 5, 6})
@@ -104,7 +209,8 @@ TEST_CASE("no minimally rigid graph of up to six points has unexplained ends whe
       ++graphs;
       INFO("points " << points << ", graph " << graphs << ": " << answer.reason);
       CHECK_THAT(answer.reason, !Catch::Contains("loses rank"));
-      CHECK((answer.status == RunStatus::infinite) == !answer.motions.empty());
+      CHECK((answer.status == RunStatus::infinite) ==
+            std::ranges::any_of(answer.motions, &Motion::is_proven));
       infinite += answer.status == RunStatus::infinite;
       for (const Motion& motion : answer.motions) CHECK(largest_error(problem, motion.figure) < 1e-10);
     }

@@ -1,4 +1,4 @@
-#include "solvers/exploring/released_curve.hpp"
+#include "solvers/tracking/released_curve.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -68,6 +68,18 @@ JsonValue solution_value(const ProblemStatement& problem, const ShownSolution& s
                       {"turns", json_array_of(problem.bodies, turn)}});
 }
 
+JsonValue curve_value(const ShownCurve& curve) {
+  const auto figure = [](const Figure& one) {
+    return json_object(
+        {{"points", points_value(one)}, {"lines", lines_value(one)}, {"planes", planes_value(one)}});
+  };
+  return json_object({{"label", json_text(curve.label)},
+                      {"constraint", json_text(curve.constraint)},
+                      {"from", json_or_null(curve.from, json_number)},
+                      {"to", json_or_null(curve.to, json_number)},
+                      {"figures", json_array_of(curve.figures, figure)}});
+}
+
 JsonValue place_value(const PlanPlace& place) {
   return json_object({{"t", json_number(place.t)},
                       {"s", json_number(place.length)},
@@ -133,6 +145,7 @@ JsonValue scene_value(const StoredScene& scene) {
                       {"bodies", json_array_of(problem.bodies, body_value)},
                       {"edges", edges_value(problem)},
                       {"solutions", json_array_of(scene.record.solutions, solution)},
+                      {"curves", json_array_of(scene.record.curves, curve_value)},
                       {"trails", json_array_of(scene.record.trails, trail_value)},
                       {"coordinate", json_number(static_cast<double>(first_coordinate(scene)))},
                       {"path", path_value(scene)}});

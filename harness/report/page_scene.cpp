@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "harness/drawings/graph_drawing.hpp"
@@ -79,6 +80,8 @@ std::string facts(const StoredScene& scene) {
   if (problem.is_general()) text += fact("counted", std::string(word(convention_of(problem))));
   text += fact("real solutions", solutions_fact(scene.record));
   text += fact("path S", path_fact(scene));
+  for (const ShownCurve& curve : scene.record.curves)
+    if (!curve.from) text += fact("moves", curve.label);
   if (!instance.notes.empty()) text += fact("notes", instance.notes);
   return text + "</dl>\n";
 }
@@ -111,6 +114,13 @@ constexpr std::string_view figure_part = R"(<div>
 <ul class="legend" data-part="legend"></ul>
 </div>
 </div>
+)";
+
+constexpr std::string_view graph_part = R"(<h4>From solution to solution</h4>
+<div class="controls"><div class="row"><label>Curves <select data-part="edges"></select></label></div></div>
+<svg class="graph" data-part="graph" viewBox="0 0 520 520" role="img" aria-label="{label}"></svg>
+<p class="where">A click on a solution shows it, one on a curve moves the figure along it, without the value in its colour. The list above has them all too.</p>
+<ul class="legend" data-part="constraints"></ul>
 )";
 
 constexpr std::string_view plot_part = R"(<div>
@@ -157,11 +167,18 @@ std::string gallery_html(const ShownScene& record) {
       record.solutions.empty() ? " hidden" : "");
 }
 
+std::string solution_graph_html(const ShownScene& record) {
+  const auto is_edge = [](const ShownCurve& curve) { return curve.from.has_value(); };
+  if (std::ranges::none_of(record.curves, is_edge)) return "";
+  return with_label(graph_part, "Solutions of " + record.instance.id +
+                                    ", and the curves between them with one value released");
+}
+
 /// The figure with the plot of S beside it or, where there is none, the solutions.
 std::string panel_html(const StoredScene& scene, std::size_t number) {
   const Instance& instance = scene.record.instance;
   if (!can_be_drawn(instance.problem)) return "";
-  if (scene.record.solutions.empty() && !scene.path)
+  if (scene.record.solutions.empty() && scene.record.curves.empty() && !scene.path)
     return fmt::format(
         "<p class=\"missing\">There is no figure to show: {}, and no path is stored.</p>\n",
         scene.record.is_real_proven ? "there is no real solution" : "no real solution is known");
@@ -170,10 +187,10 @@ std::string panel_html(const StoredScene& scene, std::size_t number) {
                                   : "drag or use the arrow keys to turn it";
   const std::string gallery = gallery_html(scene.record);
   const std::string plot = with_label(plot_part, "The path S of " + instance.id + ": t over a coordinate");
-  return fmt::format("<div data-scene=\"{}\">\n<div class=\"panel\">\n{}{}</div>\n{}{}</div>\n", number,
-                     with_label(figure_part, "Figure of " + instance.id + "; " + turning),
-                     scene.path ? plot : gallery, scene.path ? gallery : "",
-                     coordinates_html(instance.problem));
+  return fmt::format(
+      "<div data-scene=\"{}\">\n<div class=\"panel\">\n{}{}</div>\n{}{}</div>\n", number,
+      with_label(figure_part, "Figure of " + instance.id + "; " + turning), scene.path ? plot : gallery,
+      (scene.path ? gallery : "") + solution_graph_html(scene.record), coordinates_html(instance.problem));
 }
 
 std::string reduced_html(const StoredScene& scene) {

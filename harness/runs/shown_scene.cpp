@@ -28,12 +28,25 @@ constexpr std::string_view format_name = "gcsbench-scene/1";
 
 // ---- writing
 
+JsonMembers figure_members(const ProblemStatement& problem, const Figure& figure) {
+  JsonMembers members{{"points", json_points(problem, figure)}, {"lines", json_lines(problem, figure)}};
+  if (!problem.planes.empty()) members.emplace_back("planes", json_planes(problem, figure));
+  return members;
+}
+
 JsonValue solution_value(const ProblemStatement& problem, const ShownSolution& solution) {
-  JsonMembers members{{"multiplicity", json_number(solution.multiplicity)},
-                      {"points", json_points(problem, solution.figure)},
-                      {"lines", json_lines(problem, solution.figure)}};
-  if (!problem.planes.empty()) members.emplace_back("planes", json_planes(problem, solution.figure));
+  JsonMembers members = figure_members(problem, solution.figure);
+  members.emplace(members.begin(), "multiplicity", json_number(solution.multiplicity));
   return json_object(std::move(members));
+}
+
+JsonValue curve_value(const ProblemStatement& problem, const ShownCurve& curve) {
+  const auto figure = [&](const Figure& one) { return json_object(figure_members(problem, one)); };
+  return json_object({{"label", json_text(curve.label)},
+                      {"constraint", json_text(curve.constraint)},
+                      {"from", json_of(curve.from)},
+                      {"to", json_of(curve.to)},
+                      {"figures", json_array_of(curve.figures, figure)}});
 }
 
 JsonValue crossing_value(const std::optional<MetSolution>& met) {
@@ -49,6 +62,23 @@ ShownSolution read_solution(const JsonCursor& cursor, const ProblemStatement& pr
   read_json(cursor.required("multiplicity"), solution.multiplicity);
   solution.figure = read_figure(cursor, problem, true);
   return solution;
+}
+
+ShownCurve read_curve(const JsonCursor& cursor, const ShownScene& record) {
+  ShownCurve curve{cursor.required("label").text(), cursor.required("constraint").text(), {}, {}, {}};
+  const auto read_end = [&](const char* name, std::optional<int>& solution) {
+    const JsonCursor end = cursor.required(name);
+    read_json(end, solution);
+    if (solution && (*solution < 0 || static_cast<std::size_t>(*solution) >= record.solutions.size()))
+      end.fail("there is no such solution", fmt::format("give a number below {}", record.solutions.size()));
+  };
+  read_end("from", curve.from);
+  read_end("to", curve.to);
+  const JsonCursor figures = cursor.required("figures");
+  for (const JsonCursor& figure : figures.elements())
+    curve.figures.push_back(read_figure(figure, record.instance.problem, true));
+  if (curve.figures.size() < 2) figures.fail("this is no curve", "give two figures at least");
+  return curve;
 }
 
 int read_sign(const JsonCursor& cursor) {
@@ -84,6 +114,8 @@ std::string to_json_text(const ShownScene& record) {
     document.member("no_path", json_text(record.no_path));
     document.list("crossings", record.crossings, crossing_value);
     document.member("trails", json_of(record.trails));
+    document.list("curves", record.curves,
+                  [&](const ShownCurve& curve) { return curve_value(problem, curve); });
   });
 }
 
@@ -103,6 +135,8 @@ ShownScene parse_shown_scene(const std::string& text, const std::string& file) {
   for (const JsonCursor& entry : root.required("crossings").elements())
     record.crossings.push_back(read_crossing(entry, record.solutions.size()));
   read_json(root.required("trails"), record.trails);
+  if (const auto curves = root.optional("curves"))  // files of earlier versions have none
+    for (const JsonCursor& entry : curves->elements()) record.curves.push_back(read_curve(entry, record));
   return record;
 }
 

@@ -38,6 +38,14 @@ struct PlanTrail {
   std::string cause;  ///< why there are no places; empty when there are
 };
 
+/// Figures to move through, a polyline: of a motion of the scene, or without one of its values from one solution to the next.
+struct ShownCurve {
+  std::string label;            ///< for a person
+  std::string constraint;       ///< the one whose value the figures need not meet; empty: they meet all
+  std::optional<int> from, to;  ///< indices into ShownScene::solutions; empty of a motion
+  std::vector<Figure> figures;  ///< in the file's unit; of a motion in the instance's frame
+};
+
 struct ShownScene {
   Instance instance;
   std::vector<ShownSolution> solutions;               ///< real ones, one of each class
@@ -48,6 +56,7 @@ struct ShownScene {
   std::string no_path;                                ///< why S is not stored; empty when it is
   std::vector<std::optional<MetSolution>> crossings;  ///< of t = 1, in the order of S; empty: in no list
   std::vector<PlanTrail> trails;
+  std::vector<ShownCurve> curves;
 };
 
 /// The record as JSON, ending in a newline.

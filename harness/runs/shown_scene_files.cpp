@@ -12,6 +12,7 @@
 #include "harness/results/path_io.hpp"
 #include "harness/results/reference_list.hpp"
 #include "harness/results/strategy_choice.hpp"
+#include "harness/runs/shown_curves.hpp"
 #include "harness/solving/solve_run.hpp"
 #include "solvers/answers/certify.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
@@ -31,9 +32,6 @@ constexpr std::size_t most_solutions = 1000;
 
 /// Trails of one instance: the cells that are left add nothing that a plot could still show.
 constexpr std::size_t most_trails = 3;
-
-/// A point of S that a tracker accepted is good to this part of the scene's size, and other arcs are further.
-constexpr double same_place = 1e-5;
 
 // ---- solutions
 
@@ -93,22 +91,6 @@ void take_solutions(const Instance& instance, const Scene& scene, Monitor& progr
 }
 
 // ---- the path
-
-std::optional<MetSolution> nearest_solution(const Scene& scene, const Figure& figure,
-                                            const std::vector<ShownSolution>& solutions) {
-  const std::vector<AxisSigns> images = mirror_images(scene);
-  const Figure met = scene.in_file_unit(figure);
-  double nearest = same_place * std::ldexp(scene.size(), scene.unit_exponent());
-  std::optional<MetSolution> result;
-  for (std::size_t i = 0; i < solutions.size(); ++i)
-    for (const AxisSigns& signs : images) {
-      const double distance = largest_distance(met, solutions[i].figure, signs, 1);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      result = {static_cast<int>(i), signs};
-    }
-  return result;
-}
 
 /// As fine as fits; the coarsest one, whatever its size, where none does.
 std::string fitting_path(const Instance& instance, const Scene& scene, const std::vector<ProvenArc>& arcs) {
@@ -192,7 +174,8 @@ std::optional<std::string> take_path(const Scene& scene, const RunFile& run, Sho
     return std::nullopt;
   }
   for (const PathCrossing& crossing : path.crossings)
-    record.crossings.push_back(nearest_solution(scene, tracker.figure(crossing.point), record.solutions));
+    record.crossings.push_back(
+        nearest_solution(scene, scene.in_file_unit(tracker.figure(crossing.point)), record.solutions));
   take_trails(run, scene, tracker.arcs(), record);
   return fitting_path(record.instance, scene, tracker.arcs());
 }
@@ -233,6 +216,7 @@ MadeScene make_scene(const Instance& instance, const Scene& scene, const RunFile
   }
   take_solutions(instance, scene, progress, made.record);
   made.path = take_path(scene, run, made.record);
+  made.record.curves = curves_to_show(scene, run, made.record, limit_s, progress);
   return made;
 }
 

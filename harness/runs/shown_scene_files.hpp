@@ -24,7 +24,8 @@ struct MadeScene {
 
 /// Solutions are the proven ones (reference_for) or, where nothing can be proven, those of the strategy that
 /// lists most; the first thousand of them. S is followed with proof for some seconds, and written as finely
-/// as a page can hold. Of the run's cells that changed plans, the first few are solved again to tell where.
+/// as a page can hold. Of the run's cells that changed plans, the first few are solved again to tell where, and so are those
+/// that found what moves (shown_curves.hpp).
 MadeScene make_scene(const Instance& instance, const Scene& scene, const RunFile& run, Monitor& progress);
 
 /// Writes folder/scenes/<id>.json and folder/paths/<id>.json. Throws OutputError.

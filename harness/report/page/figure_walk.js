@@ -1,6 +1,6 @@
 "use strict";
 
-/** From one solution to another: bodies move rigidly, other points on segments, lines by foot and direction, planes by
+/** From one solution to another, or along a curve of figures. From solution to solution bodies move rigidly, other points on segments, lines by foot and direction, planes by
     normal and offset. What is in between is no solution. */
 const FigureWalk = {
   /** The figure {points, lines, planes} at `part`, from 0 to 1, of the way from solution `a` to `b`. */
@@ -15,6 +15,13 @@ const FigureWalk = {
     // An element that two bodies share stays with the first.
     for (let k = scene.bodies.length - 1; k >= 0; --k) FigureWalk.moveBody(scene, k, a, b, part, figure);
     return figure;
+  },
+
+  /** On a polyline of figures, `part` from 0 to 1 of its segments. */
+  along(figures, part) {
+    const place = part * (figures.length - 1);
+    const k = Math.min(Math.floor(place), figures.length - 2);
+    return FigureWalk.at({ bodies: [] }, figures[k], figures[k + 1], place - k);
   },
 
   /** The direction of a line may be turned over. */

@@ -23,6 +23,7 @@ class ScenePanel {
     this.fillGoals();
     this.fillLegend();
     if (this.path) this.makePlot();
+    this.makeGraph();
     this.find("along").hidden = !this.goals.some((goal) => ScenePanel.moves(goal));
     this.find("goal").addEventListener("change", () => this.choose());
     this.find("slider").addEventListener("input", () => this.move());
@@ -30,20 +31,22 @@ class ScenePanel {
     this.choose();
   }
 
-  /** Of balls around the solutions; the sketch stands in for them. */
+  /** Of balls around the solutions and motions; the sketch stands in for them. */
   radius() {
-    const figures = this.scene.solutions.slice();
+    const motions = this.scene.curves.filter((curve) => curve.constraint === "");
+    const figures = this.scene.solutions.concat(motions.flatMap((motion) => motion.figures));
     if (figures.length === 0 && this.path) figures.push(ScenePanel.ofPoints(this.path.atRow(0).points));
     return Math.max(...figures.map((figure) => FigureView.reach(this.scene, figure)));
   }
 
   static ofPoints(points) { return { points, lines: [], planes: [] }; }
 
-  /** Whether there is a way to the goal: along S, or from another solution. */
-  static moves(goal) { return goal.row !== null || goal.stops.length > 1; }
+  /** Whether there is a way to the goal: along S or a curve, or from another solution. */
+  static moves(goal) { return goal.row !== null || goal.curve !== undefined || goal.stops.length > 1; }
 
   /** What can be shown: once around S, from the sketch to each crossing, each solution that is not on S from the one before
-      it, and all of those one after another. `stops`: the solutions on the way. */
+      it, all of those one after another, motions, and edges of the graph. `stops`: the solutions on the way; `curve`: its
+      number. */
   fillGoals() {
     this.goals = [];
     const met = new Set();
@@ -68,6 +71,11 @@ class ScenePanel {
     if (others.length > 1)
       this.goals.push({ group: "all of them", text: "one after another, back to the first", row: null, solution: null,
                         stops: [...others, others[0]] });
+    this.scene.curves.forEach(({ label, constraint, from, to }, curve) => this.goals.push({
+      group: constraint === "" ? "motions" : label,
+      text: constraint === "" ? label : `solution ${from + 1} to ${to + 1}`,
+      row: null, solution: null, curve, stops: [],
+    }));
     const groups = new Map();
     this.goals.forEach((goal, i) => {
       if (!groups.has(goal.group)) groups.set(goal.group, new OptionGroup(goal.group));
@@ -99,7 +107,8 @@ class ScenePanel {
     this.stop();
     if (this.goals.length === 0) return;
     const moves = ScenePanel.moves(this.goal);
-    this.find("way").textContent = this.goal.row === null && moves ? "Between solutions" : "Along S";
+    this.find("way").textContent = this.goal.curve !== undefined ? "Along the curve"
+      : this.goal.row === null && moves ? "Between solutions" : "Along S";
     this.find("slider").disabled = this.find("play").disabled = !moves;
     this.find("slider").value = this.find("slider").max;
     this.move();
@@ -107,7 +116,8 @@ class ScenePanel {
 
   /** Shows the place of the slider. */
   move() {
-    if (this.goal.row === null) this.moveBetweenSolutions();
+    if (this.goal.curve !== undefined) this.moveAlongCurve();
+    else if (this.goal.row === null) this.moveBetweenSolutions();
     else this.moveAlongPath();
   }
 
@@ -123,6 +133,17 @@ class ScenePanel {
     this.display(FigureWalk.at(this.scene, solutions[a], solutions[b], part), null);
     const words = this.shown === null ? `between solutions ${a + 1} and ${b + 1}: moved from one to the other, no solution`
       : `solution ${this.shown + 1}${this.path ? ", not on S" : ""}`;
+    slider.setAttribute("aria-valuetext", words);
+    this.find("where").textContent = words;
+  }
+
+  moveAlongCurve() {
+    const { label, from, to, figures } = this.scene.curves[this.goal.curve];
+    const slider = this.find("slider");
+    const part = Number(slider.value) / Number(slider.max);
+    this.shown = part === 0 ? from : part === 1 ? to : null;
+    this.display(FigureWalk.along(figures, part), null);
+    const words = this.shown === null ? label : `solution ${this.shown + 1}`;
     slider.setAttribute("aria-valuetext", words);
     this.find("where").textContent = words;
   }
@@ -160,6 +181,19 @@ class ScenePanel {
     else if (this.plot) this.plot.here.removeAttribute("cx");
     this.fillCoordinates(figure);
     this.views.forEach((view, i) => view.svg.parentElement.setAttribute("aria-pressed", i === this.shown));
+    if (this.graph) this.graph.mark({ solution: this.shown, curve: this.goal.curve ?? null });
+  }
+
+  makeGraph() {
+    if (this.find("graph") === null) return;
+    this.graph = new GraphPlot(this.find("graph"), this.find("edges"), this.find("constraints"),
+                               this.scene.solutions.length, this.scene.curves);
+    this.graph.onnode = (solution) => this.goTo(solution);
+    this.graph.onedge = (curve) => {
+      this.find("goal").value = this.goals.findIndex((goal) => goal.curve === curve);
+      this.choose();
+      this.play();
+    };
   }
 
   /** The coordinates of what is shown, beside those of the solution as it is listed. */
@@ -294,7 +328,8 @@ class ScenePanel {
     }
     const slider = this.find("slider");
     const max = Number(slider.max);
-    const seconds = this.goal.row === null ? ScenePanel.secondsOfWalk * (this.goal.stops.length - 1)
+    const seconds = this.goal.row === null && this.goal.curve === undefined
+      ? ScenePanel.secondsOfWalk * (this.goal.stops.length - 1)
       : ScenePanel.secondsOfPath;
     let from = Number(slider.value) === max ? 0 : Number(slider.value);
     let start = null;

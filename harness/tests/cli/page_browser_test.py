@@ -35,6 +35,14 @@ HOSTILE = {
 }
 
 
+# Its second triangle goes round.
+PRISM = {
+    "format": "gcsbench-instance/1", "id": "prism", "dimension": 2, "points": list("abcdef"),
+    "constraints": [{"id": pair, "type": "distance", "between": list(pair), "length": 1}
+                    for pair in ("ab", "bc", "ca", "de", "ef", "fd", "ad", "be", "cf")],
+}
+
+
 def run(*arguments):
     done = command_line.run("--quiet", *arguments)
     if done.returncode != DONE:
@@ -132,7 +140,11 @@ class Page(unittest.TestCase):
             path.write_text(json.dumps(scene))
         run("tables", "general", "--instances", ",".join(map(str, general)), "--strategies", "newton-multistart",
             "--repetitions", 1, "--out", cls.folder / "general")
-        run("report", *(cls.folder / name for name in ("run", "lines", "general")), "--format", "html")
+        prism = cls.folder / "prism.json"
+        prism.write_text(json.dumps(PRISM))
+        run("tables", "table1", "--instances", f"disulfide,{prism}", "--strategies", "explore,monodromy",
+            "--repetitions", 1, "--out", cls.folder / "moving")
+        run("report", *(cls.folder / name for name in ("run", "lines", "general", "moving")), "--format", "html")
         cls.page = cls.folder / "run" / "report.html"
         cls.browser = devtools.Browser(BROWSER)
         cls.addClassCleanup(cls.browser.close)
@@ -384,6 +396,62 @@ class Page(unittest.TestCase):
         x, y = self.middle("k33", "plot")
         self.browser.click((x + 40, y))
         self.assertGreater(max(map(math.dist, before, self.drawn_points("k33"))), 1)
+
+    def slide(self, instance, part):
+        """The coordinates shown at that part of the way."""
+        self.evaluate(f"(s => {{ s.value = {part} * s.max; s.dispatchEvent(new Event('input')); return 0; }})"
+                      f"({self.part(instance, 'slider')})")
+        return {point: shown for point, (shown, _) in self.coordinates(instance).items()}
+
+    def goal(self, instance, group):
+        """The value of the first way of that group."""
+        return self.evaluate(f"[...{self.part(instance, 'goal')}.querySelectorAll('optgroup')]"
+                             f".find(g => g.label === {json.dumps(group)}).querySelector('option').value")
+
+    def test_a_motion_keeps_all_distances(self):
+        self.opened("prism")
+        self.choose("prism", "goal", self.goal("prism", "motions"))
+        places = [self.slide("prism", k / 8) for k in range(9)]
+        for points in places:
+            for constraint in PRISM["constraints"]:
+                a, b = constraint["between"]
+                self.assertAlmostEqual(math.dist(points[a], points[b]), 1, delta=1e-2)
+        for before, after in itertools.pairwise(places):
+            self.assertGreater(max(math.dist(before[p], after[p]) for p in before), 0.2, "an eighth of a turn")
+        self.assertLess(max(math.dist(places[0][p], places[-1][p]) for p in places[0]), 1e-3, "it is closed")
+
+    def test_the_graph_leads_from_solution_to_solution(self):
+        scene = self.opened("disulfide")
+        lengths = {c["id"]: (c["between"], length(c)) for c in scene["instance"]["constraints"]}
+        graph = self.part("disulfide", "graph")
+        self.assertEqual(self.evaluate(f"{graph}.querySelectorAll('.node').length"), len(scene["solutions"]))
+        self.click(f"{graph}.querySelector('[data-solution=\"4\"] circle')")
+        for point, (shown, listed) in self.coordinates("disulfide").items():
+            self.assertEqual(shown, listed)
+            self.assertLess(math.dist(shown, scene["solutions"][4]["points"][point]), 1e-5)
+        self.choose("disulfide", "edges", "all")
+        self.assertEqual(self.evaluate(f"{graph}.querySelectorAll('.edge-of-graph').length"), len(scene["curves"]))
+        number = int(self.evaluate(f"[...{graph}.querySelectorAll('.edge-of-graph')].at(-1).dataset.curve"))
+        self.evaluate(f"{graph}.querySelector('[data-curve=\"{number}\"] .reach')"
+                      ".dispatchEvent(new Event('click', {bubbles: true}))")
+        curve = scene["curves"][number]
+        self.assertEqual(self.evaluate(f"{self.part('disulfide', 'play')}.textContent"), "Stop", "it moves")
+        self.evaluate(f"{self.part('disulfide', 'play')}.click()")
+        for part, released in ((0, set()), (3 / 11, {curve["constraint"]}), (1, set())):
+            points = self.slide("disulfide", part)
+            for constraint, ((a, b), given) in lengths.items():
+                if constraint not in released:
+                    self.assertAlmostEqual(math.dist(points[a], points[b]), given, delta=1e-2)
+        first, last = scene["solutions"][curve["from"]]["points"], scene["solutions"][curve["to"]]["points"]
+        for part, solution in ((0, first), (1, last)):
+            points = self.slide("disulfide", part)
+            for a, b in itertools.combinations(points, 2):
+                self.assertAlmostEqual(math.dist(points[a], points[b]), math.dist(solution[a], solution[b]), delta=1e-2)
+
+    def click(self, element):
+        self.evaluate(f"{element}.scrollIntoView({{block: 'center'}})")
+        self.browser.click(self.evaluate(
+            f"(b => [b.x + b.width / 2, b.y + b.height / 2])({element}.getBoundingClientRect())"))
 
     def test_narrow_screens_show_all_of_it(self):
         self.browser.send("Emulation.setDeviceMetricsOverride", width=380, height=800, deviceScaleFactor=1,

@@ -2,12 +2,15 @@
 
 #include "harness/runs/shown_scene_files.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <set>
 
 #include "harness/report/page.hpp"
 #include "harness/report/page_scene.hpp"
 #include "harness/tests/runs/stored_scenes.hpp"
+#include "solvers/figures/congruence.hpp"
 
 using namespace gcs;
 
@@ -32,6 +35,39 @@ constexpr std::string_view chain = R"({
   "constraints": [{"type": "distance", "between": ["a", "b"], "length": 1},
                   {"type": "distance", "between": ["a", "c"], "length": 0.7},
                   {"type": "distance", "between": ["b", "c"], "length": 0.6}]})";
+
+/// Two regular triangles with corresponding corners at distance 1: the second one goes round on a parallelogram's crank.
+constexpr std::string_view prism = R"({
+  "format": "gcsbench-instance/1", "id": "prism", "dimension": 2, "points": ["a", "b", "c", "d", "e", "f"],
+  "constraints": [{"type": "distance", "between": ["a", "b"], "length": 1},
+                  {"type": "distance", "between": ["b", "c"], "length": 1},
+                  {"type": "distance", "between": ["c", "a"], "length": 1},
+                  {"type": "distance", "between": ["d", "e"], "length": 1},
+                  {"type": "distance", "between": ["e", "f"], "length": 1},
+                  {"type": "distance", "between": ["f", "d"], "length": 1},
+                  {"type": "distance", "between": ["a", "d"], "length": 1},
+                  {"type": "distance", "between": ["b", "e"], "length": 1},
+                  {"type": "distance", "between": ["c", "f"], "length": 1}]})";
+
+/// What make_scene makes of the instance in a run with that cell, stored and read again.
+StoredScene scene_with_cell(const Instance& instance, const std::string& strategy, RunStatus status) {
+  RunFile run;
+  CellRecord& cell = run.cells.emplace_back();
+  cell.spec = {instance.id, strategy, {}};
+  cell.status = status;
+  SilentMonitor monitor;
+  const TestFolder folder;
+  store_scene(make_scene(instance, Scene(instance.problem), run, monitor), folder / "");
+  return *load_scene(folder / "", instance.id);
+}
+
+/// The largest error of a distance but that of constraint `left_out`.
+double largest_error(const ProblemStatement& problem, const Figure& figure, const std::string& left_out) {
+  double error = 0;
+  for (const DistanceConstraint& c : problem.constraints)
+    if (c.id != left_out) error = std::max(error, std::abs(distance(figure, c) - c.length()));
+  return error;
+}
 
 }  // namespace
 
@@ -135,6 +171,43 @@ TEST_CASE("solutions of general scenes are certified, and their number proven wh
   CHECK(planes.record.are_proven);
   CHECK(planes.record.has_all_real);
   CHECK(planes.record.is_real_proven);
+}
+
+TEST_CASE("a motion that a cell found is stored, all the way round") {
+  const Instance instance = parse_instance(std::string(prism), "prism.json");
+  const StoredScene scene = scene_with_cell(instance, "monodromy", RunStatus::infinite);
+  REQUIRE_FALSE(scene.record.curves.empty());
+  for (const ShownCurve& curve : scene.record.curves) {
+    CHECK(curve.constraint.empty());
+    CHECK_FALSE(curve.from);
+    CHECK(curve.label.find("closed") != std::string::npos);
+    REQUIRE(curve.figures.size() > 20);
+    for (const Figure& figure : curve.figures) CHECK(largest_error(instance.problem, figure, "") < 1e-4);
+    CHECK((curve.figures.front().points - curve.figures.back().points).norm() < 1e-4);
+  }
+  CHECK(scene_with_cell(instance, "monodromy", RunStatus::complete).record.curves.empty());
+}
+
+TEST_CASE("the graph that explore walks is stored with figures that meet every value but one") {
+  const Instance instance = load_instance("disulfide");
+  const ProblemStatement& problem = instance.problem;
+  const StoredScene scene = scene_with_cell(instance, "explore", RunStatus::complete);
+  const double size = std::ldexp(Scene(problem).size(), Scene(problem).unit_exponent());
+  // Distances alone hold it: of each value each solution is on one closed curve, and has a next one.
+  REQUIRE(scene.record.curves.size() == scene.record.solutions.size() * problem.constraints.size());
+  for (const ShownCurve& curve : scene.record.curves) {
+    REQUIRE((curve.from && curve.to));
+    const auto solution = [&](const std::optional<int>& number) -> const Figure& {
+      return scene.record.solutions[static_cast<std::size_t>(*number)].figure;
+    };
+    CHECK((curve.figures.front().points - solution(curve.from).points).norm() < 1e-4 * size);
+    CHECK(may_be_congruent(complex_points(curve.figures.back()), complex_points(solution(curve.to)),
+                           1e-4 * size));
+    for (const Figure& figure : curve.figures)
+      CHECK(largest_error(problem, figure, curve.constraint) < 1e-4 * size);
+  }
+  const std::string text = to_json_text(scene.record);
+  CHECK(to_json_text(parse_shown_scene(text, "scene.json")) == text);
 }
 
 TEST_CASE("of a scene that is too large to draw only the instance is stored") {

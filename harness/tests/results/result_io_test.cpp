@@ -177,10 +177,13 @@ TEST_CASE("figures along a curve are written where they were kept") {
 TEST_CASE("a motion is written with the curve that was followed, if there is one") {
   SolveRun run = toy_run();
   const Figure figure = run.solutions[0].placement();
-  run.motions.push_back({.coincident = {{0, 1}}, .figure = figure});
-  run.motions.push_back({.is_proven = false,
-                         .figure = figure,
-                         .curve = {{figure, figure, figure}, PathRecord::End::at_infinity, 0.5}});
+  run.motions.resize(2);
+  run.motions[0].coincident = {{0, 1}};
+  run.motions[0].figure = figure;
+  Motion& apparent = run.motions[1];
+  apparent.is_proven = false;
+  apparent.figure = figure;
+  apparent.curve = {{figure, figure, figure}, PathRecord::End::at_infinity, 0.5};
   const Json motions = parsed(run)["motions"];
   CHECK(motions[0]["proven"] == true);
   CHECK(motions[0]["curve"].is_null());

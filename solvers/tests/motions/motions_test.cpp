@@ -11,6 +11,7 @@
 #include "solvers/solving/problem.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/tests/random_numbers.hpp"
+#include "solvers/tests/sample_problems.hpp"
 
 using namespace gcs;
 using namespace gcs::samples;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/instance_bodies.hpp"
 #include "solvers/reading/relation_words.hpp"
@@ -14,28 +15,6 @@ JsonValue decimal_value(double value, const std::string& text) {
   JsonValue result = json_number(value);
   if (!text.empty()) result.text = text;
   return result;
-}
-
-/// Precondition: the point is fixed.
-JsonValue fixed_point_value(const ProblemStatement& problem, std::size_t point) {
-  JsonValue value = json_coordinates(*problem.fixed_points[point], problem.dimension);
-  if (problem.fixed_point_texts.empty()) return value;
-  for (std::size_t axis = 0; axis < value.elements.size(); ++axis)
-    value.elements[axis] = decimal_value(value.elements[axis].number, problem.fixed_point_texts[point][axis]);
-  return value;
-}
-
-JsonValue fixed_value(const ProblemStatement& problem) {
-  JsonMembers members;
-  for (std::size_t i = 0; i < problem.fixed_points.size(); ++i)
-    if (problem.fixed_points[i]) members.emplace_back(problem.points[i], fixed_point_value(problem, i));
-  for (std::size_t i = 0; i < problem.fixed_lines.size(); ++i)
-    if (const auto& line = problem.fixed_lines[i])
-      members.emplace_back(problem.lines[i], json_line_position(*line, problem.dimension));
-  for (std::size_t i = 0; i < problem.fixed_planes.size(); ++i)
-    if (const auto& plane = problem.fixed_planes[i])
-      members.emplace_back(problem.planes[i], json_plane_position(*plane));
-  return json_object(std::move(members));
 }
 
 JsonValue distance_value(const ProblemStatement& problem, const DistanceConstraint& constraint) {
@@ -74,7 +53,7 @@ JsonValue constraints_value(const ProblemStatement& problem) {
   return json_array(std::move(constraints));
 }
 
-/// Where the body has the element, as the file writes it.
+/// Where the element is, as the file writes it.
 JsonValue body_element_value(const ProblemStatement& problem, const BodyElement& element) {
   std::vector<JsonValue> numbers;
   for (const Decimal& number : element.numbers) numbers.push_back(decimal_value(number.value, number.text));
@@ -87,14 +66,17 @@ JsonValue body_element_value(const ProblemStatement& problem, const BodyElement&
                                          : json_plane(vector(0), numbers[3]);
 }
 
+JsonValue elements_value(const ProblemStatement& problem, const std::vector<BodyElement>& elements) {
+  JsonMembers members;
+  for (const BodyElement& element : elements)
+    members.emplace_back(problem.name(element.entity), body_element_value(problem, element));
+  return json_object(std::move(members));
+}
+
 JsonValue bodies_value(const ProblemStatement& problem) {
   JsonMembers bodies;
-  for (const RigidBody& body : problem.bodies) {
-    JsonMembers members;
-    for (const BodyElement& element : body.elements)
-      members.emplace_back(problem.name(element.entity), body_element_value(problem, element));
-    bodies.emplace_back(body.name, json_object(std::move(members)));
-  }
+  for (const RigidBody& body : problem.bodies)
+    bodies.emplace_back(body.name, elements_value(problem, body.elements));
   return json_object(std::move(bodies));
 }
 
@@ -183,7 +165,7 @@ std::string problem_text(const Scene& scene, const std::string& id) {
       {"lines", free_names(problem, problem.lines, lines)}};
   if (!problem.planes.empty()) members.emplace_back("planes", free_names(problem, problem.planes, planes));
   if (!problem.bodies.empty()) members.emplace_back("bodies", bodies_value(problem));
-  members.emplace_back("fixed", fixed_value(problem));
+  members.emplace_back("fixed", elements_value(problem, given_elements(problem)));
   members.emplace_back("constraints", constraints_value(problem));
   if (auto frame = frame_value(scene)) members.emplace_back("reference", std::move(*frame));
   if (problem.sketch) {

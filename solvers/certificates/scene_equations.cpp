@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
@@ -18,6 +19,10 @@ enum LinePart { point = 0, direction = 1, moment = 2 };
 
 /// Changing the signs of a line's direction and moment together gives the same line.
 constexpr SignMask first_line_mirror = SignMask{1} << 3;
+
+bool has_general_equations(const ProblemStatement& problem) {
+  return problem.is_general() || has_given_line(problem);
+}
 
 bool is_free_beside_given_points(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
@@ -40,16 +45,13 @@ ScaledUnknown minus(int unknown) { return {unknown, exactly(-1)}; }
 
 std::optional<std::string> why_not_certified(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
-  if (problem.is_general()) {
+  if (has_general_equations(problem)) {
     if (auto reason = why_no_system(scene)) return reason;
     const QuadraticSystem system = SceneSystem(scene).equations();
     if (static_cast<int>(system.equations.size()) != system.unknowns)
       return "the scene has not as many equations as unknowns";
     return std::nullopt;
   }
-  if (std::any_of(problem.fixed_lines.begin(), problem.fixed_lines.end(),
-                  [](const auto& line) { return line.has_value(); }))
-    return "a line has a given position, whose equations certificates do not know";
   if (scene.has_lines() && !scene.is_anchored() && (problem.lines.size() > 1 || scene.reference().line < 0))
     return "certificates know one line at most, which the frame puts on the x-axis";
   const auto points = static_cast<int>(problem.points.size());
@@ -60,7 +62,7 @@ std::optional<std::string> why_not_certified(const Scene& scene) {
 }
 
 SceneEquations::SceneEquations(const Scene& scene) : scene_(scene), points_(scene) {
-  if (scene.problem().is_general()) {
+  if (has_general_equations(scene.problem())) {
     general_.emplace(scene);
     return;
   }

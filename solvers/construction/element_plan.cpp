@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/model/given_numbers.hpp"
 
@@ -109,11 +110,10 @@ class Placing {
         instructions_(instructions),
         pairs_(pairs_of(scene)),
         placed_(static_cast<std::size_t>(problem().entity_count())) {
-    for (int p = 0; p < scene.point_count(); ++p)
-      if (scene.fixed_point(p)) placed_[static_cast<std::size_t>(p)] = true;
-    if (has_resting_body())
+    const ProblemStatement with_given = with_given_body(problem());
+    if (with_given.reference_body >= 0)
       for (const BodyElement& element :
-           problem().bodies[static_cast<std::size_t>(problem().reference_body)].elements)
+           with_given.bodies[static_cast<std::size_t>(with_given.reference_body)].elements)
         placed_[static_cast<std::size_t>(element.entity)] = true;
   }
 

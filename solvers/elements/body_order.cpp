@@ -55,8 +55,8 @@ class Ordering {
   explicit Ordering(const ProblemStatement& problem)
       : problem_(problem), hinges_(hinges_of(problem)), is_placed_(problem.bodies.size()) {}
 
-  BodyOrder run(int at_rest) {
-    if (at_rest >= 0) take(at_rest);
+  BodyOrder run() {
+    if (problem_.reference_body >= 0) take(problem_.reference_body);
     while (order_.reason.empty() && order_.steps.size() < is_placed_.size()) take(next());
     return std::move(order_);
   }
@@ -118,7 +118,28 @@ class Ordering {
     return best;
   }
 
+  /// Whether points that it shares with a body before it tell its pose.
+  bool is_held(int body) const {
+    const auto by = [&](int other) {
+      const std::vector<int> points =
+          shared_points(problem_, problem_.bodies[static_cast<std::size_t>(body)],
+                        problem_.bodies[static_cast<std::size_t>(other)]);
+      return points.size() >= 2 &&
+             (problem_.dimension == 2 || std::ranges::any_of(points.begin() + 2, points.end(), [&](int point) {
+                return !are_parallel(body, {points[0], points[1]}, {points[0], point});
+              }));
+    };
+    for (int other = 0; other < static_cast<int>(is_placed_.size()); ++other)
+      if (is_placed(other) && by(other)) return true;
+    return false;
+  }
+
   void take(int body) {
+    if (is_held(body))
+      order_.reason = fmt::format(
+          "the given positions tell the pose of body '{}', and there are equations only where they are of all of "
+          "its elements: give the others too",
+          problem_.bodies[static_cast<std::size_t>(body)].name);
     BodyStep step{body, {}, -1, {}, {}};
     for (const Hinge& hinge : hinges_)
       if (hinge.joins(body) && is_placed(hinge.other(body))) add_known(hinge, step);
@@ -203,6 +224,6 @@ class Ordering {
 
 }  // namespace
 
-BodyOrder body_order(const ProblemStatement& problem, int at_rest) { return Ordering(problem).run(at_rest); }
+BodyOrder body_order(const ProblemStatement& problem) { return Ordering(problem).run(); }
 
 }  // namespace gcs

@@ -32,8 +32,8 @@ struct BodyOrder {
   std::string reason;               ///< why there are no equations for these hinges; empty: there are
 };
 
-/// A step takes a body that is hinged to one before it, where there is one, otherwise one with a point of those before:
+/// At rest is the body that the frame is put in. A step takes a body that is hinged to one before it, where there is one, otherwise one with a point of those before:
 /// first those that would close a loop badly, since they have parallel hinges or more than two.
-BodyOrder body_order(const ProblemStatement& problem, int at_rest);
+BodyOrder body_order(const ProblemStatement& problem);
 
 }  // namespace gcs

@@ -4,7 +4,7 @@
 
 #include "solvers/elements/body_order.hpp"
 #include "solvers/elements/element_kinds.hpp"
-#include "solvers/model/given_numbers.hpp"
+#include "solvers/elements/given_elements.hpp"
 
 namespace gcs {
 namespace {
@@ -13,6 +13,7 @@ class Placing {
  public:
   explicit Placing(SystemBuilder& builder)
       : builder_(builder),
+        with_given_(with_given_body(builder.problem())),
         has_point_(problem().points.size()),
         has_line_(problem().lines.size()),
         has_plane_(problem().planes.size()) {}
@@ -29,9 +30,10 @@ class Placing {
   const ProblemStatement& problem() const { return builder_.problem(); }
 
   void place_bodies() {
-    const BodyOrder order = body_order(problem(), builder_.frame().body());
+    const BodyOrder order = body_order(with_given_);
     std::vector<VectorForm> axes(order.axes.size());
     for (const BodyStep& step : order.steps) {
+      if (with_given_.bodies[index(step.body)].elements.empty()) continue;
       builder_.begin(owner_of_joints(step.body));
       const PlacedBody body = placed(step, order, axes);
       for (std::size_t i = 0; i < step.further.size(); ++i) axes[index(step.further[i])] = body.directions[i];
@@ -41,10 +43,10 @@ class Placing {
   }
 
   PlacedBody placed(const BodyStep& step, const BodyOrder& order, const std::vector<VectorForm>& axes) {
-    const RigidBody& body = problem().bodies[index(step.body)];
+    const RigidBody& body = with_given_.bodies[index(step.body)];
     std::vector<BodyDirection> further;
     for (const int axis : step.further) further.push_back(order.axes[index(axis)]);
-    if (step.body == builder_.frame().body()) return body_at_rest(builder_, body, further);
+    if (step.body == with_given_.reference_body) return body_at_rest(builder_, body, further);
     if (step.known.empty())
       return free_body(builder_, body, step.origin < 0 ? std::nullopt : std::optional(step.origin), further);
     const auto known = [&](const BodyStep::Use& use) {
@@ -103,8 +105,6 @@ class Placing {
   }
 
   LinearForm coordinate(int point, int axis) {
-    const Scene& scene = builder_.scene();
-    if (scene.fixed_point(point)) return constant_form(given_coordinate(scene, point, axis));
     if (builder_.frame().is_zero(point, axis)) return {};
     const LinearForm form = builder_.unknown(builder_.frame().axis(axis));
     builder_.define([point, axis](const Placement& at, const ComplexValues&) {
@@ -153,6 +153,7 @@ class Placing {
   }
 
   SystemBuilder& builder_;
+  ProblemStatement with_given_;
   std::vector<bool> has_point_, has_line_, has_plane_;
 };
 

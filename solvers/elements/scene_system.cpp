@@ -9,6 +9,7 @@
 #include "solvers/elements/body_order.hpp"
 #include "solvers/elements/constraint_types.hpp"
 #include "solvers/elements/element_kinds.hpp"
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/scene_elements.hpp"
 #include "solvers/elements/stated_signs.hpp"
 
@@ -18,26 +19,16 @@ namespace {
 constexpr std::size_t most_turnings = 56;
 
 std::optional<std::string> why_no_bodies(const Scene& scene) {
-  const ProblemStatement& problem = scene.problem();
-  for (const RigidBody& body : problem.bodies) {
+  const ProblemStatement problem = with_given_body(scene.problem());
+  for (const RigidBody& body : scene.problem().bodies)
     if (auto reason = why_no_pose(problem, body, -scene.unit_exponent())) return reason;
-    for (const BodyElement& element : body.elements)
-      if (!problem.is_point(element.entity) && bodies_with(problem, element.entity).size() > 1)
-        return fmt::format(
-            "'{}' is a line or a plane of several bodies, for which there are no equations yet",
-            problem.name(element.entity));
-  }
-  std::string reason = body_order(problem, SceneFrame(scene).body()).reason;
+  for (int entity = problem.line_entity(0); entity < problem.entity_count(); ++entity)
+    if (bodies_with(problem, entity).size() > 1)
+      return fmt::format("'{}' is a line or a plane of {}, for which there are no equations yet",
+                         problem.name(entity),
+                         problem.is_fixed(entity) ? "a body and has a given position" : "several bodies");
+  std::string reason = body_order(problem).reason;
   return reason.empty() ? std::nullopt : std::optional(std::move(reason));
-}
-
-std::optional<std::string> why_no_positions(const ProblemStatement& problem) {
-  const auto points = static_cast<int>(problem.points.size());
-  for (int entity = points; entity < problem.entity_count(); ++entity)
-    if (problem.is_fixed(entity))
-      return fmt::format("'{}' has a given position; there are equations for fixed points only yet",
-                         problem.name(entity));
-  return std::nullopt;
 }
 
 std::optional<std::string> why_no_relation(const ProblemStatement& problem) {
@@ -91,7 +82,6 @@ std::optional<std::string> why_no_system(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   if (auto reason = why_no_frame(scene)) return reason;
   if (auto reason = why_no_bodies(scene)) return reason;
-  if (auto reason = why_no_positions(problem)) return reason;
   if (auto reason = why_no_relation(problem)) return reason;
   const auto turned = static_cast<std::size_t>(
       std::ranges::count_if(problem.relations, [](const Relation& r) { return r.sign == 0; }));

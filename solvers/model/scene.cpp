@@ -23,6 +23,8 @@ double fixed_extent(const ProblemStatement& problem) {
         extent = std::max(extent, problem.fixed_points[end]->cwiseAbs().maxCoeff());
   for (const auto& line : problem.fixed_lines)
     if (line) extent = std::max(extent, line->point.cwiseAbs().maxCoeff());
+  for (const auto& plane : problem.fixed_planes)
+    if (plane) extent = std::max(extent, std::abs(plane->offset));
   return extent;
 }
 

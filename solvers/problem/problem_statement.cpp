@@ -54,6 +54,11 @@ std::vector<BentLength> bent_lengths(const ProblemStatement& problem) {
   return {{choice.bent >= 0 ? choice.bent : static_cast<int>(problem.constraints.size()) - 1, {choice.bend}}};
 }
 
+std::size_t fixed_text_row(const ProblemStatement& problem, int entity) {
+  const auto points = static_cast<int>(problem.points.size());
+  return static_cast<std::size_t>(std::min(entity, points) + 2 * std::max(0, entity - points));
+}
+
 bool is_flat(const RigidBody& body, int dimension) {
   const auto d = static_cast<std::size_t>(dimension);
   return std::all_of(body.elements.begin(), body.elements.end(), [&](const BodyElement& element) {

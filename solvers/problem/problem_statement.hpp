@@ -142,8 +142,9 @@ struct ProblemStatement {
   std::vector<DistanceConstraint> constraints;
   std::vector<std::optional<Eigen::Vector3d>> fixed_points;  ///< one per point
   std::vector<std::optional<LinePosition>> fixed_lines;      ///< one per line
-  /// The decimal texts of the coordinates in fixed_points, which are exact; empty: those are.
-  std::vector<std::array<std::string, 3>> fixed_point_texts;
+  /// The decimal texts of given positions, which are exact; empty: the doubles are. By points; after them two for each
+  /// line, its point and its direction, and two for each plane, its normal and, first of three, its offset.
+  std::vector<std::array<std::string, 3>> fixed_texts;
   std::optional<Reference> reference;
   std::optional<Figure> sketch;
   InterpolationChoice interpolation;
@@ -193,6 +194,9 @@ enum class Convention { in_the_given_frame, up_to_motion, up_to_reflection };
 /// The convention of a problem: in the given frame where there are positions; up to motion with an orientation or
 /// with a body that is not flat; otherwise up to reflection.
 Convention convention_of(const ProblemStatement& problem);
+
+/// The row of fixed_texts that an entity's texts begin in.
+std::size_t fixed_text_row(const ProblemStatement& problem, int entity);
 
 /// Whether a body has nothing but points whose last coordinate is 0: then it is its own mirror image.
 bool is_flat(const RigidBody& body, int dimension);

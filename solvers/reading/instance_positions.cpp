@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/numeric/svd.hpp"
 #include "solvers/reading/element_position.hpp"
 #include "solvers/reading/instance_names.hpp"
@@ -39,12 +40,26 @@ Positions read_positions(const JsonCursor& cursor, const ProblemStatement& probl
   return positions;
 }
 
-std::vector<std::array<std::string, 3>> point_texts(const JsonCursor& cursor,
-                                                    const ProblemStatement& problem) {
-  std::vector<std::array<std::string, 3>> texts(problem.points.size());
+/// See ProblemStatement::fixed_texts.
+std::vector<std::array<std::string, 3>> position_texts(const JsonCursor& cursor,
+                                                       const ProblemStatement& problem) {
+  std::vector<std::array<std::string, 3>> texts(problem.points.size() + 2 * problem.lines.size() +
+                                                2 * problem.planes.size());
   for (const auto& [name, position] : cursor.members()) {
     const int entity = entity_number(problem, name, position);
-    if (problem.is_point(entity)) texts[entity] = position.coordinate_texts(problem.dimension);
+    const std::size_t row = fixed_text_row(problem, entity);
+    const auto texts_of = [&](const char* member, int count) {
+      return position.required(member).coordinate_texts(count);
+    };
+    if (problem.is_point(entity)) {
+      texts[row] = position.coordinate_texts(problem.dimension);
+    } else if (problem.is_line(entity)) {
+      texts[row] = texts_of("point", problem.dimension);
+      texts[row + 1] = texts_of("direction", problem.dimension);
+    } else {
+      texts[row] = texts_of("normal", 3);
+      texts[row + 1][0] = position.required("offset").number().text;
+    }
   }
   return texts;
 }
@@ -231,7 +246,7 @@ void read_fixed(const JsonCursor& fixed, ProblemStatement& problem) {
   problem.fixed_points = std::move(positions.points);
   problem.fixed_lines = std::move(positions.lines);
   problem.fixed_planes = std::move(positions.planes);
-  problem.fixed_point_texts = point_texts(fixed, problem);
+  problem.fixed_texts = position_texts(fixed, problem);
 }
 
 void require_still(const JsonCursor& fixed, const ProblemStatement& problem) {

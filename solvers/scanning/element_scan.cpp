@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solvers/elements/body_motion.hpp"
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
@@ -52,13 +53,11 @@ class ElementScan {
 
   /// What is fixed or rests in the frame.
   Figure start() const {
-    const ProblemStatement& problem = scene_.problem();
+    const ProblemStatement problem = with_given_body(scene_.problem());
     Figure figure;
     figure.points = Eigen::Matrix3Xd::Zero(3, scene_.point_count());
     figure.lines.resize(problem.lines.size());
     figure.planes.resize(problem.planes.size());
-    for (int p = 0; p < scene_.point_count(); ++p)
-      if (const auto position = scene_.fixed_point(p)) figure.points.col(p) = *position;
     if (problem.reference_body >= 0)
       for (const BodyElement& element :
            problem.bodies[static_cast<std::size_t>(problem.reference_body)].elements)

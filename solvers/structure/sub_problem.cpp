@@ -48,9 +48,20 @@ class Renumbering {
     problem_.lines = kept(whole_.lines, entities_, line);
     problem_.planes = kept(whole_.planes, entities_, plane);
     problem_.fixed_points = kept(whole_.fixed_points, entities_, 0);
-    problem_.fixed_point_texts = kept(whole_.fixed_point_texts, entities_, 0);
+    take_fixed_texts();
     problem_.fixed_lines = kept(whole_.fixed_lines, entities_, line);
     problem_.fixed_planes = kept(whole_.fixed_planes, entities_, plane);
+  }
+
+  void take_fixed_texts() {
+    const std::vector<std::array<std::string, 3>>& all = whole_.fixed_texts;
+    for (const int entity : entities_) {
+      const std::size_t first = std::min(all.size(), fixed_text_row(whole_, entity)),
+                        last = std::min(all.size(), fixed_text_row(whole_, entity + 1));
+      problem_.fixed_texts.insert(problem_.fixed_texts.end(),
+                                  all.begin() + static_cast<std::ptrdiff_t>(first),
+                                  all.begin() + static_cast<std::ptrdiff_t>(last));
+    }
   }
 
   void take_constraints() {

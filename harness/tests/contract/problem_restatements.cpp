@@ -37,7 +37,7 @@ struct Renumbering {
 template <class Value>
 std::vector<Value> reordered(const std::vector<Value>& values, const std::vector<int>& now) {
   std::vector<Value> result = values;
-  for (std::size_t i = 0; i < values.size(); ++i) result[now[i]] = values[i];
+  for (std::size_t i = 0; i < std::min(values.size(), now.size()); ++i) result[now[i]] = values[i];
   return result;
 }
 
@@ -157,8 +157,7 @@ Restatement relabelled(const ProblemStatement& problem, std::mt19937_64& random)
     for (BodyElement& element : body.elements) renumbering.apply(element.entity);
   if (!problem.fixed_points.empty())
     restated.fixed_points = reordered(problem.fixed_points, result.point_now);
-  if (!problem.fixed_point_texts.empty())
-    restated.fixed_point_texts = reordered(problem.fixed_point_texts, result.point_now);
+  restated.fixed_texts = reordered(problem.fixed_texts, result.point_now);
   if (restated.reference) renumber(*restated.reference, renumbering);
   if (restated.sketch) restated.sketch = reordered(*problem.sketch, result.point_now);
   for (PlanStep& step : restated.construction) renumber(step, renumbering);
@@ -187,7 +186,7 @@ Restatement mirrored(const ProblemStatement& problem) {
   if (result.problem.sketch) mirror(*result.problem.sketch);
   for (auto& point : result.problem.fixed_points)
     if (point) mirror(*point);
-  for (auto& texts : result.problem.fixed_point_texts)
+  for (auto& texts : result.problem.fixed_texts)
     if (!texts[0].empty()) texts[0] = texts[0].starts_with('-') ? texts[0].substr(1) : "-" + texts[0];
   for (auto& line : result.problem.fixed_lines)
     if (line) mirror(*line);
@@ -221,8 +220,8 @@ Restatement scaled(const ProblemStatement& problem, int exponent) {
   if (restated.sketch) scale(*restated.sketch, factor);
   for (auto& point : restated.fixed_points)
     if (point) scale(*point, factor);
-  for (auto& texts : restated.fixed_point_texts)
-    for (std::string& text : texts)
+  for (std::size_t i = 0; i < std::min(restated.fixed_texts.size(), restated.points.size()); ++i)
+    for (std::string& text : restated.fixed_texts[i])
       if (!text.empty()) text = times_power_of_two(text, exponent);
   for (auto& line : restated.fixed_lines)
     if (line) scale(*line, factor);

@@ -289,7 +289,7 @@ TEST_CASE("a file of distances is the same problem in both formats") {
       CHECK(first.constraints[i].is_squared == second.constraints[i].is_squared);
     }
     CHECK(first.fixed_points == second.fixed_points);
-    CHECK(first.fixed_point_texts == second.fixed_point_texts);
+    CHECK(first.fixed_texts == second.fixed_texts);
     CHECK(first.reference.has_value() == second.reference.has_value());
     REQUIRE(first.sketch.has_value() == second.sketch.has_value());
     if (first.sketch) CHECK(first.sketch->points == second.sketch->points);
@@ -366,5 +366,5 @@ TEST_CASE("the shipped scenes of all elements say what their files say") {
   CHECK(octahedral.sketch->planes[2].offset == Approx(-0.236433557313 / length));
   const ProblemStatement two_lines = gcs::load_instance("two-lines").problem;
   CHECK(two_lines.sketch->points.col(0) == Eigen::Vector3d(-1.382585, 0.041213, -1.423988));
-  CHECK(two_lines.fixed_point_texts[3][2] == "1.829177");
+  CHECK(two_lines.fixed_texts[3][2] == "1.829177");
 }

@@ -59,7 +59,7 @@ void check_same(const ProblemStatement& a, const ProblemStatement& b) {
   CHECK(a.fixed_points == b.fixed_points);
   const bool has_fixed = std::any_of(a.fixed_points.begin(), a.fixed_points.end(),
                                      [](const auto& position) { return position.has_value(); });
-  if (has_fixed) CHECK(a.fixed_point_texts == b.fixed_point_texts);
+  if (has_fixed) CHECK(a.fixed_texts == b.fixed_texts);
   REQUIRE(a.constraints.size() == b.constraints.size());
   for (std::size_t i = 0; i < a.constraints.size(); ++i) {
     CHECK(a.constraints[i].id == b.constraints[i].id);

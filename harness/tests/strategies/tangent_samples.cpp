@@ -22,7 +22,7 @@ bool is_same(const AssessedSolution& a, const AssessedSolution& b) {
 
 ProblemStatement spheres(const Eigen::Matrix<double, 3, 4>& centers, const Eigen::Vector4d& distances) {
   ProblemStatement problem = load_instance("tangents-durand").problem;
-  problem.fixed_point_texts.clear();
+  problem.fixed_texts.clear();
   for (int i = 0; i < 4; ++i) {
     problem.fixed_points[i] = Eigen::Vector3d(centers.col(i));
     problem.constraints[i].given = {distances[i], ""};

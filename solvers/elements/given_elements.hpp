@@ -1,0 +1,18 @@
+#pragma once
+/// Elements with given positions as what they are to the rest: a body that does not move.
+
+#include "solvers/problem/problem_statement.hpp"
+
+namespace gcs {
+
+/// Those that have given positions, with the numbers of the file.
+std::vector<BodyElement> given_elements(const ProblemStatement& problem);
+
+/// The problem with these as a further body, the last, which the frame is put in; a body that has no others is empty.
+/// Where there are none, the problem.
+ProblemStatement with_given_body(ProblemStatement problem);
+
+/// Whether a line has a given position: equations of squared lengths do not know it.
+bool has_given_line(const ProblemStatement& problem);
+
+}  // namespace gcs

@@ -11,14 +11,14 @@ std::vector<std::pair<std::string, std::string>> frame_parts(const Scene& scene)
   if (problem.reference_body >= 0)
     return {{"body", problem.bodies[static_cast<std::size_t>(problem.reference_body)].name}};
   std::vector<std::pair<std::string, std::string>> parts;
-  const auto append = [&](const char* part, int index, const std::vector<std::string>& names) {
-    if (index >= 0) parts.emplace_back(part, names[static_cast<std::size_t>(index)]);
+  const auto append = [&](const char* part, int entity) {
+    if (entity >= 0) parts.emplace_back(part, problem.name(entity));
   };
-  append("origin", reference.origin, problem.points);
-  append("axis", reference.axis, problem.points);
-  append("plane", reference.plane, problem.points);
-  append("line", reference.line, problem.lines);
-  append("height", reference.height, problem.points);
+  append("origin", reference.origin);
+  append("axis", reference.axis);
+  append("plane", reference.plane);
+  append("line", reference.line < 0 ? -1 : problem.line_entity(reference.line));
+  append("height", reference.height);
   return parts;
 }
 

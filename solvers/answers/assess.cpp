@@ -29,7 +29,7 @@ constexpr double fold_condition = 1e6;
 /// The most that a coordinate of a point differs by, and of a line's direction or a plane's normal, whichever way it
 /// goes, times `size`.
 double figure_distance(const Figure& a, const Figure& b, double size) {
-  double largest = (a.points - b.points).cwiseAbs().maxCoeff();
+  double largest = (a.points - b.points).lpNorm<Eigen::Infinity>();
   const auto take = [&](const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
     largest = std::max(largest, size * std::min((one - other).norm(), (one + other).norm()));
   };

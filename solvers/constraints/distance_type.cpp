@@ -154,6 +154,31 @@ void distance_line_plane(SystemBuilder& builder, const StatedRelation& stated) {
   builder.add(Equation().plus(apart, apart).equals(given_square(builder, stated.relation)), stated.value);
 }
 
+bool is_same(const VectorForm& a, const VectorForm& b) {
+  const auto unknowns = [](const LinearForm& form) {
+    std::vector<int> found;
+    for (const ScaledUnknown& term : form.terms) found.push_back(term.unknown);
+    return found;
+  };
+  return std::ranges::equal(a, b, {}, unknowns, unknowns) && !is_constant(a);
+}
+
+/// Of parallel planes, as seen from the first: k (n·m) − h = a.
+void distance_plane_plane(SystemBuilder& builder, const StatedRelation& stated) {
+  const PlaneForms &a = builder.plane(stated.relation.of[0].entity), &b = builder.plane(stated.relation.of[1].entity);
+  const ExactNumber length = builder.length(stated.relation.given);
+  if (is_same(a.normal, b.normal)) {
+    builder.add(Equation().plus(b.offset).minus(a.offset).equals(length), stated.value);
+    return;
+  }
+  const LinearForm sense = builder.unknown(a.turning ^ b.turning);
+  builder.define([a, b](const Placement&, const ComplexValues& x) {
+    return ComplexValues{bilinear_product(vector_at(a.normal, x), vector_at(b.normal, x))};
+  });
+  builder.add(Equation().plus(sense).minus(a.normal, b.normal).equals());
+  builder.add(Equation().plus(sense, b.offset).minus(a.offset).equals(length), stated.value);
+}
+
 }  // namespace
 
 ConstraintType distance_type() {
@@ -165,7 +190,7 @@ ConstraintType distance_type() {
            {{point, plane}, distance_point_plane},
            {{line, line}, distance_line_line, in_the_plane},
            {{line, plane}, distance_line_plane, always},
-           {{plane, plane}, nullptr, always}}};
+           {{plane, plane}, distance_plane_plane, always}}};
 }
 
 void state_distance(SystemBuilder& builder, int constraint) {

@@ -28,7 +28,7 @@ void parallel_plane_segment(SystemBuilder& builder, const StatedRelation& stated
 
 }  // namespace
 
-/// Lines that share a direction have it from the start: see place_lines.
+/// Lines that share a direction, and planes that share a normal, have it from the start: see place_elements.
 ConstraintType parallel_type() {
   using enum ConstraintKind::Joined;
   return {"parallel",
@@ -38,7 +38,7 @@ ConstraintType parallel_type() {
            {{segment, segment}, parallel_segments},
            {{line, plane}, parallel_line_plane},
            {{plane, segment}, parallel_plane_segment},
-           {{plane, plane}, nullptr}}};
+           {{plane, plane}, state_nothing, never, true}}};
 }
 
 }  // namespace gcs

@@ -26,6 +26,11 @@ std::vector<int> planes_across(const ProblemStatement& problem, const std::vecto
 PlaneForms free_plane(SystemBuilder& builder, SignMask turning,
                       const std::function<ComplexPlane(const Placement&)>& where);
 
+/// The plane of that number, whose normal is that direction or, where it is open which way it goes, that or the opposite
+/// one: m = s n, s·s = 1. `turning`: of the direction.
+PlaneForms plane_across(SystemBuilder& builder, const VectorForm& direction, SignMask turning,
+                        bool is_either_way, int plane);
+
 /// A plane beyond those of the scene; its unknowns are found by three of the points that it is to go through.
 PlaneForms further_plane(SystemBuilder& builder, const std::vector<int>& through);
 

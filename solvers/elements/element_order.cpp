@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/stated_signs.hpp"
 
 namespace gcs {
@@ -274,13 +275,14 @@ bool place_all(const std::vector<PlacingStep>& steps, int unknowns) {
   return static_cast<int>(placed.size()) == unknowns;
 }
 
-/// Whether nothing is gained: a core is as simple as a simplex, or there is but one step.
+/// Whether nothing is gained: a core is as simple as a simplex or has given positions alone, or there is but one step.
 bool is_trivial(const ElementOrder& order, int unknowns) {
   return order.steps.size() < 2 || !place_all(order.steps, unknowns) ||
          std::ranges::any_of(order.steps, [](const PlacingStep& step) {
            if (!step.is_core()) return false;
            const ProblemStatement& core = step.alone->problem;
-           return !core.is_anchored() && core.bodies.empty() && core.entity_count() < core.dimension + 2;
+           return static_cast<int>(given_elements(core).size()) == core.entity_count() ||
+                  (!core.is_anchored() && core.bodies.empty() && core.entity_count() < core.dimension + 2);
          });
 }
 

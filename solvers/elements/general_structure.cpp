@@ -45,7 +45,7 @@ class GeneralDefect {
       const auto i = static_cast<std::size_t>(e);
       const int owner = system.owner_of()[i];
       if (owner >= 0) owners.insert(owner);
-      if (system.value_of()[i] == gap_value) closing_.insert(body_of_joints(owner));
+      if (system.value_of()[i] == gap_value && owner < no_value) closing_.insert(body_of_joints(owner));
     }
     dependent_.assign(owners.begin(), owners.end());
   }

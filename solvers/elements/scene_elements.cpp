@@ -20,6 +20,7 @@ class Placing {
 
   void run() {
     place_bodies();
+    place_frame();
     place_points();
     place_planes();
     place_lines();
@@ -95,6 +96,75 @@ class Placing {
     equation.plus(constant_form(form.constant));
   }
 
+  /// Lines and planes that the frame is put in.
+  void place_frame() {
+    const Reference& frame = builder_.frame().reference();
+    for (const int entity : {frame.axis, frame.plane, frame.height}) {
+      if (entity < 0 || problem().is_point(entity)) continue;
+      if (problem().is_line(entity)) {
+        builder_.put_line(problem().line_of(entity), line_in_frame(entity));
+        has_line_[index(problem().line_of(entity))] = true;
+      } else {
+        builder_.put_plane(problem().plane_of(entity), plane_in_frame(entity));
+        has_plane_[index(problem().plane_of(entity))] = true;
+      }
+    }
+  }
+
+  /// Of length 1: along the first axis, or in the plane of the first two, or any.
+  VectorForm direction_in_frame(int entity, SignMask turning, const std::function<ComplexValues(const Placement&)>& where) {
+    const SceneFrame& frame = builder_.frame();
+    VectorForm direction;
+    if (entity == frame.reference().axis) {
+      direction[0] = constant_form(exactly(1));
+      return direction;
+    }
+    const int count = entity == frame.reference().plane ? 2 : 3;
+    for (int axis = 0; axis < count; ++axis)
+      direction[index(axis)] = builder_.unknown(frame.axis(axis) ^ turning);
+    builder_.define([where, count](const Placement& at, const ComplexValues&) {
+      ComplexValues values = where(at);
+      values.resize(index(count));
+      return values;
+    });
+    builder_.add(Equation().plus(direction, direction).equals(exactly(1)));
+    return direction;
+  }
+
+  /// Without a point as the origin the first line goes through it, and the second through a point of the third axis.
+  LineForms line_in_frame(int entity) {
+    const SceneFrame& frame = builder_.frame();
+    const bool is_first = entity == frame.reference().axis, has_origin = frame.reference().origin >= 0;
+    const int line = problem().line_of(entity);
+    LineForms forms;
+    forms.turning = is_first ? frame.axis(0) : builder_.new_turning();
+    forms.direction = direction_in_frame(entity, forms.turning, [line](const Placement& at) {
+      return components(at.lines[index(line)].direction, 3);
+    });
+    for (int axis = 0; axis < builder_.dimension(); ++axis) {
+      const bool is_there = has_origin ? !is_first || axis > 0 : !is_first && axis == 2;
+      if (!is_there) continue;
+      forms.foot[index(axis)] = builder_.unknown(frame.axis(axis));
+      builder_.define([line, axis](const Placement& at, const ComplexValues&) {
+        return ComplexValues{at.lines[index(line)].point[axis]};
+      });
+    }
+    if (has_origin && !is_first)
+      builder_.add(Equation().plus(forms.foot, forms.direction).equals());
+    return forms;
+  }
+
+  /// Without a point as the origin planes go through it.
+  PlaneForms plane_in_frame(int entity) {
+    const int plane = problem().plane_of(entity);
+    const SignMask turning = builder_.turning_of_plane(plane);
+    const VectorForm normal = direction_in_frame(entity, turning, [plane](const Placement& at) {
+      return components(at.planes[index(plane)].normal, 3);
+    });
+    if (builder_.frame().reference().origin < 0) return {normal, {}, turning};
+    return plane_across(builder_, normal, turning, false, plane);
+  }
+
   void place_points() {
     for (int point = 0; point < static_cast<int>(has_point_.size()); ++point) {
       if (has_point_[index(point)]) continue;
@@ -114,11 +184,23 @@ class Placing {
   }
 
   void place_planes() {
-    for (int plane = 0; plane < static_cast<int>(has_plane_.size()); ++plane) {
-      if (has_plane_[index(plane)]) continue;
-      builder_.put_plane(plane, free_plane(builder_, builder_.turning_of_plane(plane),
-                                           [plane](const Placement& at) { return at.planes[index(plane)]; }));
+    const std::vector<SharedNormal> normals = shared_normals(problem());
+    for (const bool is_leader : {true, false})
+      for (int plane = 0; plane < static_cast<int>(has_plane_.size()); ++plane)
+        if (!has_plane_[index(plane)] && (normals[index(plane)].leader < 0) == is_leader)
+          builder_.put_plane(plane, placed(plane, normals[index(plane)]));
+  }
+
+  PlaneForms placed(int plane, const SharedNormal& normal) {
+    if (normal.leader < 0)
+      return free_plane(builder_, builder_.turning_of_plane(plane),
+                        [plane](const Placement& at) { return at.planes[index(plane)]; });
+    if (problem().is_line(normal.leader)) {
+      const LineForms line = builder_.line(normal.leader);
+      return plane_across(builder_, line.direction, line.turning, normal.is_either_way, plane);
     }
+    const PlaneForms other = builder_.plane(normal.leader);
+    return plane_across(builder_, other.normal, other.turning, normal.is_either_way, plane);
   }
 
   /// Lines of bodies first, since those that are parallel to them have their directions.

@@ -22,14 +22,6 @@ class Sets {
   std::vector<int> root_;
 };
 
-/// The points that a frame needs, of those that the scene's reference names.
-std::vector<int> frame_points(const Scene& scene) {
-  const Reference& reference = scene.reference();
-  std::vector<int> points{reference.origin, reference.axis};
-  if (scene.dimension() == 3) points.push_back(reference.plane);
-  return points;
-}
-
 std::pair<int, int> sorted(int a, int b) { return std::minmax(a, b); }
 
 /// Whether a relation is an angle between two operands of that kind.
@@ -68,17 +60,112 @@ std::vector<int> numbered(const Sets& sets, const std::vector<bool>& is_held) {
   return number;
 }
 
+/// Whether a body or a given position puts an entity where it is before the others.
+bool is_held(const ProblemStatement& problem, int entity) {
+  return problem.is_fixed(entity) || !bodies_with(problem, entity).empty();
+}
+
+/// Lines and planes that relations give one direction, but for its sign; points are sets of their own.
+Sets direction_sets(const ProblemStatement& problem) {
+  Sets sets(problem.entity_count());
+  for (Relation relation : problem.relations)
+    if (const ConstraintKind* kind = find_kind(problem, relation); kind != nullptr && kind->shares_direction)
+      sets.join(relation.of[0].entity, relation.of[1].entity);
+  return sets;
+}
+
+/// Which planes are turned over together, those with an angle between them or one normal, and which have a side.
+class PlaneSides {
+ public:
+  explicit PlaneSides(const ProblemStatement& problem)
+      : problem_(problem),
+        sets_(static_cast<int>(problem.planes.size())),
+        has_side_(problem.planes.size()),
+        normals_(problem.planes.size()) {
+    for (int plane = 0; plane < planes(); ++plane)
+      if (is_held(problem, problem.plane_entity(plane))) see_side(plane);
+    for (const Relation& relation : problem.relations) state(relation);
+    share_normals();
+  }
+
+  std::vector<int> numbers() const { return numbered(sets_, has_side_); }
+  std::vector<SharedNormal> normals() const { return normals_; }
+
+ private:
+  int planes() const { return static_cast<int>(problem_.planes.size()); }
+  void see_side(int plane) { has_side_[static_cast<std::size_t>(plane)] = true; }
+
+  /// An angle turns both planes. A distance is seen from a side of its plane, of two from one of the first.
+  void state(const Relation& relation) {
+    if (is_angle_between(problem_, relation, OperandKind::plane))
+      sets_.join(problem_.plane_of(relation.of[0].entity), problem_.plane_of(relation.of[1].entity));
+    const auto plane = std::ranges::find_if(
+        relation.of, [&](const Operand& of) { return kind_of(problem_, of) == OperandKind::plane; });
+    if (plane != relation.of.end() && has_sign(problem_, relation)) see_side(problem_.plane_of(plane->entity));
+  }
+
+  /// Whether a plane, with those that are turned with it, has a side.
+  bool is_sided(int plane) const {
+    for (int other = 0; other < planes(); ++other)
+      if (sets_.find(other) == sets_.find(plane) && has_side_[static_cast<std::size_t>(other)]) return true;
+    return false;
+  }
+
+  /// Of each set that which is held leads or, where none is, a plane, one with a side if there is one.
+  void share_normals() {
+    const Sets directions = direction_sets(problem_);
+    std::map<int, int> leaders;
+    const auto lead = [&](int entity) { leaders.emplace(directions.find(entity), entity); };
+    for (int entity = problem_.line_entity(0); entity < problem_.entity_count(); ++entity)
+      if (is_held(problem_, entity)) lead(entity);
+    for (int plane = 0; plane < planes(); ++plane)
+      if (is_sided(plane)) lead(problem_.plane_entity(plane));
+    for (int plane = 0; plane < planes(); ++plane) lead(problem_.plane_entity(plane));
+    for (int plane = 0; plane < planes(); ++plane) {
+      const int entity = problem_.plane_entity(plane), leader = leaders.at(directions.find(entity));
+      if (entity != leader && !is_held(problem_, entity)) follow(plane, leader);
+    }
+  }
+
+  void follow(int plane, int leader) {
+    SharedNormal& normal = normals_[static_cast<std::size_t>(plane)];
+    normal.leader = leader;
+    const int other = problem_.is_plane(leader) ? problem_.plane_of(leader) : -1;
+    normal.is_either_way = is_sided(plane) || (other >= 0 && sets_.find(plane) == sets_.find(other));
+    if (normal.is_either_way) return;
+    if (other >= 0)
+      sets_.join(plane, other);
+    else
+      see_side(plane);
+  }
+
+  const ProblemStatement& problem_;
+  Sets sets_;
+  std::vector<bool> has_side_;
+  std::vector<SharedNormal> normals_;
+};
+
 }  // namespace
 
 std::optional<std::string> why_no_frame(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   if (problem.is_anchored() || problem.reference_body >= 0) return std::nullopt;
-  for (const int point : frame_points(scene))
-    if (point < 0 || point >= scene.point_count() || !bodies_with(problem, point).empty())
-      return problem.dimension == 3
-                 ? "a frame is put in a body or in three points, which this scene does not have"
-                 : "a frame is put in a body or in two points, which this scene does not have";
-  return std::nullopt;
+  const Reference& frame = scene.reference();
+  const bool has_points = frame.origin >= 0;
+  std::vector<int> needed{frame.axis};
+  if (has_points) needed.push_back(frame.origin);
+  if (!has_points || problem.dimension == 3) needed.push_back(frame.plane);
+  if (!has_points && frame.axis >= 0 && problem.is_plane(frame.axis)) needed.push_back(frame.height);
+  if (std::ranges::all_of(needed, [&](int entity) {
+        return entity >= 0 && entity < problem.entity_count() && bodies_with(problem, entity).empty();
+      }))
+    return std::nullopt;
+  return problem.dimension == 3
+             ? "a frame is put in a body, in three points, or in two points, lines or planes whose directions no "
+               "'parallel' or 'perpendicular' makes one, with a point or where these or three planes meet, which this "
+               "scene does not have"
+             : "a frame is put in a body, in two points, in a point and a line, or in two lines that no 'parallel' "
+               "joins, which this scene does not have";
 }
 
 SceneFrame::SceneFrame(const Scene& scene) {
@@ -91,11 +178,17 @@ SceneFrame::SceneFrame(const Scene& scene) {
     return;
   }
   reference_ = scene.reference();
-  // The group of all reflections in the planes of the frame, or its rotations.
+  // The group of all reflections in the planes of the frame, or its rotations; with a plane's side along the first axis
+  // those that leave it.
   if (scene.dimension() == 3)
     axes_ = is_mirrored ? std::array<SignMask, 3>{1, 2, 4} : std::array<SignMask, 3>{1, 3, 2};
   else
     axes_ = is_mirrored ? std::array<SignMask, 3>{1, 2, 0} : std::array<SignMask, 3>{1, 1, 0};
+  const ProblemStatement& problem = scene.problem();
+  if (reference_.axis < 0 || !problem.is_plane(reference_.axis)) return;
+  if (Turnings(problem).of_plane(problem.plane_of(reference_.axis)) >= 0) return;
+  axes_[0] = 0;
+  axes_[1] = 2;
 }
 
 bool SceneFrame::is_zero(int point, int axis) const {
@@ -104,24 +197,12 @@ bool SceneFrame::is_zero(int point, int axis) const {
   return point == reference_.plane && axis > 1;
 }
 
-/// Planes with an angle between them are turned over together; one that has a side is not.
+std::vector<SharedNormal> shared_normals(const ProblemStatement& problem) {
+  return PlaneSides(problem).normals();
+}
+
 std::vector<int> Turnings::turned_planes(const ProblemStatement& problem) {
-  const int planes = static_cast<int>(problem.planes.size());
-  Sets sets(planes);
-  std::vector<bool> has_side(problem.planes.size());
-  for (int plane = 0; plane < planes; ++plane) {
-    const int entity = problem.plane_entity(plane);
-    has_side[static_cast<std::size_t>(plane)] =
-        problem.is_fixed(entity) || !bodies_with(problem, entity).empty();
-  }
-  for (const Relation& relation : problem.relations) {
-    if (is_angle_between(problem, relation, OperandKind::plane))
-      sets.join(problem.plane_of(relation.of[0].entity), problem.plane_of(relation.of[1].entity));
-    for (const Operand& of : relation.of)
-      if (kind_of(problem, of) == OperandKind::plane && has_sign(problem, relation))
-        has_side[static_cast<std::size_t>(problem.plane_of(of.entity))] = true;
-  }
-  return numbered(sets, has_side);
+  return PlaneSides(problem).numbers();
 }
 
 /// Likewise segments; one whose length is given, or that a body has, is not.

@@ -13,13 +13,15 @@
 
 namespace gcs {
 
-/// A frame is put in a body, or three points (two in the plane), or given by positions.
+/// A frame is put in a body, or three points (two in the plane), or other elements (see Reference), or given by positions.
 class SceneFrame {
  public:
   explicit SceneFrame(const Scene& scene);
 
   /// The body that is not moved; −1: none.
   int body() const { return body_; }
+  /// The elements that it is put in; none where it is put in a body or given.
+  const Reference& reference() const { return reference_; }
   /// Whether coordinate `axis` of a point is 0 in the frame.
   bool is_zero(int point, int axis) const;
   /// Of the components of vectors, for the reflections or half-turns that the frame leaves.
@@ -35,6 +37,16 @@ class SceneFrame {
 
 /// Why no frame can be found, in a sentence; nothing where one can.
 std::optional<std::string> why_no_frame(const Scene& scene);
+
+/// How a plane's normal follows from the direction of another line or plane.
+struct SharedNormal {
+  int leader = -1;             ///< the entity; −1: the normal is its own
+  bool is_either_way = false;  ///< whether it may be the opposite, which is another solution
+};
+
+/// Of each plane. Planes that are parallel to each other or perpendicular to one line have one normal where one of them
+/// may be turned over, or the line's direction where that is there before.
+std::vector<SharedNormal> shared_normals(const ProblemStatement& problem);
 
 /// Sets of planes, and of segments, that may be turned over together.
 class Turnings {

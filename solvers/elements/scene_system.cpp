@@ -32,9 +32,18 @@ std::optional<std::string> why_no_bodies(const Scene& scene) {
 }
 
 std::optional<std::string> why_no_relation(const ProblemStatement& problem) {
-  for (Relation relation : problem.relations)
-    if (const ConstraintKind* kind = find_kind(problem, relation); kind == nullptr || kind->state == nullptr)
+  const auto is_held = [&](const Operand& of) {
+    return problem.is_fixed(of.entity) || !bodies_with(problem, of.entity).empty();
+  };
+  for (Relation relation : problem.relations) {
+    const ConstraintKind* kind = find_kind(problem, relation);
+    if (kind == nullptr || kind->state == nullptr)
       return fmt::format("there are no equations yet for constraint '{}'", relation.id);
+    if (kind->shares_direction && std::ranges::all_of(relation.of, is_held))
+      return fmt::format(
+          "constraint '{}' gives one direction to elements of two bodies, for which there are no equations yet",
+          relation.id);
+  }
   return std::nullopt;
 }
 

@@ -55,11 +55,16 @@ ExactNumber SystemBuilder::square(const Decimal& given, bool is_squared) const {
   return number;
 }
 
+bool SystemBuilder::is_along_first_axis(int set) const {
+  const int axis = frame_.reference().axis;
+  return axis >= 0 && problem().is_plane(axis) && turnings_.of_plane(problem().plane_of(axis)) == set;
+}
+
 SignMask SystemBuilder::turning_of_plane(int plane) {
   const int set = turnings_.of_plane(plane);
   if (set < 0) return 0;
   SignMask& turning = turning_of_set_[set];
-  if (turning == 0) turning = new_turning();
+  if (turning == 0) turning = is_along_first_axis(set) ? frame_.axis(0) : new_turning();
   return turning;
 }
 

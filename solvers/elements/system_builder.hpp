@@ -83,7 +83,8 @@ using ComplexValues = std::vector<std::complex<double>>;
 /// Which value of the problem stands on the right-hand side of an equation: that of a distance constraint or, counted on,
 /// of a relation.
 inline constexpr int no_value = -1;
-/// Of an equation that closes a loop of joints: no constraint gives its right-hand side, and homotopies may take any other.
+/// Of an equation that closes a loop of joints, or says that a normal is another one or its opposite: no constraint gives
+/// its right-hand side, and homotopies may take any other.
 inline constexpr int gap_value = -2;
 
 /// Who owns the equations by which a body joins those before it.
@@ -165,6 +166,9 @@ class SystemBuilder {
   std::vector<bool> turned_planes() const;
 
  private:
+  /// Whether the frame puts the normal of a plane of that set along its first axis, and so turns the set over with it.
+  bool is_along_first_axis(int set) const;
+
   const Scene& scene_;
   SceneFrame frame_;
   Turnings turnings_;

@@ -157,7 +157,7 @@ double jacobian_condition(const Scene& scene, const Figure& figure) {
 }
 
 double extent(const Figure& figure) {
-  const double points = complex_points(figure).cwiseAbs().maxCoeff();
+  const double points = complex_points(figure).lpNorm<Eigen::Infinity>();
   double result = points;
   for (const ComplexLine& line : complex_lines(figure))
     result = std::max(result, (points + line.point.cwiseAbs().maxCoeff()) * line.direction.norm());

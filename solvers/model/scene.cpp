@@ -77,8 +77,54 @@ Reference point_reference(const ProblemStatement& problem) {
   return fallback;
 }
 
+/// Whether a constraint gives both one direction.
+bool are_aligned(const ProblemStatement& problem, int a, int b) {
+  const std::string type = problem.is_line(a) == problem.is_line(b) ? "parallel" : "perpendicular";
+  return std::ranges::any_of(problem.relations, [&](const Relation& relation) {
+    return relation.type == type && relation.of.size() == 2 &&
+           ((relation.of[0] == Operand{a} && relation.of[1] == Operand{b}) ||
+            (relation.of[0] == Operand{b} && relation.of[1] == Operand{a}));
+  });
+}
+
+/// Points but the origin, lines, and planes: those that no constraint gives the direction of a plane.
+std::vector<int> frame_directions(const ProblemStatement& problem) {
+  std::vector<int> found;
+  for (int entity = 1; entity < problem.entity_count(); ++entity) {
+    bool is_free = true;
+    for (int other = problem.line_entity(0); !problem.is_point(entity) && other < problem.entity_count(); ++other)
+      if (problem.is_plane(entity) || problem.is_plane(other))
+        is_free = is_free && !are_aligned(problem, entity, other);
+    if (is_free) found.push_back(entity);
+  }
+  return found;
+}
+
+/// See Reference; −1 for what the scene does not have.
+Reference element_reference(const ProblemStatement& problem) {
+  Reference reference;
+  if (!problem.points.empty()) reference.origin = 0;
+  std::vector<int> directions = frame_directions(problem);
+  if (problem.points.empty() && problem.is_line(0)) directions.insert(directions.begin(), 0);
+  if (directions.empty()) return reference;
+  reference.axis = directions.front();
+  if (problem.dimension == 2 && reference.origin >= 0) return reference;
+  for (const int entity : directions) {
+    if (entity == reference.axis || are_aligned(problem, reference.axis, entity)) continue;
+    if (reference.plane < 0) {
+      reference.plane = entity;
+      continue;
+    }
+    if (reference.origin < 0 && problem.is_plane(reference.axis)) reference.height = entity;
+    break;
+  }
+  return reference;
+}
+
 Reference default_reference(const ProblemStatement& problem) {
-  return problem.lines.empty() || problem.is_general() ? point_reference(problem) : line_reference(problem);
+  if (!problem.is_general()) return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
+  return static_cast<int>(problem.points.size()) < problem.dimension ? element_reference(problem)
+                                                                     : point_reference(problem);
 }
 
 void require_sound_bends(const ProblemStatement& problem) {
@@ -109,18 +155,64 @@ Eigen::Matrix3d axes_from(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
   return axes;
 }
 
-RigidMotion motion_to_points(const ProblemStatement& problem, const Reference& reference,
+/// Towards a point, along a line, or along a plane's normal.
+Eigen::Vector3d direction_of(const ProblemStatement& problem, int entity, const Eigen::Vector3d& origin,
                              const Figure& figure) {
+  if (problem.is_point(entity)) return figure.points.col(entity) - origin;
+  if (problem.is_line(entity)) return figure.lines[static_cast<std::size_t>(problem.line_of(entity))].direction;
+  return figure.planes[static_cast<std::size_t>(problem.plane_of(entity))].normal;
+}
+
+/// The point of one line that is nearest to another one.
+Eigen::Vector3d nearest_to(const LinePosition& other, const LinePosition& line) {
+  const double cosine = line.direction.dot(other.direction);
+  const Eigen::Vector3d across = line.direction - cosine * other.direction;
+  return line.point + across.dot(other.point - line.point) / across.dot(line.direction) * line.direction;
+}
+
+/// Where a line and a plane meet.
+Eigen::Vector3d meeting(const LinePosition& line, const PlanePosition& plane) {
+  const double height = plane.offset - plane.normal.dot(line.point);
+  return line.point + height / plane.normal.dot(line.direction) * line.direction;
+}
+
+/// See Reference. Precondition: it has all that it needs.
+Eigen::Vector3d origin_of(const ProblemStatement& problem, const Reference& reference, const Figure& figure) {
+  if (reference.origin >= 0) return figure.points.col(reference.origin);
+  const auto line = [&](int entity) { return figure.lines[static_cast<std::size_t>(problem.line_of(entity))]; };
+  const auto plane = [&](int entity) {
+    return figure.planes[static_cast<std::size_t>(problem.plane_of(entity))];
+  };
+  if (problem.is_line(reference.axis))
+    return problem.is_line(reference.plane) ? nearest_to(line(reference.plane), line(reference.axis))
+                                            : meeting(line(reference.axis), plane(reference.plane));
+  const PlanePosition a = plane(reference.axis), b = plane(reference.plane), c = plane(reference.height);
+  const Eigen::Vector3d along = a.normal.cross(b.normal);
+  const Eigen::Vector3d point =
+      (a.offset * b.normal.cross(along) + b.offset * along.cross(a.normal)) / along.squaredNorm();
+  return meeting({point, along}, c);
+}
+
+RigidMotion motion_to_elements(const ProblemStatement& problem, const Reference& reference,
+                               const Figure& figure) {
   RigidMotion motion;
-  motion.origin = figure.points.col(reference.origin);
+  motion.origin = origin_of(problem, reference, figure);
   if (reference.axis < 0) return motion;
-  const Eigen::Vector3d x = figure.points.col(reference.axis) - motion.origin;
+  const Eigen::Vector3d x = direction_of(problem, reference.axis, motion.origin, figure);
   Eigen::Vector3d y(-x.y(), x.x(), 0);
   if (problem.dimension == 3)
     y = reference.plane < 0 ? Eigen::Vector3d::UnitY()
-                            : Eigen::Vector3d(figure.points.col(reference.plane) - motion.origin);
+                            : direction_of(problem, reference.plane, motion.origin, figure);
   motion.axes = axes_from(x, y);
   return motion;
+}
+
+/// Whether the reference has what tells where a scene's frame is: without a point, two directions at least, the first of a
+/// line or all of three planes.
+bool is_complete(const ProblemStatement& problem, const Reference& reference) {
+  if (reference.origin >= 0) return true;
+  return reference.axis >= 0 && reference.plane >= 0 &&
+         (problem.is_line(reference.axis) || reference.height >= 0);
 }
 
 /// The line becomes the x-axis and the height point lies on the z-axis, z ≥ 0.
@@ -157,14 +249,15 @@ Figure moved(const RigidMotion& motion, const Figure& figure) {
 
 /// The coordinates that the frame makes zero, exactly zero.
 void clear_frame_zeros(const Reference& reference, Figure& figure) {
+  const auto is_point = [&](int entity) { return entity >= 0 && entity < figure.points.cols(); };
   if (reference.line >= 0) {
     figure.lines[reference.line] = LinePosition{};
     if (reference.height >= 0) figure.points.col(reference.height).head<2>().setZero();
     return;
   }
-  figure.points.col(reference.origin).setZero();
-  if (reference.axis >= 0) figure.points.col(reference.axis).tail<2>().setZero();
-  if (reference.plane >= 0) figure.points(2, reference.plane) = 0;
+  if (is_point(reference.origin)) figure.points.col(reference.origin).setZero();
+  if (is_point(reference.axis)) figure.points.col(reference.axis).tail<2>().setZero();
+  if (is_point(reference.plane)) figure.points(2, reference.plane) = 0;
 }
 
 /// A complex rotation costs accuracy: a figure that is in the frame already is left alone.
@@ -204,11 +297,13 @@ void mirror(Figure& figure, int axis) {
 
 /// Of general scenes a solver leaves the frame up to half-turns about its axes.
 Figure half_turned(Figure figure, const Reference& reference, int dimension) {
-  if (reference.axis >= 0 && figure.points(0, reference.axis) < 0) {
+  const auto is_point = [&](int entity) { return entity >= 0 && entity < figure.points.cols(); };
+  if (is_point(reference.axis) && figure.points(0, reference.axis) < 0) {
     mirror(figure, 0);
     mirror(figure, 1);
   }
-  if (dimension == 3 && reference.plane >= 0 && figure.points(1, reference.plane) < 0) {
+  if (dimension == 3 && is_point(reference.axis) && is_point(reference.plane) &&
+      figure.points(1, reference.plane) < 0) {
     mirror(figure, 1);
     mirror(figure, 2);
   }
@@ -295,13 +390,14 @@ std::optional<Eigen::Vector3d> Scene::fixed_point(int point) const {
 
 Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
   if (anchored_ || problem_.reference_body >= 0) return figure;
+  if (problem_.is_general() && !is_complete(problem_, reference)) return figure;
   if (!figure.is_real() && problem_.is_general()) return half_turned(figure, reference, dimension());
   if (!figure.is_real())
     return reference.line >= 0
                ? complex_in_line_frame(figure, reference)
                : complex_figure(gcs::in_frame(complex_points(figure), dimension(), reference));
   const RigidMotion motion =
-      reference.line >= 0 ? motion_to_line(reference, figure) : motion_to_points(problem_, reference, figure);
+      reference.line >= 0 ? motion_to_line(reference, figure) : motion_to_elements(problem_, reference, figure);
   Figure result = moved(motion, figure);
   clear_frame_zeros(reference, result);
   return result;

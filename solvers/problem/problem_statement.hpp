@@ -60,6 +60,9 @@ struct DistanceConstraint {
 
 /// Which entities fix the frame; −1: not used. Points: origin, axis and (in space) plane.
 /// With a line: `line` is the x-axis and `height` is the point put on the z-axis.
+/// In general scenes with fewer points `axis`, `plane` and `height` are entities of any kind: along the x-axis is the
+/// direction or normal of `axis`, in the xy-plane that of `plane`, and where there is no point, the origin is where `axis`
+/// is nearest to the line `plane`, or meets the plane, or where the planes `axis`, `plane` and `height` meet.
 struct Reference {
   int origin = -1;
   int axis = -1;

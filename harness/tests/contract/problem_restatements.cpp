@@ -202,6 +202,13 @@ Restatement ends_swapped(const ProblemStatement& problem) {
   return result;
 }
 
+/// Whether a row of fixed_texts has lengths, and not a direction or a normal.
+bool is_length(const ProblemStatement& problem, std::size_t row) {
+  if (row < problem.points.size()) return true;
+  const std::size_t place = row - problem.points.size();
+  return (place % 2 == 0) == (place < 2 * problem.lines.size());
+}
+
 Restatement scaled(const ProblemStatement& problem, int exponent) {
   Restatement result = unchanged("scaled", problem);
   result.is_exact = true;
@@ -220,9 +227,9 @@ Restatement scaled(const ProblemStatement& problem, int exponent) {
   if (restated.sketch) scale(*restated.sketch, factor);
   for (auto& point : restated.fixed_points)
     if (point) scale(*point, factor);
-  for (std::size_t i = 0; i < std::min(restated.fixed_texts.size(), restated.points.size()); ++i)
-    for (std::string& text : restated.fixed_texts[i])
-      if (!text.empty()) text = times_power_of_two(text, exponent);
+  for (std::size_t row = 0; row < restated.fixed_texts.size(); ++row)
+    for (std::string& text : restated.fixed_texts[row])
+      if (!text.empty() && is_length(restated, row)) text = times_power_of_two(text, exponent);
   for (auto& line : restated.fixed_lines)
     if (line) scale(*line, factor);
   restated.interpolation.bend *= factor;

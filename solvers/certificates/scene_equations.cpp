@@ -20,10 +20,6 @@ enum LinePart { point = 0, direction = 1, moment = 2 };
 /// Changing the signs of a line's direction and moment together gives the same line.
 constexpr SignMask first_line_mirror = SignMask{1} << 3;
 
-bool has_general_equations(const ProblemStatement& problem) {
-  return problem.is_general() || has_given_line(problem);
-}
-
 bool is_free_beside_given_points(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
 
 /// How far the line that the frame puts on the x-axis is from there, its direction times `size`.
@@ -45,7 +41,7 @@ ScaledUnknown minus(int unknown) { return {unknown, exactly(-1)}; }
 
 std::optional<std::string> why_not_certified(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
-  if (has_general_equations(problem)) {
+  if (has_element_equations(problem)) {
     if (auto reason = why_no_system(scene)) return reason;
     const QuadraticSystem system = SceneSystem(scene).equations();
     if (static_cast<int>(system.equations.size()) != system.unknowns)
@@ -62,7 +58,7 @@ std::optional<std::string> why_not_certified(const Scene& scene) {
 }
 
 SceneEquations::SceneEquations(const Scene& scene) : scene_(scene), points_(scene) {
-  if (has_general_equations(scene.problem())) {
+  if (has_element_equations(scene.problem())) {
     general_.emplace(scene);
     return;
   }

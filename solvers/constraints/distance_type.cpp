@@ -46,6 +46,7 @@ bool has_unit_terms(const VectorForm& direction) {
 
 /// (p − f)·u, where f·u = 0 if f is the foot.
 LinearForm height_along(SystemBuilder& builder, const VectorForm& p, const LineForms& line) {
+  if (line.is_foot && std::ranges::all_of(p, [](const LinearForm& form) { return is_zero(form); })) return {};
   if (line.is_foot && is_constant(p) && has_unit_terms(line.direction)) return along(p, line.direction);
   const LinearForm height = builder.unknown(line.turning);
   builder.define([p, line](const Placement&, const ComplexValues& x) {
@@ -165,7 +166,8 @@ bool is_same(const VectorForm& a, const VectorForm& b) {
 
 /// Of parallel planes, as seen from the first: k (n·m) − h = a.
 void distance_plane_plane(SystemBuilder& builder, const StatedRelation& stated) {
-  const PlaneForms &a = builder.plane(stated.relation.of[0].entity), &b = builder.plane(stated.relation.of[1].entity);
+  const PlaneForms &a = builder.plane(stated.relation.of[0].entity),
+                   &b = builder.plane(stated.relation.of[1].entity);
   const ExactNumber length = builder.length(stated.relation.given);
   if (is_same(a.normal, b.normal)) {
     builder.add(Equation().plus(b.offset).minus(a.offset).equals(length), stated.value);

@@ -121,13 +121,12 @@ class Ordering {
   /// Whether points that it shares with a body before it tell its pose.
   bool is_held(int body) const {
     const auto by = [&](int other) {
-      const std::vector<int> points =
-          shared_points(problem_, problem_.bodies[static_cast<std::size_t>(body)],
-                        problem_.bodies[static_cast<std::size_t>(other)]);
-      return points.size() >= 2 &&
-             (problem_.dimension == 2 || std::ranges::any_of(points.begin() + 2, points.end(), [&](int point) {
-                return !are_parallel(body, {points[0], points[1]}, {points[0], point});
-              }));
+      const std::vector<int> points = shared_points(problem_, problem_.bodies[static_cast<std::size_t>(body)],
+                                                    problem_.bodies[static_cast<std::size_t>(other)]);
+      return points.size() >= 2 && (problem_.dimension == 2 ||
+                                    std::ranges::any_of(points.begin() + 2, points.end(), [&](int point) {
+                                      return !are_parallel(body, {points[0], points[1]}, {points[0], point});
+                                    }));
     };
     for (int other = 0; other < static_cast<int>(is_placed_.size()); ++other)
       if (is_placed(other) && by(other)) return true;
@@ -137,7 +136,8 @@ class Ordering {
   void take(int body) {
     if (is_held(body))
       order_.reason = fmt::format(
-          "the given positions tell the pose of body '{}', and there are equations only where they are of all of "
+          "the given positions tell the pose of body '{}', and there are equations only where they are of "
+          "all of "
           "its elements: give the others too",
           problem_.bodies[static_cast<std::size_t>(body)].name);
     BodyStep step{body, {}, -1, {}, {}};

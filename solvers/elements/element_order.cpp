@@ -253,6 +253,17 @@ bool are_stated_together(const ProblemStatement& problem, int a, int b) {
                              [&](const Relation& r) { return names(r, a) && names(r, b); });
 }
 
+/// Whether a step's part alone has the step's solutions: with a value, and no plane has lost a side.
+bool has_solutions_of(const SceneSystem& system, const PlacingStep& step, const ProblemStatement& part) {
+  if (!has_element_equations(part)) return true;
+  const Scene scene = Scene::unchecked(part);
+  if (why_no_system(scene)) return false;
+  const SceneSystem alone(scene);
+  return std::ranges::any_of(alone.value_of(), [](int value) { return value >= 0; }) &&
+         alone.equations().unknowns == static_cast<int>(step.unknowns.size()) &&
+         turnings(alone.equations().mirror) == turnings(signs_of(system, step.unknowns));
+}
+
 /// Elements that hang on positions alone, in scenes of their own.
 void set_given_steps_apart(const SceneSystem& system, std::vector<PlacingStep>& steps) {
   const ProblemStatement& problem = system.elements().problem();
@@ -264,7 +275,8 @@ void set_given_steps_apart(const SceneSystem& system, std::vector<PlacingStep>& 
       is_there[static_cast<std::size_t>(entity)] = is_there[static_cast<std::size_t>(entity)] &&
                                                    are_stated_together(problem, entity, step.entities[0]);
     is_there[static_cast<std::size_t>(step.entities[0])] = true;
-    step.alone = sub_problem(problem, is_there);
+    SubProblem part = sub_problem(problem, is_there);
+    if (has_solutions_of(system, step, part.problem)) step.alone = std::move(part);
   }
 }
 

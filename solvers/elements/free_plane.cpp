@@ -21,7 +21,9 @@ PlaneForms free_plane(SystemBuilder& builder, SignMask turning,
 
 PlaneForms plane_across(SystemBuilder& builder, const VectorForm& direction, SignMask turning,
                         bool is_either_way, int number) {
-  const auto at_number = [number](const Placement& at) { return at.planes[static_cast<std::size_t>(number)]; };
+  const auto at_number = [number](const Placement& at) {
+    return at.planes[static_cast<std::size_t>(number)];
+  };
   const auto sense = [direction, at_number](const Placement& at, const ComplexValues& x) {
     return bilinear_product(vector_at(direction, x), at_number(at).normal);
   };
@@ -34,7 +36,8 @@ PlaneForms plane_across(SystemBuilder& builder, const VectorForm& direction, Sig
   }
   const SignMask own = builder.turning_of_plane(number);
   const LinearForm opposite = builder.unknown(turning ^ own);
-  builder.define([sense](const Placement& at, const ComplexValues& x) { return ComplexValues{sense(at, x)}; });
+  builder.define(
+      [sense](const Placement& at, const ComplexValues& x) { return ComplexValues{sense(at, x)}; });
   const PlaneForms plane{builder.vector(own), builder.unknown(own), own};
   builder.define([at_number](const Placement& at, const ComplexValues&) {
     ComplexValues values = components(at_number(at).normal, 3);

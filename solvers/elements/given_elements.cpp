@@ -21,7 +21,8 @@ class GivenNumbers {
       append(line.point.head(problem_.dimension), row, numbers);
       append(line.direction.head(problem_.dimension), row + 1, numbers);
     } else {
-      const PlanePosition& plane = *problem_.fixed_planes[static_cast<std::size_t>(problem_.plane_of(entity))];
+      const PlanePosition& plane =
+          *problem_.fixed_planes[static_cast<std::size_t>(problem_.plane_of(entity))];
       append(plane.normal, row, numbers);
       append(Eigen::Matrix<double, 1, 1>(plane.offset), row + 1, numbers);
     }
@@ -62,8 +63,9 @@ ProblemStatement with_given_body(ProblemStatement problem) {
   return problem;
 }
 
-bool has_given_line(const ProblemStatement& problem) {
-  return std::ranges::any_of(problem.fixed_lines, [](const auto& line) { return line.has_value(); });
+bool has_element_equations(const ProblemStatement& problem) {
+  return problem.is_general() ||
+         std::ranges::any_of(problem.fixed_lines, [](const auto& line) { return line.has_value(); });
 }
 
 }  // namespace gcs

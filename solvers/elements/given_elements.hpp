@@ -12,7 +12,7 @@ std::vector<BodyElement> given_elements(const ProblemStatement& problem);
 /// Where there are none, the problem.
 ProblemStatement with_given_body(ProblemStatement problem);
 
-/// Whether a line has a given position: equations of squared lengths do not know it.
-bool has_given_line(const ProblemStatement& problem);
+/// Whether a scene is solved by the equations of all kinds of elements: those of squared lengths do not know given lines.
+bool has_element_equations(const ProblemStatement& problem);
 
 }  // namespace gcs

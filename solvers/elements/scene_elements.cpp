@@ -112,7 +112,8 @@ class Placing {
   }
 
   /// Of length 1: along the first axis, or in the plane of the first two, or any.
-  VectorForm direction_in_frame(int entity, SignMask turning, const std::function<ComplexValues(const Placement&)>& where) {
+  VectorForm direction_in_frame(int entity, SignMask turning,
+                                const std::function<ComplexValues(const Placement&)>& where) {
     const SceneFrame& frame = builder_.frame();
     VectorForm direction;
     if (entity == frame.reference().axis) {
@@ -149,8 +150,7 @@ class Placing {
         return ComplexValues{at.lines[index(line)].point[axis]};
       });
     }
-    if (has_origin && !is_first)
-      builder_.add(Equation().plus(forms.foot, forms.direction).equals());
+    if (has_origin && !is_first) builder_.add(Equation().plus(forms.foot, forms.direction).equals());
     return forms;
   }
 

@@ -101,7 +101,8 @@ class PlaneSides {
       sets_.join(problem_.plane_of(relation.of[0].entity), problem_.plane_of(relation.of[1].entity));
     const auto plane = std::ranges::find_if(
         relation.of, [&](const Operand& of) { return kind_of(problem_, of) == OperandKind::plane; });
-    if (plane != relation.of.end() && has_sign(problem_, relation)) see_side(problem_.plane_of(plane->entity));
+    if (plane != relation.of.end() && has_sign(problem_, relation))
+      see_side(problem_.plane_of(plane->entity));
   }
 
   /// Whether a plane, with those that are turned with it, has a side.
@@ -160,12 +161,14 @@ std::optional<std::string> why_no_frame(const Scene& scene) {
         return entity >= 0 && entity < problem.entity_count() && bodies_with(problem, entity).empty();
       }))
     return std::nullopt;
-  return problem.dimension == 3
-             ? "a frame is put in a body, in three points, or in two points, lines or planes whose directions no "
-               "'parallel' or 'perpendicular' makes one, with a point or where these or three planes meet, which this "
-               "scene does not have"
-             : "a frame is put in a body, in two points, in a point and a line, or in two lines that no 'parallel' "
-               "joins, which this scene does not have";
+  return problem.dimension == 3 ? "a frame is put in a body, in three points, or in two points, lines or "
+                                  "planes whose directions no "
+                                  "'parallel' or 'perpendicular' makes one, with a point or where these or "
+                                  "three planes meet, which this "
+                                  "scene does not have"
+                                : "a frame is put in a body, in two points, in a point and a line, or in two "
+                                  "lines that no 'parallel' "
+                                  "joins, which this scene does not have";
 }
 
 SceneFrame::SceneFrame(const Scene& scene) {

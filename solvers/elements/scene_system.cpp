@@ -41,7 +41,8 @@ std::optional<std::string> why_no_relation(const ProblemStatement& problem) {
       return fmt::format("there are no equations yet for constraint '{}'", relation.id);
     if (kind->shares_direction && std::ranges::all_of(relation.of, is_held))
       return fmt::format(
-          "constraint '{}' gives one direction to elements of two bodies, for which there are no equations yet",
+          "constraint '{}' gives one direction to elements of two bodies, for which there are no equations "
+          "yet",
           relation.id);
   }
   return std::nullopt;

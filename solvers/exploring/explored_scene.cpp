@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "solvers/elements/general_structure.hpp"
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/given_numbers.hpp"
@@ -80,14 +81,14 @@ class ExploredElements final : public ExploredScene {
 }  // namespace
 
 std::optional<std::string> why_not_explored(const Scene& scene) {
-  if (scene.problem().is_general()) return why_not_general(scene);
+  if (has_element_equations(scene.problem())) return why_not_general(scene);
   if (scene.is_anchored()) return "it places points and a line in a frame, and the file fixes positions";
   if (scene.problem().lines.size() > 1) return "it places at most one line, and the instance has more";
   return std::nullopt;
 }
 
 std::unique_ptr<ExploredScene> explored_scene(const Scene& scene) {
-  if (scene.problem().is_general()) return std::make_unique<ExploredElements>(scene);
+  if (has_element_equations(scene.problem())) return std::make_unique<ExploredElements>(scene);
   return std::make_unique<ExploredDistances>(scene);
 }
 

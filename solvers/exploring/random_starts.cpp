@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/random_figure.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/distance_system.hpp"
@@ -160,7 +161,7 @@ std::vector<StartEnd> ends_with(const SolveRequest& request, int first, int last
 }  // namespace
 
 std::vector<StartEnd> ends_of_starts(const SolveRequest& request, int first, int last) {
-  if (request.scene.problem().is_general()) return ends_with<SceneFunction>(request, first, last);
+  if (has_element_equations(request.scene.problem())) return ends_with<SceneFunction>(request, first, last);
   return ends_with<DistanceEquations>(request, first, last);
 }
 

@@ -61,7 +61,8 @@ bool are_told_apart(const Scene& scene, const std::array<Figure, 2>& figures) {
   for (const Figure& figure : figures) {
     const double stretch = std::max(1.0, extent(figure) / scene.size());
     uncertain = std::max(uncertain, 8 * rounding * jacobian_condition(scene, figure) * stretch * stretch);
-    if (!figure.is_real() && figure.imaginary.lpNorm<Eigen::Infinity>() <= next_to_real * stretch) return false;
+    if (!figure.is_real() && figure.imaginary.lpNorm<Eigen::Infinity>() <= next_to_real * stretch)
+      return false;
   }
   double apart = (figures[0].points - figures[1].points).lpNorm<Eigen::Infinity>();
   if (!figures[0].is_real() && !figures[1].is_real())

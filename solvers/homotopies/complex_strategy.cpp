@@ -69,7 +69,7 @@ bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anch
 
 /// Whether the scene is solved by the equations of all kinds of elements, and not by those of squared lengths.
 bool takes_general_road(const Scene& scene) {
-  return scene.problem().is_general() || scene.problem().lines.size() > 1 || has_given_line(scene.problem());
+  return has_element_equations(scene.problem()) || scene.problem().lines.size() > 1;
 }
 
 }  // namespace

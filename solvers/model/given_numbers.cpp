@@ -42,8 +42,7 @@ ExactNumber given_coordinate(const Scene& scene, int point, int axis) {
   const auto p = static_cast<std::size_t>(point);
   if (!scene.fixed_point(point)) return {};
   ExactNumber number = exactly((*problem.fixed_points[p])[axis]);
-  if (!problem.fixed_texts.empty())
-    number.decimal = problem.fixed_texts[p][static_cast<std::size_t>(axis)];
+  if (!problem.fixed_texts.empty()) number.decimal = problem.fixed_texts[p][static_cast<std::size_t>(axis)];
   number.exponent = -scene.unit_exponent();
   return number;
 }

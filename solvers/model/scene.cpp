@@ -21,6 +21,8 @@ double fixed_extent(const ProblemStatement& problem) {
     for (const int end : constraint.between)
       if (problem.is_point(end) && problem.is_fixed(end))
         extent = std::max(extent, problem.fixed_points[end]->cwiseAbs().maxCoeff());
+  for (const auto& point : problem.fixed_points)
+    if (point && problem.is_general()) extent = std::max(extent, point->cwiseAbs().maxCoeff());
   for (const auto& line : problem.fixed_lines)
     if (line) extent = std::max(extent, line->point.cwiseAbs().maxCoeff());
   for (const auto& plane : problem.fixed_planes)
@@ -90,9 +92,10 @@ bool are_aligned(const ProblemStatement& problem, int a, int b) {
 /// Points but the origin, lines, and planes: those that no constraint gives the direction of a plane.
 std::vector<int> frame_directions(const ProblemStatement& problem) {
   std::vector<int> found;
-  for (int entity = 1; entity < problem.entity_count(); ++entity) {
+  for (int entity = problem.points.empty() ? 0 : 1; entity < problem.entity_count(); ++entity) {
     bool is_free = true;
-    for (int other = problem.line_entity(0); !problem.is_point(entity) && other < problem.entity_count(); ++other)
+    for (int other = problem.line_entity(0); !problem.is_point(entity) && other < problem.entity_count();
+         ++other)
       if (problem.is_plane(entity) || problem.is_plane(other))
         is_free = is_free && !are_aligned(problem, entity, other);
     if (is_free) found.push_back(entity);
@@ -104,8 +107,7 @@ std::vector<int> frame_directions(const ProblemStatement& problem) {
 Reference element_reference(const ProblemStatement& problem) {
   Reference reference;
   if (!problem.points.empty()) reference.origin = 0;
-  std::vector<int> directions = frame_directions(problem);
-  if (problem.points.empty() && problem.is_line(0)) directions.insert(directions.begin(), 0);
+  const std::vector<int> directions = frame_directions(problem);
   if (directions.empty()) return reference;
   reference.axis = directions.front();
   if (problem.dimension == 2 && reference.origin >= 0) return reference;
@@ -122,7 +124,8 @@ Reference element_reference(const ProblemStatement& problem) {
 }
 
 Reference default_reference(const ProblemStatement& problem) {
-  if (!problem.is_general()) return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
+  if (!problem.is_general())
+    return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
   return static_cast<int>(problem.points.size()) < problem.dimension ? element_reference(problem)
                                                                      : point_reference(problem);
 }
@@ -159,7 +162,8 @@ Eigen::Matrix3d axes_from(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
 Eigen::Vector3d direction_of(const ProblemStatement& problem, int entity, const Eigen::Vector3d& origin,
                              const Figure& figure) {
   if (problem.is_point(entity)) return figure.points.col(entity) - origin;
-  if (problem.is_line(entity)) return figure.lines[static_cast<std::size_t>(problem.line_of(entity))].direction;
+  if (problem.is_line(entity))
+    return figure.lines[static_cast<std::size_t>(problem.line_of(entity))].direction;
   return figure.planes[static_cast<std::size_t>(problem.plane_of(entity))].normal;
 }
 
@@ -179,7 +183,9 @@ Eigen::Vector3d meeting(const LinePosition& line, const PlanePosition& plane) {
 /// See Reference. Precondition: it has all that it needs.
 Eigen::Vector3d origin_of(const ProblemStatement& problem, const Reference& reference, const Figure& figure) {
   if (reference.origin >= 0) return figure.points.col(reference.origin);
-  const auto line = [&](int entity) { return figure.lines[static_cast<std::size_t>(problem.line_of(entity))]; };
+  const auto line = [&](int entity) {
+    return figure.lines[static_cast<std::size_t>(problem.line_of(entity))];
+  };
   const auto plane = [&](int entity) {
     return figure.planes[static_cast<std::size_t>(problem.plane_of(entity))];
   };
@@ -396,8 +402,8 @@ Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
     return reference.line >= 0
                ? complex_in_line_frame(figure, reference)
                : complex_figure(gcs::in_frame(complex_points(figure), dimension(), reference));
-  const RigidMotion motion =
-      reference.line >= 0 ? motion_to_line(reference, figure) : motion_to_elements(problem_, reference, figure);
+  const RigidMotion motion = reference.line >= 0 ? motion_to_line(reference, figure)
+                                                 : motion_to_elements(problem_, reference, figure);
   Figure result = moved(motion, figure);
   clear_frame_zeros(reference, result);
   return result;

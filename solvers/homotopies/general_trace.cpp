@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solvers/homotopies/precise_zero.hpp"
+
 namespace gcs {
 namespace {
 
@@ -40,12 +42,16 @@ class GeneralTrace {
     std::vector<bool> is_free(coefficients_.size(), false);
     for (const int j : values_) is_free[j] = true;
     is_free[product_] = true;
+    std::vector<Monomial> terms = products_;
+    terms.push_back({s_, -1});
     return {{std::move(signs), std::move(is_free), false,
              [this](std::mt19937_64& random) { return random_member(random); }},
             s_,
             product_,
-            static_cast<int>(products_.size()) + 1,
-            [this](const ComplexVectorX& x, const ComplexVectorX& weights) { return phi(x, weights); }};
+            std::move(terms),
+            [this](const ComplexVectorX& coefficients, const ComplexVectorX& x) {
+              return precise_zero(system_, coefficients, x);
+            }};
   }
 
   FamilyMember random_member(std::mt19937_64& random) const {
@@ -108,12 +114,6 @@ class GeneralTrace {
                        [&](const Monomial& known) { return known.u == alone.u && known.v == alone.v; }))
         products_.push_back(alone);
     }
-  }
-
-  Complex phi(const ComplexVectorX& x, const ComplexVectorX& weights) const {
-    Complex sum = weights.back() * x[s_];
-    for (std::size_t i = 0; i < products_.size(); ++i) sum += weights[i] * monomial_at(products_[i], x);
-    return sum;
   }
 
   const GeneralEquations& equations_;

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "solvers/homotopies/precise_zero.hpp"
+
 namespace gcs {
 namespace {
 
@@ -16,11 +18,6 @@ constexpr int most_coordinates = 6;
 
 /// Last ε, of the search's: either s or E is of this order, the other one is not. At 0 pivots vanish.
 constexpr double almost_zero = 1e-9;
-
-/// Where sums are compared again: ε over the search's.
-constexpr double further_out = 1e4;
-/// Of rounding here and there, where s and E are 100 times as large and coordinates 10 times.
-constexpr double rounding_ratio = 0.1;
 
 /// Sets of unknowns whose signs change together, and with no others, in all that the equations say.
 class SignComponents {
@@ -77,9 +74,16 @@ class TraceSystem {
   }
 
   const SquareSystem& system() const { return system_; }
-  int s() const { return s_; }
-  int product_equation() const { return system_.equations() - 1; }
+  TraceProblem problem(SignMasks signs) const {
+    std::vector<Monomial> terms{{s_, -1}};
+    for (std::size_t i = 0; i < squares_.size(); ++i) terms.push_back({square_ + static_cast<int>(i), -1});
+    return {family(std::move(signs)), s_, system_.equations() - 1, std::move(terms),
+            [this](const ComplexVectorX& squares, const ComplexVectorX& x) {
+              return precise_zero(system_, squares, x);
+            }};
+  }
 
+ private:
   HomotopyFamily family(SignMasks signs) const {
     while (signs.size() < static_cast<std::size_t>(system_.unknowns)) signs.push_back(0);
     std::vector<bool> is_free(system_.given.size(), false);
@@ -89,15 +93,6 @@ class TraceSystem {
                          [this](std::mt19937_64& random) { return random_point(random); });
   }
 
-  /// φ at a point, with weights of its own.
-  Complex sum_of_squares(const ComplexVectorX& x, const ComplexVectorX& weights) const {
-    Complex sum = weights.back() * x[s_];
-    for (std::size_t i = 0; i < squares_.size(); ++i) sum += weights[i] * x[square_ + static_cast<int>(i)];
-    return sum;
-  }
-  int weights_needed() const { return static_cast<int>(squares_.size()) + 1; }
-
- private:
   /// Some coordinates at random, and what tells apart the images of a component that are not divided out:
   /// its distance from another one of the same axis or, where nothing is divided out, from a constant.
   void choose_squares(const std::vector<int>& mirror_axes, std::mt19937_64& random) {
@@ -160,23 +155,27 @@ class TraceSystem {
   int e_ = 0;
 };
 
-/// All points of a fibre followed to another value of the product's right-hand side;
-/// nothing where one was lost.
-std::optional<std::vector<ComplexVectorX>> moved(LegTracking& tracking, const GenericSolutions& fibre,
-                                                 int parameter, Complex factor,
-                                                 const std::function<bool()>& stopped, WorkCounters& work) {
+/// Points with one ε.
+struct Fibre {
+  ComplexVectorX parameters;
+  std::vector<ComplexVectorX> points;
+};
+
+/// All points followed to another value of the product's right-hand side; nothing where one was lost.
+std::optional<Fibre> moved(LegTracking& tracking, const GenericSolutions& fibre, int parameter,
+                           Complex factor, const std::function<bool()>& stopped, WorkCounters& work) {
   const ComplexVectorX zero(fibre.squares.size());
   Route route{{fibre.squares, zero, zero, zero}, fibre.squares};
   route.coefficients[1][parameter] = (factor - 1.0) * fibre.squares[parameter];
   route.end[parameter] *= factor;
   std::vector<Leg> legs;
   for (const ComplexVectorX& x : fibre.solutions) legs.push_back({x.data(), &route});
-  std::vector<ComplexVectorX> ends;
+  Fibre end{route.end, {}};
   for (LegResult& result : tracking.follow(legs, stopped, work)) {
     if (result.state.end != LegEnd::arrived) return std::nullopt;
-    ends.push_back(std::move(result.x));
+    end.points.push_back(std::move(result.x));
   }
-  return ends;
+  return end;
 }
 
 /// The test of one fibre, found by a search.
@@ -186,58 +185,65 @@ class FibreTest {
             const std::function<bool()>& stopped, WorkCounters& work)
       : problem_(problem),
         tracking_(tracking),
-        weights_(random_complex_vector(problem.weights, random)),
+        weights_(random_complex_vector(static_cast<int>(problem.terms.size()), random)),
         stopped_(stopped),
         work_(work) {}
 
-  /// Of the fibre and of the one that it becomes further out, unless a path is lost there: the larger defect.
+  /// Of the sums S at three values of ε, 1 + i/2, 1 and 1 − i/2 times the search's: (S_1 − S_0)(ε_2 − ε_0) −
+  /// (S_2 − S_0)(ε_1 − ε_0), relative to the same of their terms; nothing where a path was lost.
   std::optional<double> defect(const GenericSolutions& fibre) const {
-    const std::optional<double> here = defect_of(fibre);
-    if (!here || *here > TraceTest::affine) return here;
-    const std::optional<GenericSolutions> far = carried_out(fibre);
-    const std::optional<double> there = far ? defect_of(*far) : std::nullopt;
-    return std::max(*here, there.value_or(0) * rounding_ratio);
-  }
-
-  /// Of the sums at three values of ε, 1 + i/2, 1 and 1 − i/2 times the search's: how far the middle one is
-  /// from the line through the others, relative to what its terms are from theirs; nothing where a path was
-  /// lost.
-  std::optional<double> defect_of(const GenericSolutions& fibre) const {
     const Complex aside(0, 0.5);
     const auto ahead = at(fibre, 1.0 + aside), behind = at(fibre, 1.0 - aside);
     if (!ahead || !behind) return std::nullopt;
-    Complex sum = 0;
+    const auto middle = phi({fibre.squares, fibre.solutions}), first = phi(*ahead), last = phi(*behind);
+    if (!middle || !first || !last) return std::nullopt;
+    const BallMatrix forward = step(fibre, *ahead), back = step(fibre, *behind);
+    Ball sum, term, difference;
     double size = 0;
-    for (std::size_t i = 0; i < fibre.solutions.size(); ++i) {
-      const Complex term = phi((*ahead)[i]) - 2.0 * phi(fibre.solutions[i]) + phi((*behind)[i]);
-      sum += term;
-      size += std::abs(term);
+    for (slong i = 0; i < middle->rows(); ++i) {
+      acb_sub(term, (*first)(i, 0), (*middle)(i, 0), precise_bits_of_zeros);
+      acb_mul(term, term, back(0, 0), precise_bits_of_zeros);
+      acb_sub(difference, (*middle)(i, 0), (*last)(i, 0), precise_bits_of_zeros);
+      acb_addmul(term, difference, forward(0, 0), precise_bits_of_zeros);
+      acb_add(sum, sum, term, precise_bits_of_zeros);
+      size += std::abs(rounded_midpoint(term));
     }
-    return size > 0 ? std::abs(sum) / size : 1;
+    return size > 0 ? std::abs(rounded_midpoint(sum)) / size : 1;
   }
 
   /// How many of the points have s = 0 when ε is 0.
   std::optional<std::int64_t> count_solutions(const GenericSolutions& fibre) const {
     const auto end = at(fibre, almost_zero);
     if (!end) return std::nullopt;
-    return std::count_if(end->begin(), end->end(), [&](const ComplexVectorX& x) {
+    return std::ranges::count_if(end->points, [&](const ComplexVectorX& x) {
       return std::abs(x[problem_.s]) <= std::sqrt(almost_zero);
     });
   }
 
  private:
-  std::optional<GenericSolutions> carried_out(GenericSolutions fibre) const {
-    auto points = at(fibre, further_out);
-    if (!points) return std::nullopt;
-    fibre.solutions = std::move(*points);
-    fibre.squares[problem_.product] *= further_out;
-    return fibre;
-  }
-
-  std::optional<std::vector<ComplexVectorX>> at(const GenericSolutions& fibre, Complex factor) const {
+  std::optional<Fibre> at(const GenericSolutions& fibre, Complex factor) const {
     return moved(tracking_, fibre, problem_.product, factor, stopped_, work_);
   }
-  Complex phi(const ComplexVectorX& x) const { return problem_.phi(x, weights_); }
+
+  /// Of ε, exactly.
+  BallMatrix step(const GenericSolutions& from, const Fibre& to) const {
+    BallMatrix difference(1, 1);
+    add_monomial(difference(0, 0), to.parameters[problem_.product], {}, difference);
+    add_monomial(difference(0, 0), -from.squares[problem_.product], {}, difference);
+    return difference;
+  }
+
+  /// Of each point.
+  std::optional<BallMatrix> phi(const Fibre& fibre) const {
+    BallMatrix values(static_cast<slong>(fibre.points.size()), 1);
+    for (std::size_t i = 0; i < fibre.points.size(); ++i) {
+      const std::optional<BallMatrix> zero = problem_.zero(fibre.parameters, fibre.points[i]);
+      if (!zero) return std::nullopt;
+      for (std::size_t k = 0; k < weights_.size(); ++k)
+        add_monomial(values(static_cast<slong>(i), 0), weights_[k], problem_.terms[k], *zero);
+    }
+    return values;
+  }
 
   const TraceProblem& problem_;
   LegTracking& tracking_;
@@ -274,12 +280,7 @@ TraceTest test_trace(const SquareSystem& system, const std::vector<int>& mirror_
   const TraceSystem trace(system, mirror_axes, random);
   const Elimination elimination = order_elimination(trace.system(), random);
   LegTracking tracking(trace.system(), elimination, setup);
-  const TraceProblem problem{trace.family(mirror_axes), trace.s(), trace.product_equation(),
-                             trace.weights_needed(),
-                             [&](const ComplexVectorX& x, const ComplexVectorX& weights) {
-                               return trace.sum_of_squares(x, weights);
-                             }};
-  return test_trace(problem, tracking, options, random, stopped, progress, work);
+  return test_trace(trace.problem(mirror_axes), tracking, options, random, stopped, progress, work);
 }
 
 }  // namespace gcs

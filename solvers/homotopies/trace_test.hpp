@@ -22,14 +22,16 @@
 /// of ε must lie on a line; then ε goes to almost 0, and N is counted.
 ///
 /// Some solutions may be nearly separate from the rest, as those 1/δ away of a platform whose bodies are congruent but for
-/// δ: loops miss the branch points that join them, some 1/δ² away, and the sums over the rest are off a line by δ² only, and
-/// by δ²·k where ε is k² times as large: there they are compared too. Below a δ of 1e-6 doubles do not see it.
+/// δ: loops miss the branch points that join them, some 1/δ² away, and the sums over the rest are off a line by δ² only.
+/// Doubles do not see it; the sums are taken at zeros to some 50 digits.
 ///
 /// It is evidence and no proof: φ might be unlucky, and the sums are numbers in floating point.
 
 #include <cstdint>
 
 #include "solvers/homotopies/monodromy_search.hpp"
+#include "solvers/lanes/monomial_system.hpp"
+#include "solvers/numeric/balls.hpp"
 
 namespace gcs {
 
@@ -39,19 +41,22 @@ struct TraceTest {
   std::int64_t solutions = 0;          ///< N
   double defect = 1;                   ///< of the three sums from a line, relative to their terms
 
-  /// Rounding leaves about 1e-14; a sum that lacks one of hundreds of points is off by a part of its term.
-  static constexpr double affine = 1e-10;
+  /// The equations' numbers are rounded to doubles, which makes a member of a special family one with a δ of 1e-16 or so
+  /// and leaves 1e-30; of a δ of 1e-13 a sum is off by more, and one that lacks one of hundreds of points by a part of its
+  /// term.
+  static constexpr double affine = 1e-28;
   bool is_affine() const { return defect <= affine; }
   bool passed() const { return end == SearchEnd::complete; }
 };
 
 /// The curve and the functions on it.
 struct TraceProblem {
-  HomotopyFamily family;  ///< of points with s·E = ε, with A_0 and ε free
-  int s = 0;              ///< its number among the unknowns
-  int product = 0;        ///< the parameter that ε is, or minus that
-  int weights = 0;        ///< how many φ takes
-  std::function<std::complex<double>(const ComplexVectorX& x, const ComplexVectorX& weights)> phi;
+  HomotopyFamily family;        ///< of points with s·E = ε, with A_0 and ε free
+  int s = 0;                    ///< its number among the unknowns
+  int product = 0;              ///< the parameter that ε is, or minus that
+  std::vector<Monomial> terms;  ///< that φ combines
+  /// The zero next to x for these parameters, as precise_zero.
+  std::function<std::optional<BallMatrix>(const ComplexVectorX& parameters, const ComplexVectorX& x)> zero;
 };
 
 /// `tracking` is of the family's system. Adds to `work`.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,14 +14,17 @@
 #include "harness/results/strategy_choice.hpp"
 #include "harness/solving/solve_run.hpp"
 #include "solvers/running/errors.hpp"
+#include "solvers/tests/sanitized.hpp"
 
 using namespace gcs;
 
 namespace {
 
-SolveRun solved(const std::string& id, const std::string& strategy) {
+SolveRun solved(const std::string& id, const std::string& strategy, std::uint64_t seed = 1) {
   const Scene scene(load_member(id).problem);
-  return run_strategy(find_strategy(strategy), {}, scene, {});
+  RunLimits limits;
+  limits.seed = seed;
+  return run_strategy(find_strategy(strategy), {}, scene, limits);
 }
 
 /// As many solutions as theory counts, each told apart from the others, with residuals to rounding.
@@ -90,11 +94,12 @@ TEST_CASE("solutions that doubles do not tell apart are not called a double one"
 
 TEST_CASE("postures that are nearly separate from the others are found or missed") {
   // Six by Hunt 1983; two of them are as far away as 1/ε at any values.
-  for (const std::string id : {"symmetric-body@1e-3", "symmetric-body@1e-4"}) {
-    const SolveRun run = solved(id, "monodromy");
-    INFO(id << ": " << run.reason);
-    CHECK((run.status == RunStatus::partial || run.solutions.size() == 6));
-  }
+  for (const std::string epsilon : {"1e-3", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12"})
+    for (int seed = 1; seed <= repetitions(7); ++seed) {
+      const SolveRun run = solved("symmetric-body@" + epsilon, "monodromy", static_cast<std::uint64_t>(seed));
+      INFO(epsilon << ", seed " << seed << ": " << run.reason);
+      CHECK((run.status == RunStatus::partial || run.solutions.size() == 6));
+    }
 }
 
 TEST_CASE("a platform that moves is said to") {

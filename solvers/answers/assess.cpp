@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -17,9 +18,6 @@ namespace gcs {
 namespace {
 
 constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-
-/// Above this, a double solution and two solutions that rounding cannot tell apart look the same.
-constexpr double singular_condition = 1e12;
 
 /// Two different solutions closer together than the coarsest merging tolerance lie on both sides of a fold,
 /// where the condition number is at least of the order of one over their distance. Below this one they are

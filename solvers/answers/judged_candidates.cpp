@@ -3,14 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <utility>
 
+#include "solvers/answers/settled_figure.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
+#include "solvers/numeric/balls.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
+
+/// Up to this, a solution for residuals in doubles is one to 1e-13 or so.
+constexpr double ill_condition = 1e2;
 
 bool is_finite(const LinePosition& line) { return line.point.allFinite() && line.direction.allFinite(); }
 bool is_finite(const PlanePosition& plane) { return plane.normal.allFinite() && std::isfinite(plane.offset); }
@@ -84,14 +90,39 @@ SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, c
   return verdict_on(signs, judged.representative, error);
 }
 
-Judged judged_candidate(const Scene& scene, const FigureJudge& judge, const std::vector<StatedSign>& signs,
-                        const Candidate& candidate) {
-  Judged judged{scene.in_frame(candidate.figure), scene.representative(candidate.figure), 0,
-                candidate.multiplicity, candidate.error};
-  judged.condition = judge.condition(judged.representative);
-  judged.signs = signs_of(scene, signs, judged);
-  return judged;
-}
+/// Judges one candidate at a time, on any thread.
+class CandidateJudge {
+ public:
+  explicit CandidateJudge(const Scene& scene) : scene_(scene) {}
+
+  std::optional<Judged> judged(const Candidate& candidate) const {
+    if (!is_usable(scene_, candidate)) return std::nullopt;
+    Judged judged{scene_.in_frame(candidate.figure), scene_.representative(candidate.figure), 0,
+                  candidate.multiplicity, candidate.error};
+    judged.condition = judge_.condition(judged.representative);
+    settle(judged);
+    judged.signs = signs_of(scene_, signs_, judged);
+    return judged;
+  }
+
+ private:
+  /// Of general scenes: their strategies take residuals in doubles.
+  void settle(Judged& judged) const {
+    const bool is_ill = judged.condition > ill_condition && judged.condition < singular_condition;
+    if (!is_ill || judged.multiplicity > 1 || std::isfinite(judged.error)) return;
+    if (!scene_.problem().is_general()) return;
+    const ThreadReserves reserves;
+    std::call_once(is_set_up_, [&] { settler_.emplace(scene_); });
+    judged.figure = settler_->settled(judged.figure);
+    judged.representative = scene_.representative(judged.figure);
+  }
+
+  const Scene& scene_;
+  const FigureJudge judge_{scene_};
+  const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
+  mutable std::once_flag is_set_up_;
+  mutable std::optional<FigureSettler> settler_;  ///< where it is needed
+};
 
 /// Multiplicity of a class: the largest that was reported for a member.
 AssessedSolution solution_of_class(const FigureJudge& judge, const Judged& first, int multiplicity,
@@ -110,12 +141,10 @@ AssessedSolution solution_of_class(const FigureJudge& judge, const Judged& first
 
 std::vector<std::optional<Judged>> judged_candidates(const Scene& scene,
                                                      const std::vector<Candidate>& candidates, int threads) {
-  const FigureJudge judge(scene);
-  const std::vector<StatedSign> signs = stated_signs(scene.problem());
+  const CandidateJudge judge(scene);
   std::vector<std::optional<Judged>> judged(candidates.size());
-  share_on_threads(candidates.size(), threads, [&](std::size_t i) {
-    if (is_usable(scene, candidates[i])) judged[i] = judged_candidate(scene, judge, signs, candidates[i]);
-  });
+  share_on_threads(candidates.size(), threads,
+                   [&](std::size_t i) { judged[i] = judge.judged(candidates[i]); });
   return judged;
 }
 ListedSolutions list_solutions(const Scene& scene, const std::vector<Judged>& judged, int threads) {

@@ -9,6 +9,9 @@
 
 namespace gcs {
 
+/// Above this, a double solution and two solutions that rounding cannot tell apart look the same.
+inline constexpr double singular_condition = 1e12;
+
 /// A candidate that can be judged, with everything that does not depend on the others.
 struct Judged {
   Figure figure;          ///< in the frame, not mirrored

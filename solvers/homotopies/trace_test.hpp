@@ -42,9 +42,9 @@ struct TraceTest {
   double defect = 1;                   ///< of the three sums from a line, relative to their terms
 
   /// The equations' numbers are rounded to doubles, which makes a member of a special family one with a δ of 1e-16 or so
-  /// and leaves 1e-30; of a δ of 1e-13 a sum is off by more, and one that lacks one of hundreds of points by a part of its
-  /// term.
-  static constexpr double affine = 1e-28;
+  /// and leaves 1e-32 times what weights make of it. From a δ of 1e-12 on a sum is off by more, and one that lacks one of
+  /// hundreds of points by a part of its term.
+  static constexpr double affine = 1e-29;
   bool is_affine() const { return defect <= affine; }
   bool passed() const { return end == SearchEnd::complete; }
 };

@@ -1,11 +1,12 @@
 #include "solvers/reading/instance_values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "solvers/elements/constraint_types.hpp"
+#include "solvers/numeric/rational.hpp"
 
 namespace gcs {
 namespace {
@@ -98,8 +99,8 @@ void read_length(const JsonCursor& constraint, InstanceFormat format, const Prob
 
 /// The values that an angle can have, and how these are said.
 struct AngleRange {
-  double least_cosine;
-  double most_degrees;
+  long least_cosine;
+  long most_degrees;
 };
 
 /// Directions without a sense have no obtuse angle.
@@ -108,16 +109,19 @@ AngleRange range_of(const OperandKinds& kinds) {
   return with_sense ? AngleRange{-1, 180} : AngleRange{0, 90};
 }
 
-/// Exactly 1, 0 and −1 at 0, 90 and 180 degrees.
-double cosine_of(double degrees) { return std::sin((90 - degrees) * (std::numbers::pi / 180)); }
+/// 0 where it is smaller than any double.
+Rational exact(const Decimal& given) {
+  return given.value == 0 ? Rational(0) : Rational::from_decimal(given.text);
+}
 
-/// Those that are no angle but another constraint, by their cosine; `is_exact`: which is not rounded.
-void refuse_other_constraints(const JsonCursor& cursor, const std::string& said, double cosine,
-                              bool is_exact) {
-  if (cosine == 0) cursor.fail(said, "that is the constraint 'perpendicular'");
-  if (std::abs(cosine) == 1)
-    cursor.fail(said, is_exact ? "that is the constraint 'parallel'"
-                               : "that is the constraint 'parallel' as far as doubles tell");
+bool is_below(const Rational& a, const Rational& b) { return (a - b).sign() < 0; }
+
+/// Those that are no angle but another constraint. `of_parallel` and `of_right_angle`: in degrees, or the cosine.
+void refuse_other_constraints(const JsonCursor& cursor, const std::string& said, const Rational& given,
+                              std::array<long, 2> of_parallel, long of_right_angle) {
+  if (given == Rational(of_right_angle)) cursor.fail(said, "that is the constraint 'perpendicular'");
+  if (given == Rational(of_parallel[0]) || given == Rational(of_parallel[1]))
+    cursor.fail(said, "that is the constraint 'parallel'");
 }
 
 void read_angle(const JsonCursor& constraint, const ProblemStatement& problem, Relation& relation) {
@@ -125,20 +129,19 @@ void read_angle(const JsonCursor& constraint, const ProblemStatement& problem, R
   const std::string member = given_member(constraint, "degrees", "cosine", "the angle");
   const JsonCursor cursor = constraint.required(member);
   relation.given = cursor.number();
-  const double given = relation.given.value;
+  const Rational given = exact(relation.given);
   if (member == "degrees") {
     relation.form = Form::degrees;
     const std::string said = "the angle is " + relation.given.text + " degrees";
-    if (given >= 0 && given <= 180)
-      refuse_other_constraints(cursor, said, cosine_of(given), given == 0 || given == 180);
-    if (given > 0 && given < range.most_degrees) return;
+    refuse_other_constraints(cursor, said, given, {0, 180}, 90);
+    if (given.sign() > 0 && is_below(given, range.most_degrees)) return;
     cursor.fail(said, range.most_degrees == 90 ? "this angle is above 0 and below 90 degrees"
                                                : "this angle is above 0 and below 180 degrees");
   }
   relation.form = Form::cosine;
   const std::string said = "the cosine is " + relation.given.text;
-  refuse_other_constraints(cursor, said, given, false);
-  if (given > range.least_cosine && given < 1) return;
+  refuse_other_constraints(cursor, said, given, {1, -1}, 0);
+  if (is_below(range.least_cosine, given) && is_below(given, 1)) return;
   cursor.fail(said, range.least_cosine == 0 ? "this cosine is above 0 and below 1"
                                             : "this cosine is above -1 and below 1");
 }

@@ -227,8 +227,8 @@ std::string scaled_body(const std::string& id, const std::string& exponent) {
   return text_of(id, draft);
 }
 
-/// Below, their cosines are 1 in doubles, which is refused.
-std::vector<std::string> small_angles() { return {"0.5", "1e-1", "1e-2", "1e-4", "1e-6"}; }
+/// Below, doubles hold two solutions for one that is double.
+std::vector<std::string> small_angles() { return {"0.5", "1e-1", "1e-2", "1e-4", "1e-6", "1e-8", "1e-10"}; }
 
 }  // namespace
 
@@ -279,7 +279,7 @@ std::span<const InstanceFamily> general_families() {
                      6},
       InstanceFamily{"scaled-body",
                      "a point and a plane at a body, times 2^k",
-                     {"0", "100", "-100", "500", "-500"},
+                     {"0", "100", "-100", "500", "-500", "1000", "-1000"},
                      scaled_body,
                      {},
                      8},

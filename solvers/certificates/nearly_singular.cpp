@@ -62,18 +62,18 @@ bool are_different_classes(const Scene& scene, const std::vector<Candidate>& can
   return solution_classes(scene, representatives, accuracies).first.size() == candidates.size();
 }
 
-std::vector<Candidate> simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count) {
+ResolvedCandidates simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count) {
   const NearSolutions near = solutions_near(system.equations(), {{x, count}}, count, {});
-  if (std::ssize(near.simple) != count) return {};
   const Scene& scene = system.elements().scene();
   const SceneEquations exact(scene);
-  std::vector<Candidate> found;
+  ResolvedCandidates found;
   for (const Certificate& solution : near.simple) {
     const bool is_real = solution.realness == Certificate::Realness::real;
-    found.push_back({system.figure(solution.enclosure.mid, is_real)});
-    found.back().error = exact.distance(found.back().figure, solution);
+    found.list.push_back({system.figure(solution.enclosure.mid, is_real)});
+    found.list.back().error = exact.distance(found.list.back().figure, solution);
   }
-  return are_different_classes(scene, found) ? found : std::vector<Candidate>();
+  found.are_told_apart = are_different_classes(scene, found.list);
+  return found;
 }
 
 int ResolvedCandidates::count() const {

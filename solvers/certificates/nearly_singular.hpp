@@ -19,6 +19,8 @@ struct ResolvedCandidates {
 
   /// With multiplicities.
   int count() const;
+  /// Whether these are so many, told apart.
+  bool are(int expected) const { return are_told_apart && count() == expected; }
 };
 
 /// The solutions next to figures in the scene's frame, of which each stands for so many as its multiplicity;
@@ -29,9 +31,9 @@ ResolvedCandidates resolve_nearly_singular(const Scene& scene, const std::vector
                                            const std::vector<Candidate>& listed, int expected,
                                            const std::stop_token& stop);
 
-/// The simple solutions of a general scene next to unknowns x, proven and with their errors, if there are `count` and
-/// doubles tell them apart; nothing otherwise. Precondition: as many equations as unknowns.
-std::vector<Candidate> simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count);
+/// The simple solutions of a general scene next to unknowns x, proven and with their errors, at most `count`. Precondition:
+/// as many equations as unknowns.
+ResolvedCandidates simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count);
 
 /// Whether doubles tell these candidates apart, as an assessment does it.
 bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates);

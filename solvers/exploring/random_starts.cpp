@@ -95,7 +95,8 @@ class SceneFunction {
   /// The real solution next to x, by the file's own numbers: rounded residuals leave stiff ones too uncertain for their
   /// classes.
   std::optional<Candidate> proven(const Eigen::VectorXd& x) const {
-    const std::vector<Candidate> found = simple_solutions_near(system_, ComplexValues(x.begin(), x.end()), 1);
+    const std::vector<Candidate> found =
+        simple_solutions_near(system_, ComplexValues(x.begin(), x.end()), 1).list;
     return found.empty() || !found.front().figure.is_real() ? std::nullopt : std::optional(found.front());
   }
   Refinement refined(Eigen::VectorXd& x) const { return refine(equations_, tolerance, x); }

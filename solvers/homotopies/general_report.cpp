@@ -75,23 +75,25 @@ class GeneralReporter {
     missing_.not_isolated += is_lonely && condition >= rank_lost;
     if (distinct.is_singular(i))
       add_meeting(distinct[i], distinct.paths(i), figure, condition);
-    else if (condition < stiff_condition || !add_proven(distinct[i], 1))
+    else if (condition < stiff_condition || !add(simple_solutions_near(system_, distinct[i], 1), 1))
       report_.candidates.push_back({figure, 1});
   }
 
-  /// An end at which paths met: simple solutions next to it, or a multiple one.
+  /// An end at which paths met: simple solutions next to it, or a multiple one where none is proven to be simple.
   void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure, double condition) {
-    if (add_proven(x, paths)) return;
-    const bool is_multiple = judge_.residual(figure) <= double_root_residual && condition >= regular;
+    const ResolvedCandidates simple = simple_solutions_near(system_, x, paths);
+    if (add(simple, paths)) return;
+    const bool is_multiple =
+        simple.list.empty() && judge_.residual(figure) <= double_root_residual && condition >= regular;
     missing_.in_between += !is_multiple;
     report_.candidates.push_back({figure, paths, std::numeric_limits<double>::infinity()});
   }
 
-  /// Whether the file's own numbers have so many simple solutions next to x, which doubles tell apart.
-  bool add_proven(const ComplexVectorX& x, int count) {
-    const std::vector<Candidate> simple = simple_solutions_near(system_, x, count);
-    report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
-    return !simple.empty();
+  /// Where these are so many, which doubles tell apart.
+  bool add(const ResolvedCandidates& simple, int count) {
+    if (!simple.are(count)) return false;
+    report_.candidates.insert(report_.candidates.end(), simple.list.begin(), simple.list.end());
+    return true;
   }
 
   void add_path(const PathEnd& end) {

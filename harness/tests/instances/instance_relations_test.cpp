@@ -204,6 +204,13 @@ TEST_CASE("angles have the values that make them angles") {
     CHECK(relation_of(scene(), between("angle", a, b, value("degrees", "89.25"))).given.text == "89.25");
     CHECK(relation_of(scene(), between("angle", a, b, value("cosine", "0.25"))).form ==
           Relation::Form::cosine);
+    // In doubles the cosines are 1, 1 and 0.
+    for (const auto& [form, number] : {std::pair{"degrees", "1e-9"},
+                                       {"cosine", "0.99999999999999999999"},
+                                       {"degrees", "89.99999999999999999999"}})
+      CHECK(relation_of(scene(), between("angle", a, b, value(form, number))).given.text == number);
+    refused(a, b, "degrees", "90.00000000000000000001", "above 0 and below 90 degrees");
+    refused(a, b, "cosine", "1.00000000000000000001", "above 0 and below 1");
     refused(a, b, "degrees", "0", "'parallel'");
     refused(a, b, "degrees", "90", "'perpendicular'");
     refused(a, b, "degrees", "120", "above 0 and below 90 degrees");

@@ -64,6 +64,13 @@ double& first_coordinate(Json& solution, const char* entities) {
 
 }  // namespace
 
+TEST_CASE("ill-conditioned solutions of a general scene are verified without bounds of their own") {
+  const Instance instance = load_instance("dietmaier");
+  const SolveRun run = run_strategy(find_strategy("polyhedral"), {}, Scene(instance.problem), {});
+  REQUIRE(run.status == RunStatus::complete);
+  CHECK(mismatches(Json::parse(result_text(instance, run, {}))).empty());
+}
+
 TEST_CASE("what a strategy finds is certified, and its result verified from the file alone") {
   for (const Case& one : cases) {
     INFO(one.instance << ", " << one.strategy);

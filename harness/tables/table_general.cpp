@@ -88,6 +88,7 @@ std::vector<Variant> general_variants() {
           {"system-paths", {{"system", "quadrics"}}},
           {"system-paths", {{"system", "echelon"}}},
           {"newton-multistart", {}},
+          {"explore", {}},
           {"full-space", {}}};
 }
 

@@ -48,8 +48,8 @@ std::vector<std::array<std::string, 3>> position_texts(const JsonCursor& cursor,
   for (const auto& [name, position] : cursor.members()) {
     const int entity = entity_number(problem, name, position);
     const std::size_t row = fixed_text_row(problem, entity);
-    const auto texts_of = [&](const char* member, int count) {
-      return position.required(member).coordinate_texts(count);
+    const auto texts_of = [&place = position](const char* member, int count) {
+      return place.required(member).coordinate_texts(count);
     };
     if (problem.is_point(entity)) {
       texts[row] = position.coordinate_texts(problem.dimension);

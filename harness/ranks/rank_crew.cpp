@@ -210,7 +210,7 @@ void serve(const MessagePassing& passing, const std::string& build) {
     }
     const auto [number, item] = number_and_bytes(message.bytes);
     std::string result, why = failure;
-    if (why.empty()) why = failure_of([&] { result = member.result(item); });
+    if (why.empty()) why = failure_of([&, &bytes = item] { result = member.result(bytes); });
     send(passing, 0, why.empty() ? result_tag : failure_tag, numbered(number, why.empty() ? result : why));
   }
 }

@@ -55,7 +55,7 @@ class Assessor {
 
   Assessment run() {
     judge_candidates();
-    ListedSolutions listed = list_solutions(scene_, judged_, threads_);
+    ListedSolutions listed = list_solutions(scene_, judge_, judged_, threads_);
     assessment_.solutions = std::move(listed.solutions);
     solution_of_ = std::move(listed.solution_of);
     check_residuals();
@@ -73,7 +73,8 @@ class Assessor {
   }
 
   void judge_candidates() {
-    std::vector<std::optional<Judged>> judged = judged_candidates(scene_, report_.candidates, threads_);
+    std::vector<std::optional<Judged>> judged =
+        judged_candidates(scene_, judge_, report_.candidates, threads_);
     for (std::size_t i = 0; i < judged.size(); ++i) {
       judged_index_.push_back(judged[i] ? static_cast<int>(judged_.size()) : -1);
       if (judged[i])
@@ -201,6 +202,7 @@ class Assessor {
   const Scene& scene_;
   const SolveReport& report_;
   int threads_;
+  const FigureJudge judge_{scene_};
   Assessment assessment_;
   std::vector<Judged> judged_;
   std::vector<int> judged_index_;  // by candidate: index in judged_, or −1

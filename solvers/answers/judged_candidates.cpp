@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "solvers/answers/settled_figure.hpp"
-#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/numeric/balls.hpp"
 #include "solvers/running/run_on_threads.hpp"
@@ -93,7 +92,7 @@ SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, c
 /// Judges one candidate at a time, on any thread.
 class CandidateJudge {
  public:
-  explicit CandidateJudge(const Scene& scene) : scene_(scene) {}
+  CandidateJudge(const Scene& scene, const FigureJudge& judge) : scene_(scene), judge_(judge) {}
 
   std::optional<Judged> judged(const Candidate& candidate) const {
     if (!is_usable(scene_, candidate)) return std::nullopt;
@@ -118,7 +117,7 @@ class CandidateJudge {
   }
 
   const Scene& scene_;
-  const FigureJudge judge_{scene_};
+  const FigureJudge& judge_;
   const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
   mutable std::once_flag is_set_up_;
   mutable std::optional<FigureSettler> settler_;  ///< where it is needed
@@ -139,15 +138,17 @@ AssessedSolution solution_of_class(const FigureJudge& judge, const Judged& first
 
 }  // namespace
 
-std::vector<std::optional<Judged>> judged_candidates(const Scene& scene,
+std::vector<std::optional<Judged>> judged_candidates(const Scene& scene, const FigureJudge& judge,
                                                      const std::vector<Candidate>& candidates, int threads) {
-  const CandidateJudge judge(scene);
+  const CandidateJudge of_candidates(scene, judge);
   std::vector<std::optional<Judged>> judged(candidates.size());
   share_on_threads(candidates.size(), threads,
-                   [&](std::size_t i) { judged[i] = judge.judged(candidates[i]); });
+                   [&](std::size_t i) { judged[i] = of_candidates.judged(candidates[i]); });
   return judged;
 }
-ListedSolutions list_solutions(const Scene& scene, const std::vector<Judged>& judged, int threads) {
+
+ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge,
+                               const std::vector<Judged>& judged, int threads) {
   const std::vector<int> class_of = classify(scene, judged);
   std::vector<int> first;
   std::vector<int> multiplicity(judged.size(), 0);  // by class
@@ -161,7 +162,6 @@ ListedSolutions list_solutions(const Scene& scene, const std::vector<Judged>& ju
   });
   std::sort(order.begin(), order.end());
 
-  const FigureJudge judge(scene);
   const auto terms = file_terms(scene);
   ListedSolutions listed;
   listed.solutions.resize(order.size());

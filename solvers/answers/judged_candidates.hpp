@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solvers/answers/assessed_solution.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 
 namespace gcs {
@@ -22,9 +23,9 @@ struct Judged {
   SignVerdict signs{};
 };
 
-/// One for each candidate; nothing for what lacks an entity, is not finite or has no multiplicity. The same for any number
+/// `judge`: of the scene. One for each candidate; nothing for what lacks an entity, is not finite or has no multiplicity. The same for any number
 /// of threads ≥ 1.
-std::vector<std::optional<Judged>> judged_candidates(const Scene& scene,
+std::vector<std::optional<Judged>> judged_candidates(const Scene& scene, const FigureJudge& judge,
                                                      const std::vector<Candidate>& candidates, int threads);
 
 struct ListedSolutions {
@@ -34,6 +35,7 @@ struct ListedSolutions {
 
 /// Real solutions first, those as stated before the others; with the largest multiplicity that was reported for a member
 /// of the class. The same for any number of threads ≥ 1.
-ListedSolutions list_solutions(const Scene& scene, const std::vector<Judged>& judged, int threads);
+ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge,
+                               const std::vector<Judged>& judged, int threads);
 
 }  // namespace gcs

@@ -14,11 +14,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Eigen::VectorXcd midpoints(const BallMatrix& column) {
   Eigen::VectorXcd result(column.rows());
-  for (slong i = 0; i < column.rows(); ++i) {
-    acb_srcptr ball = column(i, 0);
-    result[i] = {arf_get_d(arb_midref(acb_realref(ball)), ARF_RND_NEAR),
-                 arf_get_d(arb_midref(acb_imagref(ball)), ARF_RND_NEAR)};
-  }
+  for (slong i = 0; i < column.rows(); ++i) result[i] = rounded_midpoint(column(i, 0));
   return result;
 }
 

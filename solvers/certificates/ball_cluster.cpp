@@ -25,9 +25,7 @@ BallMatrix balls(const Eigen::MatrixXcd& numbers) {
 Eigen::MatrixXcd middles(const BallMatrix& matrix) {
   Eigen::MatrixXcd result(matrix.rows(), matrix.columns());
   for (slong i = 0; i < matrix.rows(); ++i)
-    for (slong j = 0; j < matrix.columns(); ++j)
-      result(i, j) = {arf_get_d(arb_midref(acb_realref(matrix(i, j))), ARF_RND_NEAR),
-                      arf_get_d(arb_midref(acb_imagref(matrix(i, j))), ARF_RND_NEAR)};
+    for (slong j = 0; j < matrix.columns(); ++j) result(i, j) = rounded_midpoint(matrix(i, j));
   return result;
 }
 

@@ -218,8 +218,7 @@ Enclosure enclosure_of(const BallKrawczyk::Proof& proof) {
   Ball rest;
   for (slong i = 0; i < proof.solution.rows(); ++i) {
     const acb_srcptr ball = proof.solution(i, 0);
-    const std::complex<double> mid{arf_get_d(arb_midref(acb_realref(ball)), ARF_RND_NEAR),
-                                   arf_get_d(arb_midref(acb_imagref(ball)), ARF_RND_NEAR)};
+    const std::complex<double> mid = rounded_midpoint(ball);
     acb_set_d_d(rest, mid.real(), mid.imag());
     acb_sub(rest, ball, rest, 64);
     acb_srcptr difference = rest;

@@ -30,9 +30,7 @@ constexpr std::size_t directions = 3;
 
 Point middle_of(const BallMatrix& x) {
   Point result;
-  for (slong i = 0; i < x.rows(); ++i)
-    result.emplace_back(arf_get_d(arb_midref(acb_realref(x(i, 0))), ARF_RND_NEAR),
-                        arf_get_d(arb_midref(acb_imagref(x(i, 0))), ARF_RND_NEAR));
+  for (slong i = 0; i < x.rows(); ++i) result.push_back(rounded_midpoint(x(i, 0)));
   return result;
 }
 

@@ -154,22 +154,15 @@ SentLegs read_legs(std::string_view message) {
 
 std::string to_message(const FollowedLegs& followed) {
   Writer write;
-  write(followed.work);
-  write(followed.results.size());
-  for (const LegResult& result : followed.results) visit_all(write, result.state, result.x);
+  write(to_block(followed));
   return std::move(write.message);
 }
 
 FollowedLegs read_followed(std::string_view message) {
   Reader read(message);
-  FollowedLegs followed;
-  std::size_t results = 0;
-  visit_all(read, followed.work, results);
-  while (followed.results.size() < results) {
-    LegResult& result = followed.results.emplace_back();
-    visit_all(read, result.state, result.x);
-  }
-  return followed;
+  Journal::Block block;
+  read(block);
+  return from_block(block);
 }
 
 }  // namespace gcs

@@ -90,11 +90,6 @@ void add_monomial(acb_ptr sum, const Complex& coefficient, const Monomial& monom
   acb_add(sum, sum, term, bits);
 }
 
-Complex rounded_midpoint(acb_srcptr ball) {
-  return {arf_get_d(arb_midref(acb_realref(ball)), ARF_RND_NEAR),
-          arf_get_d(arb_midref(acb_imagref(ball)), ARF_RND_NEAR)};
-}
-
 std::optional<BallMatrix> precise_zero(const MonomialSystem& system, const ComplexVectorX& coefficients,
                                        const ComplexVectorX& x) {
   return refined(system, coefficients, jacobian_at(system, coefficients, x), x);

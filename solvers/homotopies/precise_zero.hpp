@@ -22,7 +22,4 @@ std::optional<BallMatrix> precise_zero(const SquareSystem& system, const Complex
 void add_monomial(acb_ptr sum, const std::complex<double>& coefficient, const Monomial& monomial,
                   const BallMatrix& x);
 
-/// Its midpoint, to doubles.
-std::complex<double> rounded_midpoint(acb_srcptr ball);
-
 }  // namespace gcs

@@ -27,6 +27,11 @@ void enclose(acb_ptr ball, const ExactNumber& number, slong bits) {
   if (number.is_negative) acb_neg(ball, ball);
 }
 
+std::complex<double> rounded_midpoint(acb_srcptr ball) {
+  return {arf_get_d(arb_midref(acb_realref(ball)), ARF_RND_NEAR),
+          arf_get_d(arb_midref(acb_imagref(ball)), ARF_RND_NEAR)};
+}
+
 double magnitude(acb_srcptr ball) {
   mag_t bound;
   mag_init(bound);

@@ -6,6 +6,8 @@
 #include <acb.h>
 #include <acb_mat.h>
 
+#include <complex>
+
 #include "solvers/numeric/exact_number.hpp"
 
 namespace gcs {
@@ -59,6 +61,9 @@ class ThreadReserves {
 
 /// A ball that holds the number, as small as `bits` allow.
 void enclose(acb_ptr ball, const ExactNumber& number, slong bits);
+
+/// The ball's middle, rounded to doubles.
+std::complex<double> rounded_midpoint(acb_srcptr ball);
 
 /// At least |x| for all x of the ball: a double, rounded up.
 double magnitude(acb_srcptr ball);

@@ -17,6 +17,20 @@ constexpr std::string_view format_name = "gcsbench-run/1";
 
 }  // namespace
 
+CellRecord::CellRecord() = default;
+CellRecord::CellRecord(const CellRecord&) = default;
+CellRecord::CellRecord(CellRecord&&) noexcept = default;
+CellRecord& CellRecord::operator=(const CellRecord&) = default;
+CellRecord& CellRecord::operator=(CellRecord&&) noexcept = default;
+CellRecord::~CellRecord() = default;
+
+RunFile::RunFile() = default;
+RunFile::RunFile(const RunFile&) = default;
+RunFile::RunFile(RunFile&&) noexcept = default;
+RunFile& RunFile::operator=(const RunFile&) = default;
+RunFile& RunFile::operator=(RunFile&&) noexcept = default;
+RunFile::~RunFile() = default;
+
 // ---- what the file says of each record
 
 void visit_fields(RecordOf<Environment> auto& environment, const auto& visit) {

@@ -68,6 +68,13 @@ struct CellRecord : SolveOutcome {
   std::string flaw() const;
   /// The particular of that name, if the strategy counts it.
   std::optional<std::int64_t> particular(std::string_view name) const;
+  /// Compiled once.
+  CellRecord();
+  CellRecord(const CellRecord&);
+  CellRecord(CellRecord&&) noexcept;
+  CellRecord& operator=(const CellRecord&);
+  CellRecord& operator=(CellRecord&&) noexcept;
+  ~CellRecord();
 
  private:
   bool contradicts_reference() const { return accuracy && claim && accuracy->contradicts(*claim); }
@@ -135,6 +142,14 @@ struct RunFile {
 
   /// The cell of that spec, or nullptr.
   const CellRecord* find(const CellSpec& spec) const;
+
+  /// Compiled once.
+  RunFile();
+  RunFile(const RunFile&);
+  RunFile(RunFile&&) noexcept;
+  RunFile& operator=(const RunFile&);
+  RunFile& operator=(RunFile&&) noexcept;
+  ~RunFile();
 };
 
 /// The record as JSON, ending in a newline. Numbers read back as the same doubles.

@@ -241,6 +241,13 @@ void Assessor::count() {
 
 }  // namespace
 
+Assessment::Assessment() = default;
+Assessment::Assessment(const Assessment&) = default;
+Assessment::Assessment(Assessment&&) noexcept = default;
+Assessment& Assessment::operator=(const Assessment&) = default;
+Assessment& Assessment::operator=(Assessment&&) noexcept = default;
+Assessment::~Assessment() = default;
+
 Assessment assess(const Scene& scene, const SolveReport& report, int threads) {
   return Assessor(scene, report, threads).run();
 }

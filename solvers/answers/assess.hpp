@@ -92,6 +92,14 @@ struct Assessment {
   std::vector<Motion> motions;  ///< beside the solutions, which are isolated then; figures in the file's unit
   std::vector<FailedCheck> failed_checks;
   std::optional<Proofs> proofs;  ///< empty unless asked for (see certify)
+
+  /// Compiled once.
+  Assessment();
+  Assessment(const Assessment&);
+  Assessment(Assessment&&) noexcept;
+  Assessment& operator=(const Assessment&);
+  Assessment& operator=(Assessment&&) noexcept;
+  ~Assessment();
 };
 
 /// Assesses a report of any strategy; the report may be wrong in every way. Deterministic, whatever `threads` ≥ 1 is. Never

@@ -16,6 +16,10 @@ SystemBuilder::SystemBuilder(const Scene& scene)
       lines_(scene.problem().lines.size()),
       planes_(scene.problem().planes.size()) {}
 
+SystemBuilder::SystemBuilder(const SystemBuilder&) = default;
+SystemBuilder::SystemBuilder(SystemBuilder&&) noexcept = default;
+SystemBuilder::~SystemBuilder() = default;
+
 LinearForm SystemBuilder::unknown(SignMask mask) {
   system_.mirror.push_back(mask);
   return {{{system_.unknowns++}}, {}};

@@ -98,6 +98,10 @@ class SystemBuilder {
  public:
   /// Without elements (see place_elements). Preconditions: !why_no_frame(scene); the scene outlives this.
   explicit SystemBuilder(const Scene& scene);
+  // Compiled once.
+  SystemBuilder(const SystemBuilder&);
+  SystemBuilder(SystemBuilder&&) noexcept;
+  ~SystemBuilder();
 
   const Scene& scene() const { return scene_; }
   const ProblemStatement& problem() const { return scene_.problem(); }

@@ -167,6 +167,14 @@ struct SolveReport {
   std::optional<SolutionTotals> totals;  ///< of a scene that was taken apart
   WorkCounters work;
   std::vector<Particular> particulars;
+
+  /// Compiled once.
+  SolveReport();
+  SolveReport(const SolveReport&);
+  SolveReport(SolveReport&&) noexcept;
+  SolveReport& operator=(const SolveReport&);
+  SolveReport& operator=(SolveReport&&) noexcept;
+  ~SolveReport();
 };
 
 /// One option: `--set name=value`.

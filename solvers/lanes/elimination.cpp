@@ -145,6 +145,13 @@ void append_steps(Elimination& elimination) {
 
 }  // namespace
 
+Elimination::Elimination() = default;
+Elimination::Elimination(const Elimination&) = default;
+Elimination::Elimination(Elimination&&) noexcept = default;
+Elimination& Elimination::operator=(const Elimination&) = default;
+Elimination& Elimination::operator=(Elimination&&) noexcept = default;
+Elimination::~Elimination() = default;
+
 Elimination order_elimination(int unknowns, const std::vector<ComplexVectorX>& jacobians) {
   Elimination elimination;
   elimination.unknowns = unknowns;

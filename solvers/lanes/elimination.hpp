@@ -41,6 +41,14 @@ struct Elimination {
   std::vector<int> entry_numbers;  ///< [equation·unknowns + unknown], −1 where there is no entry
 
   int entry(int e, int i) const { return entry_numbers[e * unknowns + i]; }
+
+  /// Compiled once.
+  Elimination();
+  Elimination(const Elimination&);
+  Elimination(Elimination&&) noexcept;
+  Elimination& operator=(const Elimination&);
+  Elimination& operator=(Elimination&&) noexcept;
+  ~Elimination();
 };
 
 /// `jacobians` are samples for one system, unknowns × unknowns row by row, all regular; an entry is where any

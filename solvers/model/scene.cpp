@@ -343,6 +343,14 @@ Reference line_reference(const ProblemStatement& problem) {
   return reference;
 }
 
+Scene::Scene(const Scene&) = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(const Scene&) = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+
+Scene Scene::unchecked(ProblemStatement problem) { return {std::move(problem), Unchecked()}; }
+
 Scene::Scene(ProblemStatement problem)
     : Scene((require_well_posed(problem, "problem"), require_sound_bends(problem), std::move(problem)),
             Unchecked()) {}

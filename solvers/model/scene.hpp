@@ -22,7 +22,13 @@ class Scene {
   explicit Scene(ProblemStatement problem);
   /// The same without looking: of a problem that was read from a file or is a part of one, or that no figure need
   /// satisfy.
-  static Scene unchecked(ProblemStatement problem) { return {std::move(problem), Unchecked()}; }
+  static Scene unchecked(ProblemStatement problem);
+  // Compiled once.
+  Scene(const Scene&);
+  Scene(Scene&&) noexcept;
+  Scene& operator=(const Scene&);
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
 
   const ProblemStatement& problem() const { return problem_; }
   int dimension() const { return problem_.dimension; }

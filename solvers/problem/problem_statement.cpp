@@ -1,8 +1,33 @@
 #include "solvers/problem/problem_statement.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace gcs {
+
+Figure::Figure() = default;
+Figure::Figure(const Figure&) = default;
+Figure::Figure(Figure&&) noexcept = default;
+Figure& Figure::operator=(const Figure&) = default;
+Figure& Figure::operator=(Figure&&) noexcept = default;
+Figure::~Figure() = default;
+
+Figure::Figure(Eigen::Matrix3Xd of_points, std::vector<LinePosition> of_lines,
+               Eigen::Matrix3Xd imaginary_points, std::vector<LinePosition> of_imaginary_lines,
+               std::vector<PlanePosition> of_planes, std::vector<PlanePosition> of_imaginary_planes)
+    : points(std::move(of_points)),
+      lines(std::move(of_lines)),
+      imaginary(std::move(imaginary_points)),
+      imaginary_lines(std::move(of_imaginary_lines)),
+      planes(std::move(of_planes)),
+      imaginary_planes(std::move(of_imaginary_planes)) {}
+
+ProblemStatement::ProblemStatement() = default;
+ProblemStatement::ProblemStatement(const ProblemStatement&) = default;
+ProblemStatement::ProblemStatement(ProblemStatement&&) noexcept = default;
+ProblemStatement& ProblemStatement::operator=(const ProblemStatement&) = default;
+ProblemStatement& ProblemStatement::operator=(ProblemStatement&&) noexcept = default;
+ProblemStatement::~ProblemStatement() = default;
 
 Figure Figure::scaled(int exponent) const {
   const auto scale = [exponent](double x) { return std::ldexp(x, exponent); };

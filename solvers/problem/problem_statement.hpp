@@ -34,11 +34,22 @@ struct PlanePosition {
 struct Figure {
   Eigen::Matrix3Xd points;
   std::vector<LinePosition> lines;
-  Eigen::Matrix3Xd imaginary{};  ///< imaginary parts of the points of a complex placement; empty: it is real
+  Eigen::Matrix3Xd imaginary;  ///< imaginary parts of the points of a complex placement; empty: it is real
   /// Those of its lines, one for each; empty as well: it is real.
-  std::vector<LinePosition> imaginary_lines{};
-  std::vector<PlanePosition> planes{};
-  std::vector<PlanePosition> imaginary_planes{};  ///< likewise
+  std::vector<LinePosition> imaginary_lines;
+  std::vector<PlanePosition> planes;
+  std::vector<PlanePosition> imaginary_planes;  ///< likewise
+
+  /// Compiled once.
+  Figure();
+  Figure(const Figure&);
+  Figure(Figure&&) noexcept;
+  Figure& operator=(const Figure&);
+  Figure& operator=(Figure&&) noexcept;
+  ~Figure();
+  Figure(Eigen::Matrix3Xd points, std::vector<LinePosition> lines, Eigen::Matrix3Xd imaginary = {},
+         std::vector<LinePosition> imaginary_lines = {}, std::vector<PlanePosition> planes = {},
+         std::vector<PlanePosition> imaginary_planes = {});
 
   bool is_real() const {
     return imaginary.cols() == 0 && imaginary_lines.empty() && imaginary_planes.empty();
@@ -179,6 +190,14 @@ struct ProblemStatement {
   bool is_fixed(int entity) const;
   /// True when positions are given, so that no motion or reflection is divided out.
   bool is_anchored() const;
+
+  /// Compiled once.
+  ProblemStatement();
+  ProblemStatement(const ProblemStatement&);
+  ProblemStatement(ProblemStatement&&) noexcept;
+  ProblemStatement& operator=(const ProblemStatement&);
+  ProblemStatement& operator=(ProblemStatement&&) noexcept;
+  ~ProblemStatement();
 };
 
 enum class OperandKind { point, line, plane, segment };

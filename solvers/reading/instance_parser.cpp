@@ -152,6 +152,13 @@ std::string optional_text(const JsonCursor& root, std::string_view name) {
 
 }  // namespace
 
+Instance::Instance() = default;
+Instance::Instance(const Instance&) = default;
+Instance::Instance(Instance&&) noexcept = default;
+Instance& Instance::operator=(const Instance&) = default;
+Instance& Instance::operator=(Instance&&) noexcept = default;
+Instance::~Instance() = default;
+
 Instance parse_instance(std::string_view text, const std::string& file, const std::string& expected_id) {
   Instance instance = parse_statement(text, file, expected_id);
   if (instance.problem.is_general()) require_general_well_posed(instance.problem, file);

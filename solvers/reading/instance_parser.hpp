@@ -31,6 +31,14 @@ struct Instance {
 
   /// Ready to be solved.
   operator Scene() const { return Scene::unchecked(problem); }
+
+  /// Compiled once.
+  Instance();
+  Instance(const Instance&);
+  Instance(Instance&&) noexcept;
+  Instance& operator=(const Instance&);
+  Instance& operator=(Instance&&) noexcept;
+  ~Instance();
 };
 
 /// Reads and checks an instance: the format and then the structure (degrees of freedom, rigidity and, where there are only

@@ -20,8 +20,13 @@ struct JsonValue {
   std::vector<JsonValue> elements;
   std::vector<std::pair<std::string, JsonValue>> members{};
 
-  /// Out of line: inline it would need pairs of this type before the type is complete.
+  /// Compiled once; inline the first would need pairs of this type before the type is complete.
   JsonValue();
+  JsonValue(const JsonValue&);
+  JsonValue(JsonValue&&) noexcept;
+  JsonValue& operator=(const JsonValue&);
+  JsonValue& operator=(JsonValue&&) noexcept;
+  ~JsonValue();
   /// The member of that name, or nullptr. Precondition: an object.
   const JsonValue* find(std::string_view name) const;
 };

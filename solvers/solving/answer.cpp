@@ -2,6 +2,20 @@
 
 namespace gcs {
 
+Answer::Answer() = default;
+Answer::Answer(const Answer&) = default;
+Answer::Answer(Answer&&) noexcept = default;
+Answer& Answer::operator=(const Answer&) = default;
+Answer& Answer::operator=(Answer&&) noexcept = default;
+Answer::~Answer() = default;
+
+SolveOutcome::SolveOutcome() = default;
+SolveOutcome::SolveOutcome(const SolveOutcome&) = default;
+SolveOutcome::SolveOutcome(SolveOutcome&&) noexcept = default;
+SolveOutcome& SolveOutcome::operator=(const SolveOutcome&) = default;
+SolveOutcome& SolveOutcome::operator=(SolveOutcome&&) noexcept = default;
+SolveOutcome::~SolveOutcome() = default;
+
 std::string_view word(RunStatus status) {
   constexpr std::array<std::string_view, all_statuses.size()> words{
       "complete", "partial", "infinite", "unsupported", "gave up", "stopped", "interrupted", "timed out"};

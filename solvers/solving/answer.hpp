@@ -48,6 +48,14 @@ struct SolveOutcome {
   std::optional<Claim> claim;  ///< empty when nothing was run
   WorkCounters work;
   std::vector<Particular> particulars;  ///< counts that only this strategy knows
+
+  /// Compiled once.
+  SolveOutcome();
+  SolveOutcome(const SolveOutcome&);
+  SolveOutcome(SolveOutcome&&) noexcept;
+  SolveOutcome& operator=(const SolveOutcome&);
+  SolveOutcome& operator=(SolveOutcome&&) noexcept;
+  ~SolveOutcome();
 };
 
 /// One solution for each reflection class, how many there are, what is proven about them, and which checks
@@ -59,6 +67,14 @@ struct Answer : Assessment, SolveOutcome {
   /// Of each solution, to the digits asked for; nothing where it is not proven to so many. Empty unless asked
   /// for.
   std::vector<std::optional<DecimalFigure>> refined;
+
+  /// Compiled once.
+  Answer();
+  Answer(const Answer&);
+  Answer(Answer&&) noexcept;
+  Answer& operator=(const Answer&);
+  Answer& operator=(Answer&&) noexcept;
+  ~Answer();
 };
 
 }  // namespace gcs

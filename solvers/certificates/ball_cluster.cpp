@@ -1,10 +1,9 @@
 #include "solvers/certificates/ball_cluster.hpp"
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

@@ -1,8 +1,8 @@
 #include "solvers/certificates/box_search.hpp"
 
+#include <Eigen/SVD>
+#include <algorithm>
 #include <limits>
-
-#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

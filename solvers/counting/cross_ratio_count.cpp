@@ -1,5 +1,6 @@
 #include "solvers/counting/cross_ratio_count.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <utility>

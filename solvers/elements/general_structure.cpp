@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <set>
 
 #include "solvers/elements/dense_equations.hpp"
 #include "solvers/elements/stated_signs.hpp"
-#include "solvers/numeric/svd.hpp"
 #include "solvers/running/errors.hpp"
 #include "solvers/running/words.hpp"
 

@@ -1,9 +1,8 @@
 #include "solvers/figures/fold_solutions.hpp"
 
+#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
-
-#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

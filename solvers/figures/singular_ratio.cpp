@@ -1,10 +1,9 @@
 #include "solvers/figures/singular_ratio.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
-
-#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

@@ -1,10 +1,11 @@
 #include "solvers/homotopies/close_pair.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
 #include <limits>
 
 #include "solvers/figures/complex_distances.hpp"
-#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

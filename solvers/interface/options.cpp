@@ -1,5 +1,6 @@
 #include "solvers/interface/options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 

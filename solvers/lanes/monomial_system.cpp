@@ -1,5 +1,7 @@
 #include "solvers/lanes/monomial_system.hpp"
 
+#include <cmath>
+
 namespace gcs {
 
 EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,

@@ -1,9 +1,8 @@
 #include "solvers/reading/element_position.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <algorithm>
-
-#include "solvers/numeric/svd.hpp"
 
 namespace gcs {
 namespace {

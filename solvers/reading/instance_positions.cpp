@@ -1,10 +1,10 @@
 #include "solvers/reading/instance_positions.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <algorithm>
 
 #include "solvers/elements/given_elements.hpp"
-#include "solvers/numeric/svd.hpp"
 #include "solvers/reading/element_position.hpp"
 #include "solvers/reading/instance_names.hpp"
 #include "solvers/reading/sketch_pose.hpp"

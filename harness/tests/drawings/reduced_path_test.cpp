@@ -2,6 +2,7 @@
 
 #include "harness/drawings/reduced_path.hpp"
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <map>
 

@@ -2,6 +2,7 @@
 
 #include "solvers/certificates/ball_cluster.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 

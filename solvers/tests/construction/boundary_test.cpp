@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solvers/tests/random_numbers.hpp"

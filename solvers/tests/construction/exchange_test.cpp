@@ -1,6 +1,7 @@
 #include "solvers/construction/exchange.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solvers/construction/derive.hpp"

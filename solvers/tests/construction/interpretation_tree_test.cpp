@@ -1,5 +1,6 @@
 #include "solvers/construction/interpretation_tree.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "solvers/construction/plan.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solvers/tests/random_numbers.hpp"

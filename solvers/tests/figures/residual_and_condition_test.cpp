@@ -1,6 +1,7 @@
 #include "solvers/figures/residual_and_condition.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 

@@ -1,5 +1,6 @@
 #include "solvers/model/complex_points.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solvers/figures/reflection_classes.hpp"

@@ -1,5 +1,6 @@
 #include "solvers/model/distance_system.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 #include <set>

@@ -1,6 +1,7 @@
 #include "solvers/model/scene.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solvers/tests/sample_problems.hpp"

@@ -1,6 +1,7 @@
 #include "solvers/numeric/double_double.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
 

@@ -1,6 +1,7 @@
 #include "solvers/numeric/trigonometric_roots.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>

@@ -2,6 +2,7 @@
 
 #include <arb.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "solvers/octahedron/exact_determinants.hpp"

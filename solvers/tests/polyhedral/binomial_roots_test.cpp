@@ -1,5 +1,6 @@
 #include "solvers/polyhedral/binomial_roots.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>

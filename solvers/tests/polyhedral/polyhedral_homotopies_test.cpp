@@ -1,5 +1,6 @@
 #include "solvers/polyhedral/polyhedral_homotopies.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -2,6 +2,7 @@
 
 #include "solvers/proven_paths/polynomial_length.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -2,6 +2,7 @@
 
 #include "solvers/reduction/reduced_strategy.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "solvers/subdivision/boxed_simplex.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 #include <optional>

@@ -2,6 +2,7 @@
 /// triangle inequalities hold, the corner lies above or below the base, and at the ends of the interval the two arcs
 /// meet. Where the interval ends between 0 and 1, S closes without a solution; where it does not end, S runs off.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

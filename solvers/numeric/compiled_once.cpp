@@ -1,0 +1,2 @@
+#define GCS_ONCE
+#include "solvers/numeric/compiled_once.hpp"

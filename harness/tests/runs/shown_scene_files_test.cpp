@@ -211,7 +211,7 @@ TEST_CASE("the graph that explore walks is stored with figures that meet every v
 }
 
 TEST_CASE("of a scene that is too large to draw only the instance is stored") {
-  const StoredScene large = stored_scene(load_instance("octahedron-hung@1000"));
+  const StoredScene large = stored_scene(load_instance("octahedron-hung@100"));
   CHECK(large.record.solutions.empty());
   CHECK_FALSE(large.path);
   CHECK(large.record.no_path.find("entities") != std::string::npos);

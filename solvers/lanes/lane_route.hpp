@@ -14,19 +14,23 @@ class LaneRoute {
  public:
   using Number = Complex<Real>;
 
-  explicit LaneRoute(std::size_t parameters) : rates_(parameters), end_(parameters) {
+  explicit LaneRoute(std::size_t parameters) : moves_(parameters), rates_(parameters), end_(parameters) {
     for (auto& coefficient : coefficients_) coefficient.resize(parameters);
   }
 
   std::size_t parameters() const { return end_.size(); }
   /// Whether any route so far had rates.
   bool has_rates() const { return has_rates_; }
+  /// Whether parameter j was another one along any route so far.
+  bool moves(std::size_t j) const { return moves_[j] != 0; }
 
   void load(int lane, const Route& route) {
     for (std::size_t j = 0; j < end_.size(); ++j) {
       for (int k = 0; k <= Route::degree; ++k) set(coefficients_[k][j], lane, route.coefficients[k][j]);
       set(end_[j], lane, route.end[j]);
       rates_[j].set_lane(lane, route.rates.empty() ? 0 : route.rates[j]);
+      for (int k = 1; k <= Route::degree; ++k) moves_[j] |= route.coefficients[k][j] != 0.0;
+      moves_[j] |= !route.rates.empty() && route.rates[j] != 0;
     }
     has_rates_ = has_rates_ || !route.rates.empty();
   }
@@ -73,6 +77,7 @@ class LaneRoute {
   }
 
   bool has_rates_ = false;
+  std::vector<char> moves_;
   std::array<std::vector<Number>, Route::degree + 1> coefficients_;
   std::vector<Real> rates_;
   std::vector<Number> end_;

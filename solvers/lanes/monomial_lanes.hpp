@@ -19,14 +19,16 @@ class MonomialEquations {
   MonomialEquations(const MonomialSystem& system, const Elimination& elimination, int order)
       : system_(system),
         order_(order),
+        distinct_(distinct_monomials(system)),
         coefficient_(system.monomials.size()),
-        products_(system.monomials.size() * (order + 1)),
+        products_(distinct_.monomials.size() * (order + 1)),
         coefficients_(system.monomials.size() * (order + 1)),
         route_(system.monomials.size()) {
     for (int e = 0; e < system.equations(); ++e)
-      for (int j = system.first[e]; j < system.first[e + 1]; ++j)
-        entries_of_.push_back(
-            {entry(elimination, e, system.monomials[j].u), entry(elimination, e, system.monomials[j].v)});
+      for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
+        const auto [u, v] = system.monomials[j];
+        entries_of_.push_back({entry(elimination, e, u), entry(elimination, e, v)});
+      }
   }
 
   void load(int lane, const Route& route) { route_.load(lane, route); }
@@ -69,12 +71,13 @@ class MonomialEquations {
 
   /// At x = series[unknown][0].
   void begin_series(const std::vector<Number>& series, Real s) {
-    for (std::size_t j = 0; j < coefficient_.size(); ++j) {
-      const auto [u, v] = system_.monomials[j];
-      route_.series(j, s, order_, &coefficients_[j * (order_ + 1)]);
-      Number& p = products_[j * (order_ + 1)];
-      const auto x = [&](int i) { return series[i * (order_ + 1)]; };
-      p = u < 0 ? Number{constant(1, Real{}), Real{}} : (v < 0 ? x(u) : product(x(u), x(v)));
+    for (std::size_t j = 0; j < coefficient_.size(); ++j)
+      route_.series(j, s, route_.moves(j) ? order_ : 0, &coefficients_[j * (order_ + 1)]);
+    const auto x = [&](int i) { return series[i * (order_ + 1)]; };
+    for (std::size_t m = 0; m < distinct_.monomials.size(); ++m) {
+      const auto [u, v] = distinct_.monomials[m];
+      products_[m * (order_ + 1)] =
+          u < 0 ? Number{constant(1, Real{}), Real{}} : (v < 0 ? x(u) : product(x(u), x(v)));
     }
   }
 
@@ -84,31 +87,39 @@ class MonomialEquations {
   void right_sides(int k, const std::vector<int>& equations, const std::vector<Number>& series,
                    std::vector<Number>& right) {
     if (k > 1) extend_products(k - 1, series);
-    for (std::size_t j = 0; j < coefficient_.size(); ++j) {
-      const auto [u, v] = system_.monomials[j];
-      products_[j * (order_ + 1) + k] = v < 0 ? Number{} : inner_terms(u, v, k, series);
+    for (std::size_t m = 0; m < distinct_.monomials.size(); ++m) {
+      const auto [u, v] = distinct_.monomials[m];
+      products_[m * (order_ + 1) + k] = v < 0 ? Number{} : inner_terms(u, v, k, series);
     }
-    for (std::size_t i = 0; i < equations.size(); ++i) right[i] = right_side(equations[i], k);
+    std::fill_n(right.begin(), equations.size(), Number{});
+    // A term of each equation in turn: sums of different equations do not wait for each other.
+    for (int place = 0, left = 1; left > 0; ++place) {
+      left = 0;
+      for (std::size_t i = 0; i < equations.size(); ++i) {
+        const int j = system_.first[equations[i]] + place;
+        if (j >= system_.first[equations[i] + 1]) continue;
+        right[i] = less_term(right[i], j, k);
+        ++left;
+      }
+    }
   }
 
  private:
-  Number right_side(int e, int k) const {
-    Number sum{};
+  /// `sum` less the k-th coefficient of term j's series.
+  Number less_term(Number sum, int j, int k) const {
+    const Number* c = &coefficients_[j * (order_ + 1)];
+    const Number* p = &products_[distinct_.numbers[j] * (order_ + 1)];
     const int terms = route_.has_rates() ? k : std::min(k, Route::degree);
-    for (int j = system_.first[e]; j < system_.first[e + 1]; ++j) {
-      const Number* c = &coefficients_[j * (order_ + 1)];
-      const Number* p = &products_[j * (order_ + 1)];
-      for (int a = terms; a >= 0; --a) sum = fused_minus(c[a], p[k - a], sum);
-    }
+    for (int a = route_.moves(j) ? terms : 0; a >= 0; --a) sum = fused_minus(c[a], p[k - a], sum);
     return sum;
   }
 
   /// The k-th terms of the products, from those of x.
   void extend_products(int k, const std::vector<Number>& series) {
-    for (std::size_t j = 0; j < coefficient_.size(); ++j) {
-      const auto [u, v] = system_.monomials[j];
+    for (std::size_t m = 0; m < distinct_.monomials.size(); ++m) {
+      const auto [u, v] = distinct_.monomials[m];
       if (u < 0) continue;
-      Number& p = products_[j * (order_ + 1) + k];
+      Number& p = products_[m * (order_ + 1) + k];
       const Number* x = &series[u * (order_ + 1)];
       const Number* y = v < 0 ? nullptr : &series[v * (order_ + 1)];
       p = y ? fused(x[0], y[k], fused(x[k], y[0], p)) : x[k];
@@ -136,8 +147,9 @@ class MonomialEquations {
   const MonomialSystem& system_;
   const int order_;
   std::vector<std::array<int, 2>> entries_of_;  ///< of a monomial's derivatives by u and v (−1: none)
+  const DistinctMonomials distinct_;
   std::vector<Number> coefficient_;
-  std::vector<Number> products_;      ///< [monomial][order]
+  std::vector<Number> products_;      ///< [distinct monomial][order]
   std::vector<Number> coefficients_;  ///< [monomial][order]
   LaneRoute<Real> route_;
 };

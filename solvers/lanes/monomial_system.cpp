@@ -1,8 +1,22 @@
 #include "solvers/lanes/monomial_system.hpp"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace gcs {
+
+DistinctMonomials distinct_monomials(const MonomialSystem& system) {
+  DistinctMonomials distinct;
+  std::map<std::pair<int, int>, int> numbers;
+  for (const Monomial& monomial : system.monomials) {
+    const auto [number, is_new] =
+        numbers.try_emplace({monomial.u, monomial.v}, static_cast<int>(distinct.monomials.size()));
+    if (is_new) distinct.monomials.push_back(monomial);
+    distinct.numbers.push_back(number->second);
+  }
+  return distinct;
+}
 
 EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,
                          const ComplexVectorX& x) {

@@ -21,6 +21,13 @@ struct MonomialSystem {
   int equations() const { return static_cast<int>(first.size()) - 1; }
 };
 
+/// Those of all equations, each once.
+struct DistinctMonomials {
+  std::vector<Monomial> monomials;
+  std::vector<int> numbers;  ///< of the system's monomials, in `monomials`
+};
+DistinctMonomials distinct_monomials(const MonomialSystem& system);
+
 /// At x.
 inline std::complex<double> monomial_at(const Monomial& monomial, const ComplexVectorX& x) {
   return (monomial.u < 0 ? 1.0 : x[monomial.u]) * (monomial.v < 0 ? 1.0 : x[monomial.v]);

@@ -120,7 +120,87 @@ struct Task {
   }
 };
 
+/// Every equation is in all monomials of degree two at most.
+MonomialSystem full_quadrics(int unknowns) {
+  MonomialSystem system{unknowns, {}, {0}};
+  for (int e = 0; e < unknowns; ++e) {
+    for (int u = -1; u < unknowns; ++u)
+      for (int v = -1; v <= u; ++v) system.monomials.push_back({u, v});
+    system.first.push_back(static_cast<int>(system.monomials.size()));
+  }
+  return system;
+}
+
+/// From coefficients of which `start` is a zero; each `resting`-th one stays what it is.
+Route random_route(const MonomialSystem& system, const ComplexVectorX& start, std::size_t resting,
+                   std::mt19937_64& random) {
+  Route route;
+  const std::size_t count = system.monomials.size();
+  for (auto& coefficients : route.coefficients)
+    coefficients = random_complex_vector(static_cast<int>(count), random);
+  const std::vector<std::complex<double>> missing = values_at(system, route.coefficients[0], start).value;
+  for (int e = 0; e < system.equations(); ++e) route.coefficients[0][system.first[e]] -= missing[e];
+  for (std::size_t j = 0; j < count; j += resting)
+    for (int k = 1; k <= Route::degree; ++k) route.coefficients[k][j] = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    const auto& c = route.coefficients;
+    route.end.push_back(c[0][j] + c[1][j] + c[2][j] + c[3][j]);
+  }
+  return route;
+}
+
+/// As for squares: Newton's method at every one of many small steps, with pivoting.
+Eigen::VectorXcd follow_slowly(const MonomialSystem& system, ComplexVectorX x, const Route& route) {
+  constexpr int steps = 4000;
+  const int n = system.unknowns;
+  for (int step = 1; step <= steps; ++step) {
+    const Eigen::VectorXcd now = squares_on(route, static_cast<double>(step) / steps);
+    const ComplexVectorX coefficients(now.begin(), now.end());
+    const auto values = [&](const ComplexVectorX& at) -> Eigen::VectorXcd {
+      const ComplexVectorX value = values_at(system, coefficients, at).value;
+      return Eigen::Map<const Eigen::VectorXcd>(value.data(), n);
+    };
+    for (int i = 0; i < 3; ++i) {
+      Eigen::MatrixXcd jacobian(n, n);
+      for (int column = 0; column < n; ++column) {
+        ComplexVectorX ahead = x, behind = x;
+        ahead[column] += 1;
+        behind[column] -= 1;
+        jacobian.col(column) = (values(ahead) - values(behind)) / 2;
+      }
+      const Eigen::VectorXcd change = jacobian.partialPivLu().solve(values(x));
+      for (int column = 0; column < n; ++column) x[column] -= change[column];
+    }
+  }
+  return Eigen::Map<const Eigen::VectorXcd>(x.data(), n);
+}
+
 }  // namespace
+
+TEST_CASE("legs of equations that share monomials end where many small steps end, though coefficients rest") {
+  std::mt19937_64 random(13);
+  const MonomialSystem system = full_quadrics(3);
+  CHECK(distinct_monomials(system).monomials.size() == 10);
+  // Those that rest along the first leg move along later ones, and rest again.
+  std::vector<ComplexVectorX> starts, jacobians;
+  std::vector<Route> routes;
+  for (const std::size_t resting : {2U, 1000U, 3U, 2U}) {
+    starts.push_back(random_complex_vector(3, random));
+    routes.push_back(random_route(system, starts.back(), resting, random));
+    jacobians.push_back(jacobian_at(system, routes.back().end, starts.back()));
+  }
+  const Elimination elimination = order_elimination(3, jacobians);
+  LegTracking tracking(system, elimination, {{}, InstructionSet::portable, 1});
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    WorkCounters work;
+    const std::vector<Leg> legs{{starts[i].data(), &routes[i]}};
+    const LegResult result = tracking.follow(legs, never, work).front();
+    REQUIRE(result.state.end == LegEnd::arrived);
+    const Eigen::VectorXcd slow = follow_slowly(system, starts[i], routes[i]);
+    const Eigen::Map<const Eigen::VectorXcd> fast(result.x.data(), 3);
+    CHECK((fast - slow).cwiseAbs().maxCoeff() <= 1e-9 * (1 + slow.cwiseAbs().maxCoeff()));
+  }
+}
 
 TEST_CASE("a leg ends where many small steps with a pivoting solver end") {
   std::mt19937_64 random(11);

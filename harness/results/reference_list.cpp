@@ -202,7 +202,9 @@ ReferenceList list_found_now(const Instance& instance, const Scene& scene, doubl
   for (const StrategyEntry& entry : all_strategies()) {
     if (interrupted() || maker.has_all(most)) break;
     progress.progress("reference, " + std::string(entry.name), -1);
-    maker.take(run_strategy(entry, {}, scene, limits));
+    const SolveRun run = run_strategy(entry, {}, scene, limits);
+    maker.take(run);
+    if (run.status == RunStatus::infinite) break;  // no list has them all
   }
   return maker.finish(most);
 }

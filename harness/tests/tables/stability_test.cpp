@@ -35,7 +35,7 @@ RunFile measured(const std::vector<std::string>& members, const std::vector<std:
   request.strategies = strategies;
   request.tables = {"stability"};
   request.instances = members;
-  request.repetitions = 3;
+  request.repetitions = 1;
   NoMonitor monitor;
   return run_tables(request, {}, monitor);
 }

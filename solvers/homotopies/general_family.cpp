@@ -120,7 +120,7 @@ Elimination order_elimination(const MonomialSystem& system, const HomotopyFamily
     const FamilyMember member = family.random_member(random);
     jacobians.push_back(jacobian_at(system, member.parameters, member.x));
   }
-  return order_elimination(system.unknowns, jacobians);
+  return order_elimination(system, jacobians);
 }
 
 bool newton(const MonomialSystem& system, const ComplexVectorX& coefficients, ComplexVectorX& x) {

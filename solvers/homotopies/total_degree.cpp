@@ -33,7 +33,7 @@ Elimination order_elimination(const MonomialSystem& system, const std::vector<Co
   for (std::size_t j = 0; j < middle.size(); ++j) middle[j] += to[j];
   for (std::size_t i = 0; i < samples; ++i)
     jacobians.push_back(jacobian_at(system, middle, random_complex_vector(system.unknowns, random)));
-  return order_elimination(system.unknowns, jacobians);
+  return order_elimination(system, jacobians);
 }
 
 }  // namespace gcs

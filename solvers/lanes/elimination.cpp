@@ -30,8 +30,8 @@ Pattern pattern_of(const std::vector<Eigen::MatrixXcd>& samples) {
 /// Eliminates the same pattern at several placements at once and picks the pivots.
 class PivotSearch {
  public:
-  explicit PivotSearch(std::vector<Eigen::MatrixXcd> samples)
-      : pattern_(pattern_of(samples)),
+  PivotSearch(Pattern pattern, std::vector<Eigen::MatrixXcd> samples)
+      : pattern_(std::move(pattern)),
         samples_(std::move(samples)),
         row_is_open_(static_cast<std::size_t>(pattern_.rows()), true),
         column_is_open_(static_cast<std::size_t>(pattern_.cols()), true) {}
@@ -143,20 +143,11 @@ void append_steps(Elimination& elimination) {
       {-1, static_cast<int>(elimination.lower.size()), static_cast<int>(elimination.upper.size())});
 }
 
-}  // namespace
-
-Elimination::Elimination() = default;
-Elimination::Elimination(const Elimination&) = default;
-Elimination::Elimination(Elimination&&) noexcept = default;
-Elimination& Elimination::operator=(const Elimination&) = default;
-Elimination& Elimination::operator=(Elimination&&) noexcept = default;
-Elimination::~Elimination() = default;
-
-Elimination order_elimination(int unknowns, const std::vector<ComplexVectorX>& jacobians) {
+Elimination ordered(Pattern pattern, std::vector<Eigen::MatrixXcd> samples) {
   Elimination elimination;
-  elimination.unknowns = unknowns;
-  PivotSearch search(matrices(unknowns, jacobians));
-  for (int k = 0; k < unknowns; ++k) {
+  elimination.unknowns = static_cast<int>(pattern.cols());
+  PivotSearch search(std::move(pattern), std::move(samples));
+  for (int k = 0; k < elimination.unknowns; ++k) {
     const auto [row, column] = search.next();
     elimination.equation.push_back(row);
     elimination.unknown.push_back(column);
@@ -166,12 +157,33 @@ Elimination order_elimination(int unknowns, const std::vector<ComplexVectorX>& j
   return elimination;
 }
 
+}  // namespace
+
+Elimination::Elimination() = default;
+Elimination::Elimination(const Elimination&) = default;
+Elimination::Elimination(Elimination&&) noexcept = default;
+Elimination& Elimination::operator=(const Elimination&) = default;
+Elimination& Elimination::operator=(Elimination&&) noexcept = default;
+Elimination::~Elimination() = default;
+
+Elimination order_elimination(const MonomialSystem& system, const std::vector<ComplexVectorX>& jacobians) {
+  std::vector<Eigen::MatrixXcd> samples = matrices(system.unknowns, jacobians);
+  Pattern pattern = pattern_of(samples);
+  for (int e = 0; e < system.equations(); ++e)
+    for (int j = system.first[e]; j < system.first[e + 1]; ++j)
+      for (const int i : {system.monomials[j].u, system.monomials[j].v})
+        if (i >= 0) pattern(e, i) = true;
+  return ordered(std::move(pattern), std::move(samples));
+}
+
 Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random) {
   constexpr int samples = 6;
   std::vector<ComplexVectorX> jacobians;
   for (int i = 0; i < samples; ++i)
     jacobians.push_back(jacobian_at(system, random_complex_vector(system.unknowns, random)));
-  return order_elimination(system.unknowns, jacobians);
+  std::vector<Eigen::MatrixXcd> matrices_there = matrices(system.unknowns, jacobians);
+  Pattern pattern = pattern_of(matrices_there);
+  return ordered(std::move(pattern), std::move(matrices_there));
 }
 
 }  // namespace gcs

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "solvers/lanes/monomial_system.hpp"
 #include "solvers/lanes/square_system.hpp"
 
 namespace gcs {
@@ -51,9 +52,9 @@ struct Elimination {
   ~Elimination();
 };
 
-/// `jacobians` are samples for one system, unknowns × unknowns row by row, all regular; an entry is where any
-/// of them is not 0.
-Elimination order_elimination(int unknowns, const std::vector<ComplexVectorX>& jacobians);
+/// `jacobians` are samples, unknowns × unknowns row by row, all regular; an entry is where a monomial has the unknown,
+/// though it be 0 at all samples.
+Elimination order_elimination(const MonomialSystem& system, const std::vector<ComplexVectorX>& jacobians);
 
 /// The samples are Jacobians at random points. Precondition: there they are regular.
 Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random);

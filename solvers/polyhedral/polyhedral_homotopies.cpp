@@ -150,8 +150,8 @@ class Homotopies {
     std::int64_t first = 0;
     std::vector<ComplexVectorX> starts = starts_of(*roots, binomials, first);
     while (starts.empty()) starts = starts_of(*roots, binomials, first += most_legs);
-    const Elimination elimination = order_elimination(
-        system_.unknowns, sample_jacobians(system_, result_.coefficients, h, starts, random_));
+    const Elimination elimination =
+        order_elimination(system_, sample_jacobians(system_, result_.coefficients, h, starts, random_));
     LegTracking tracking(system_, elimination, setup_);
     while (true) {
       follow(starts, route, tracking);

@@ -65,7 +65,7 @@ class Following {
 
   void follow_coefficients(const GenericZeros& zeros) {
     const MonomialSystem system = monomial_system(supports_);
-    const Elimination elimination = order_elimination(system.unknowns, samples(system, zeros.coefficients));
+    const Elimination elimination = order_elimination(system, samples(system, zeros.coefficients));
     LegTracking tracking(system, elimination, request_.setup);
     const std::string stage = "paths to " + request_.destination;
     result_.ends = follow_to_end(

@@ -90,7 +90,7 @@ void StepSolver::find_starts() {
   std::vector<ComplexVectorX> jacobians;
   for (std::size_t i = 0; i < std::min(samples, starts_.size()); ++i)
     jacobians.push_back(jacobian_at(system_, parameters_, starts_[i]));
-  elimination_ = order_elimination(system_.unknowns, jacobians);
+  elimination_ = order_elimination(system_, jacobians);
   tracking_ = std::make_unique<LegTracking>(system_, elimination_, setup_for(means_));
 }
 

@@ -133,7 +133,7 @@ TEST_CASE("legs that a crew follows have the same bits and count the same work")
   std::vector<ComplexVectorX> jacobians;
   for (int i = 0; i < 3; ++i)
     jacobians.push_back(jacobian_at(monomials.system, monomials.routes[i].end, monomials.starts[i]));
-  check_crew(monomials, order_elimination(3, jacobians));
+  check_crew(monomials, order_elimination(monomials.system, jacobians));
 }
 
 TEST_CASE("what a crew was stopped before is not followed") {

@@ -189,7 +189,7 @@ TEST_CASE("legs of equations that share monomials end where many small steps end
     routes.push_back(random_route(system, starts.back(), resting, random));
     jacobians.push_back(jacobian_at(system, routes.back().end, starts.back()));
   }
-  const Elimination elimination = order_elimination(3, jacobians);
+  const Elimination elimination = order_elimination(system, jacobians);
   LegTracking tracking(system, elimination, {{}, InstructionSet::portable, 1});
   for (std::size_t i = 0; i < starts.size(); ++i) {
     WorkCounters work;
@@ -200,6 +200,15 @@ TEST_CASE("legs of equations that share monomials end where many small steps end
     const Eigen::Map<const Eigen::VectorXcd> fast(result.x.data(), 3);
     CHECK((fast - slow).cwiseAbs().maxCoeff() <= 1e-9 * (1 + slow.cwiseAbs().maxCoeff()));
   }
+}
+
+TEST_CASE("where an unknown is 0 at all samples there is an entry for what it multiplies") {
+  const MonomialSystem system{2, {{0, 1}, {0, -1}, {-1, -1}, {1, -1}, {-1, -1}}, {0, 3, 5}};
+  const ComplexVectorX jacobian = jacobian_at(system, {1, 1, 0, 1, -1}, {0, 1});
+  CHECK(jacobian[1] == 0.0);
+  const Elimination elimination = order_elimination(system, {jacobian});
+  CHECK(elimination.entry(0, 1) >= 0);
+  CHECK(elimination.entry(1, 0) < 0);
 }
 
 TEST_CASE("a leg ends where many small steps with a pivoting solver end") {

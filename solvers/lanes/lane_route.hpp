@@ -30,13 +30,14 @@ class LaneRoute {
       set(end_[j], lane, route.end[j]);
       rates_[j].set_lane(lane, route.rates.empty() ? 0 : route.rates[j]);
       for (int k = 1; k <= Route::degree; ++k) moves_[j] |= route.coefficients[k][j] != 0.0;
-      moves_[j] |= !route.rates.empty() && route.rates[j] != 0;
+      moves_[j] |= route.end[j] != route.coefficients[0][j] || (!route.rates.empty() && route.rates[j] != 0);
     }
     has_rates_ = has_rates_ || !route.rates.empty();
   }
 
   /// Parameter j at s; where `arriving` is not 0, at the end.
   Number value(std::size_t j, Real s, Real arriving) const {
+    if (!moves(j)) return coefficients_[0][j];
     const Number sum = term(j, 0, s);
     return selected(arriving, end_[j], has_rates_ ? growth(j, s) * sum : sum);
   }
@@ -50,8 +51,12 @@ class LaneRoute {
     return sum;
   }
 
-  /// The Taylor coefficients of parameter j at s up to this order.
+  /// The Taylor coefficients of parameter j at s up to this order; of one that rests only the first.
   void series(std::size_t j, Real s, int order, Number* terms) const {
+    if (!moves(j)) {
+      terms[0] = coefficients_[0][j];
+      return;
+    }
     for (int k = 0; k <= order; ++k) terms[k] = term(j, k, s);
     if (!has_rates_) return;
     // A parameter that has a rate is otherwise constant: the product's series has but one summand.

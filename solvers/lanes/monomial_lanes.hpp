@@ -72,7 +72,7 @@ class MonomialEquations {
   /// At x = series[unknown][0].
   void begin_series(const std::vector<Number>& series, Real s) {
     for (std::size_t j = 0; j < coefficient_.size(); ++j)
-      route_.series(j, s, route_.moves(j) ? order_ : 0, &coefficients_[j * (order_ + 1)]);
+      route_.series(j, s, order_, &coefficients_[j * (order_ + 1)]);
     const auto x = [&](int i) { return series[i * (order_ + 1)]; };
     for (std::size_t m = 0; m < distinct_.monomials.size(); ++m) {
       const auto [u, v] = distinct_.monomials[m];
@@ -109,8 +109,10 @@ class MonomialEquations {
   Number less_term(Number sum, int j, int k) const {
     const Number* c = &coefficients_[j * (order_ + 1)];
     const Number* p = &products_[distinct_.numbers[j] * (order_ + 1)];
+    // At rest its first coefficient is all, and the k-th term of an unknown is not known yet.
+    if (!route_.moves(j)) return system_.monomials[j].v < 0 ? sum : fused_minus(c[0], p[k], sum);
     const int terms = route_.has_rates() ? k : std::min(k, Route::degree);
-    for (int a = route_.moves(j) ? terms : 0; a >= 0; --a) sum = fused_minus(c[a], p[k - a], sum);
+    for (int a = terms; a >= 0; --a) sum = fused_minus(c[a], p[k - a], sum);
     return sum;
   }
 

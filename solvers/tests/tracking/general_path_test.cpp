@@ -12,8 +12,10 @@
 
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/figures/general_figures.hpp"
+#include "solvers/solving/problem.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
+#include "solvers/tests/sanitized.hpp"
 #include "solvers/tests/tracking/general_path_samples.hpp"
 #include "solvers/tests/tracking/slow_general_path.hpp"
 #include "solvers/tracking/real_equations.hpp"
@@ -31,7 +33,66 @@ ProblemStatement with_sketch_in_frame(ProblemStatement problem) {
   return problem;
 }
 
+double distance_from_line(const Eigen::Vector3d& p, const Eigen::Vector3d& foot,
+                          const Eigen::Vector3d& direction) {
+  return (p - foot).cross(direction).norm();
+}
+
+/// A point at distances from a line, a plane and a point that are given; two such points are the target and the sketch.
+Problem beside_given_elements(RandomNumbers& random) {
+  const Eigen::Vector3d target = random.point(3, 1), sketch = random.point(3, 1), q = random.point(3, 1),
+                        foot = random.point(3, 1), along = random.point(3, 1).normalized(),
+                        normal = random.point(3, 1).normalized();
+  const double offset = random.uniform(-0.5, 0.5);
+  Problem problem(3);
+  problem.points("p", "q").lines("L").planes("E");
+  problem.fix("q", {q[0], q[1], q[2]}).fix("L", {foot[0], foot[1], foot[2]}, {along[0], along[1], along[2]});
+  problem.fix("E", {normal[0], normal[1], normal[2]}, offset);
+  problem.distance("p", "q", (target - q).norm()).distance("p", "L", distance_from_line(target, foot, along));
+  problem.distance("p", "E", normal.dot(target) - offset);
+  return problem.sketch("p", {sketch[0], sketch[1], sketch[2]});
+}
+
+/// In the plane, a point at distances from a line and a point that are given.
+Problem beside_given_elements_in_the_plane(RandomNumbers& random) {
+  const Eigen::Vector3d target = random.point(2, 1), sketch = random.point(2, 1), q = random.point(2, 1),
+                        foot = random.point(2, 1), along = random.point(2, 1).normalized();
+  Problem problem(2);
+  problem.points("p", "q")
+      .lines("L")
+      .fix("q", {q[0], q[1]})
+      .fix("L", {foot[0], foot[1]}, {along[0], along[1]});
+  problem.distance("p", "q", (target - q).norm()).distance("p", "L", distance_from_line(target, foot, along));
+  return problem.sketch("p", {sketch[0], sketch[1]});
+}
+
 }  // namespace
+
+// Where the distance from a line goes through 0 on the way, the sides of the line cross: a singular point of S.
+TEST_CASE("S of points beside given lines and planes meets solutions that monodromy finds") {
+  std::size_t met = 0;
+  int complete = 0;
+  for (int seed = 1; seed <= repetitions(12); ++seed) {
+    RandomNumbers random(static_cast<std::uint64_t>(seed));
+    for (const Problem& problem :
+         {beside_given_elements(random), beside_given_elements_in_the_plane(random)}) {
+      const Scene scene(problem);
+      const Answer on_path = followed(scene.problem()), all = solve(scene, "monodromy");
+      CAPTURE(seed, scene.dimension(), on_path.reason);
+      const bool is_complete = on_path.status == RunStatus::complete;
+      CHECK((is_complete || on_path.reason.find("singular") != std::string::npos));
+      complete += is_complete;
+      CHECK(on_path.failed_checks.empty());
+      for (const Figure& figure : crossed(on_path))
+        CHECK(std::ranges::count_if(all.solutions, [&](const AssessedSolution& one) {
+                return one.is_real() && are_alike(scene, figure, one.figure);
+              }) == 1);
+      met += on_path.crossings.size();
+    }
+  }
+  CHECK(met >= 2);
+  CHECK(complete > repetitions(12));  // of twice as many
+}
 
 TEST_CASE("S of a general scene is closed, and meets solutions that monodromy finds") {
   std::size_t met = 0;

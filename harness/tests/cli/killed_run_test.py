@@ -23,7 +23,7 @@ KILLS = 20
 LIMIT_S = 120
 WHOLE_TABLES_LIMIT_S = 3600
 TABLES = ["tables", "all", "--instances", "k33,octahedron,hoffmann-yuan,tangents-durand",
-          "--strategies", "full-space,rcp,cayley-menger,theta-scan,sphere-tangents,polyhedral", "--repetitions", 3]
+          "--strategies", "full-space,rcp,cayley-menger,theta-scan,sphere-tangents", "--repetitions", 3]
 PRECISION = ["precision", "k33", "octahedron", "--strategies", "full-space,rcp,cayley-menger", "--repetitions", 2]
 STABILITY = ["stability", "near-miss", "--repetitions", 1]
 

@@ -216,7 +216,7 @@ TEST_CASE("all strategies agree on random lengths") {
     const ProblemStatement problem = load_instance(id).problem;
     const TheoreticalCounts counts = theoretical_counts(problem);
     std::size_t solutions = 0;
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < 8; ++i) {
       const Scene scene(with_random_targets(problem, random));
       const std::string name = id + " with random lengths " + std::to_string(i);
       const std::vector<LabelledReport> reports = reports_on(scene, counts, subjects(), name);

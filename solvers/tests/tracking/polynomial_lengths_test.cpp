@@ -17,7 +17,7 @@ namespace {
 
 using Coefficients = std::vector<double>;
 
-constexpr double base = 1, left = 1, right = 0.9;
+constexpr double base_length = 1, left_length = 1, right_length = 0.9;
 
 /// p3 above the base p1–p2, with these sides.
 ProblemStatement triangle(const std::array<double, 3>& sketched, const std::array<double, 3>& given,
@@ -36,7 +36,7 @@ ProblemStatement triangle(const std::array<double, 3>& sketched, const std::arra
 
 /// The same sides at the sketch and at the target.
 ProblemStatement swinging(const std::vector<BentLength>& bends) {
-  return triangle({base, left, right}, {base, left, right}, bends);
+  return triangle({base_length, left_length, right_length}, {base_length, left_length, right_length}, bends);
 }
 
 struct Way {
@@ -115,7 +115,7 @@ double corner_height(double a, double b, double c) {
 
 TEST_CASE("a side that stays short enough between sketch and target lets S meet both triangles") {
   // 1 + 6t²(1 − t) is at most 1 + 24/27 < 1.9.
-  check_both_triangles(swinging({{1, {0, 6}}}), corner_height(base, left, right));
+  check_both_triangles(swinging({{1, {0, 6}}}), corner_height(base_length, left_length, right_length));
 }
 
 TEST_CASE("a side that gets too long between sketch and target keeps S from the target") {
@@ -142,18 +142,19 @@ TEST_CASE("proven arcs of S lie on the curve known by hand") {
     for (int i = 0; i <= 8; ++i) {
       Eigen::VectorXd y;
       arc.curve.evaluate(arc.first + i * (arc.last - arc.first) / 8, y);
-      const double t = y[3], b = left + 6 * t * t * (1 - t), c = right + t * (1 - t) * (0.1 + 0.2 * t * t);
-      const double x = (base * base + b * b - c * c) / (2 * base);
+      const double t = y[3], b = left_length + 6 * t * t * (1 - t),
+                   c = right_length + t * (1 - t) * (0.1 + 0.2 * t * t);
+      const double x = (base_length * base_length + b * b - c * c) / (2 * base_length);
       lowest = std::min(lowest, t);
       highest = std::max(highest, t);
-      CHECK(unit * y[0] == Approx(base).epsilon(1e-9));
+      CHECK(unit * y[0] == Approx(base_length).epsilon(1e-9));
       CHECK(unit * y[1] == Approx(x).margin(1e-6));
       CHECK(unit * unit * y[2] * y[2] == Approx(b * b - x * x).margin(1e-6));
     }
   // S turns where the triangle is flat: one side is as long as the other two together.
   const auto flatness = [](double t) {
-    const double b = left + 6 * t * t * (1 - t), c = right + t * (1 - t) * (0.1 + 0.2 * t * t);
-    return std::min({base + c - b, base + b - c, b + c - base});
+    const double b = left_length + 6 * t * t * (1 - t), c = right_length + t * (1 - t) * (0.1 + 0.2 * t * t);
+    return std::min({base_length + c - b, base_length + b - c, b + c - base_length});
   };
   CHECK(flatness(lowest) == Approx(0).margin(1e-2));
   CHECK(flatness(highest) == Approx(0).margin(1e-2));
@@ -176,8 +177,8 @@ TEST_CASE("a cubic that only shrinks on one side leaves the other open") {
   const auto scaled = [](double length) { return Coefficients{length / 5, -length / 10}; };
   // The lengths grow beyond what steps of a fixed size can follow, those of mode=paper.
   check_runs_off({ways[0], ways[2], ways[3]},
-                 swinging({{0, scaled(base)}, {1, scaled(left)}, {2, scaled(right)}}), "forward",
-                 "t = infinity", 1);
+                 swinging({{0, scaled(base_length)}, {1, scaled(left_length)}, {2, scaled(right_length)}}),
+                 "forward", "t = infinity", 1);
 }
 
 TEST_CASE("one bent constraint in the general form is tracked to the same bits") {

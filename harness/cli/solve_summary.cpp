@@ -57,6 +57,21 @@ std::string solution_counts(const ProblemStatement& problem, const Counts& count
   return text;
 }
 
+/// What is listed, where no count says how many there are.
+std::string solutions_found(const ProblemStatement& problem, const Assessment& assessment) {
+  const Counts& counts = assessment.counts;
+  if (counts.on_path || counts.real_up_to_reflection || counts.complex_up_to_reflection) return "";
+  if (assessment.solutions.empty()) return "";
+  const std::size_t all = assessment.solutions.size();
+  const auto real = static_cast<std::size_t>(
+      std::count_if(assessment.solutions.begin(), assessment.solutions.end(),
+                    [](const AssessedSolution& solution) { return solution.is_as_stated(); }));
+  const std::string found =
+      real == all ? amount(all, "real solution", "real solutions")
+                  : fmt::format("{}, {} of them real", amount(all, "solution", "solutions"), real);
+  return summary_line("found", fmt::format("{}, {}; there may be more", found, convention(problem)));
+}
+
 /// Whose claim the counts rest on, where it is not one of ours.
 std::string foreign_claim(const SolveRun& run) {
   if (!exec_command(run.strategy) || !run.claim) return "";
@@ -235,10 +250,11 @@ std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run;
   return headline(instance, run) + foreign_claim(run) +
          solution_counts(instance.problem, assessment.counts, run.claim) +
-         standings_text(instance.problem, assessment) + path_counts(assessment.counts) +
-         proofs_text(assessment) + growths(assessment.ends) + path_proofs(assessment.ends) +
-         crossings_table(assessment) + condition_and_residual(assessment.solutions) +
-         particulars(run.particulars) + work(run) + time(run) + failed_checks(assessment.failed_checks);
+         solutions_found(instance.problem, assessment) + standings_text(instance.problem, assessment) +
+         path_counts(assessment.counts) + proofs_text(assessment) + growths(assessment.ends) +
+         path_proofs(assessment.ends) + crossings_table(assessment) +
+         condition_and_residual(assessment.solutions) + particulars(run.particulars) + work(run) + time(run) +
+         failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

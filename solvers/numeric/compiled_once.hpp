@@ -1,6 +1,6 @@
 #pragma once
-/// Templates of the libraries that hundreds of sources would instantiate, and that compiled_once.cpp alone does: a fifth of
-/// a build was that. The precompiled headers have it in; no source needs it.
+/// Templates of the libraries that hundreds of sources would instantiate, and that compiled_once.cpp alone does: a sixth of
+/// a build's code was that. The precompiled headers have it in; no source needs it.
 
 #include <Eigen/Dense>
 #include <string>

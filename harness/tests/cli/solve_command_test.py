@@ -54,6 +54,14 @@ class Solve(command_line.CommandLine):
         self.assertEqual((done.returncode, result["status"], len(result["solutions"])), (DONE, "partial", 1))
         self.assertIn("1 of the 4", result["reason"])
 
+    def test_what_is_found_is_counted_where_no_claim_says_how_many_there_are(self):
+        out = self.folder / "result.json"
+        done = run("solve", "disulfide", "--strategy", "explore", "--out", out)
+        found = len(json.loads(out.read_text())["solutions"])
+        self.assertGreater(found, 1)
+        self.assertIn(f"{found} real solutions, up to reflection; there may be more\n", done.stdout)
+        self.assertNotIn("may be more", run("solve", "disulfide", "--strategy", "monodromy").stdout)
+
     def test_a_failed_check_is_exit_code_1(self):
         codes = set()
         for largest_step in [0.1, 0.4, 0.8]:

@@ -23,8 +23,8 @@ struct Judged {
   SignVerdict signs{};
 };
 
-/// `judge`: of the scene. One for each candidate; nothing for what lacks an entity, is not finite or has no multiplicity. The same for any number
-/// of threads ≥ 1.
+/// `judge`: of the scene. One for each candidate; nothing for what lacks an entity, is not finite or has no multiplicity.
+/// The same for any number of threads ≥ 1.
 std::vector<std::optional<Judged>> judged_candidates(const Scene& scene, const FigureJudge& judge,
                                                      const std::vector<Candidate>& candidates, int threads);
 

@@ -42,36 +42,42 @@ Eigen::VectorXcd value_at(const SquareSystem& system, const Eigen::VectorXcd& x,
   return value;
 }
 
-/// By differences of the value: it is quadratic, so that central ones are exact but for rounding.
-Eigen::MatrixXcd jacobian_at(const SquareSystem& system, const Eigen::VectorXcd& x,
-                             const Eigen::VectorXcd& squares) {
-  Eigen::MatrixXcd jacobian(system.equations(), system.unknowns);
-  for (int i = 0; i < system.unknowns; ++i) {
-    Eigen::VectorXcd ahead = x, behind = x;
-    ahead[i] += 1;
-    behind[i] -= 1;
-    jacobian.col(i) = (value_at(system, ahead, squares) - value_at(system, behind, squares)) / 2;
-  }
-  return jacobian;
+Eigen::VectorXcd value_at(const MonomialSystem& system, const Eigen::VectorXcd& x,
+                          const Eigen::VectorXcd& coefficients) {
+  const ComplexVectorX value =
+      values_at(system, {coefficients.begin(), coefficients.end()}, {x.begin(), x.end()}).value;
+  return Eigen::Map<const Eigen::VectorXcd>(value.data(), system.unknowns);
 }
 
-Eigen::VectorXcd squares_on(const Route& route, double s) {
-  Eigen::VectorXcd squares(static_cast<Eigen::Index>(route.end.size()));
-  for (Eigen::Index e = 0; e < squares.size(); ++e) {
+Eigen::VectorXcd parameters_on(const Route& route, double s) {
+  Eigen::VectorXcd parameters(static_cast<Eigen::Index>(route.end.size()));
+  for (Eigen::Index e = 0; e < parameters.size(); ++e) {
     const auto& c = route.coefficients;
-    squares[e] = c[0][e] + s * (c[1][e] + s * (c[2][e] + s * c[3][e]));
+    parameters[e] = c[0][e] + s * (c[1][e] + s * (c[2][e] + s * c[3][e]));
   }
-  return squares;
+  return parameters;
 }
 
-/// Newton's method at every one of many small steps, with pivoting: slow and obviously right.
-Eigen::VectorXcd follow_slowly(const SquareSystem& system, const ComplexVectorX& start, const Route& route) {
+/// Newton's method at every one of many small steps, with pivoting: slow and obviously right. Values are quadratic, so that
+/// central differences are their derivatives but for rounding.
+template <class System>
+Eigen::VectorXcd follow_slowly(const System& system, const ComplexVectorX& start, const Route& route) {
   constexpr int steps = 4000;
-  Eigen::VectorXcd x = Eigen::Map<const Eigen::VectorXcd>(start.data(), system.unknowns);
+  const int n = system.unknowns;
+  Eigen::VectorXcd x = Eigen::Map<const Eigen::VectorXcd>(start.data(), n);
   for (int step = 1; step <= steps; ++step) {
-    const Eigen::VectorXcd squares = squares_on(route, static_cast<double>(step) / steps);
-    for (int i = 0; i < 3; ++i)
-      x -= jacobian_at(system, x, squares).partialPivLu().solve(value_at(system, x, squares));
+    const Eigen::VectorXcd parameters = parameters_on(route, static_cast<double>(step) / steps);
+    for (int i = 0; i < 3; ++i) {
+      Eigen::MatrixXcd jacobian(n, n);
+      for (int column = 0; column < n; ++column) {
+        Eigen::VectorXcd ahead = x, behind = x;
+        ahead[column] += 1;
+        behind[column] -= 1;
+        jacobian.col(column) =
+            (value_at(system, ahead, parameters) - value_at(system, behind, parameters)) / 2;
+      }
+      x -= jacobian.partialPivLu().solve(value_at(system, x, parameters));
+    }
   }
   return x;
 }
@@ -147,32 +153,6 @@ Route random_route(const MonomialSystem& system, const ComplexVectorX& start, st
     route.end.push_back(c[0][j] + c[1][j] + c[2][j] + c[3][j]);
   }
   return route;
-}
-
-/// As for squares: Newton's method at every one of many small steps, with pivoting.
-Eigen::VectorXcd follow_slowly(const MonomialSystem& system, ComplexVectorX x, const Route& route) {
-  constexpr int steps = 4000;
-  const int n = system.unknowns;
-  for (int step = 1; step <= steps; ++step) {
-    const Eigen::VectorXcd now = squares_on(route, static_cast<double>(step) / steps);
-    const ComplexVectorX coefficients(now.begin(), now.end());
-    const auto values = [&](const ComplexVectorX& at) -> Eigen::VectorXcd {
-      const ComplexVectorX value = values_at(system, coefficients, at).value;
-      return Eigen::Map<const Eigen::VectorXcd>(value.data(), n);
-    };
-    for (int i = 0; i < 3; ++i) {
-      Eigen::MatrixXcd jacobian(n, n);
-      for (int column = 0; column < n; ++column) {
-        ComplexVectorX ahead = x, behind = x;
-        ahead[column] += 1;
-        behind[column] -= 1;
-        jacobian.col(column) = (values(ahead) - values(behind)) / 2;
-      }
-      const Eigen::VectorXcd change = jacobian.partialPivLu().solve(values(x));
-      for (int column = 0; column < n; ++column) x[column] -= change[column];
-    }
-  }
-  return Eigen::Map<const Eigen::VectorXcd>(x.data(), n);
 }
 
 }  // namespace

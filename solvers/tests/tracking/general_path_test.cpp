@@ -33,6 +33,14 @@ ProblemStatement with_sketch_in_frame(ProblemStatement problem) {
   return problem;
 }
 
+/// Each figure is one real solution of the answer.
+void check_listed_once(const Scene& scene, const std::vector<Figure>& figures, const Answer& answer) {
+  for (const Figure& figure : figures)
+    CHECK(std::ranges::count_if(answer.solutions, [&](const AssessedSolution& one) {
+            return one.is_real() && are_alike(scene, figure, one.figure);
+          }) == 1);
+}
+
 double distance_from_line(const Eigen::Vector3d& p, const Eigen::Vector3d& foot,
                           const Eigen::Vector3d& direction) {
   return (p - foot).cross(direction).norm();
@@ -83,10 +91,7 @@ TEST_CASE("S of points beside given lines and planes meets solutions that monodr
       CHECK((is_complete || on_path.reason.find("singular") != std::string::npos));
       complete += is_complete;
       CHECK(on_path.failed_checks.empty());
-      for (const Figure& figure : crossed(on_path))
-        CHECK(std::ranges::count_if(all.solutions, [&](const AssessedSolution& one) {
-                return one.is_real() && are_alike(scene, figure, one.figure);
-              }) == 1);
+      check_listed_once(scene, crossed(on_path), all);
       met += on_path.crossings.size();
     }
   }
@@ -107,10 +112,7 @@ TEST_CASE("S of a general scene is closed, and meets solutions that monodromy fi
       CHECK(on_path.crossings.size() % 2 == 0);
       const Scene scene = Scene::unchecked(problem);
       const Answer all = solve(scene, "monodromy");
-      for (const Figure& figure : crossed(on_path))
-        CHECK(std::ranges::count_if(all.solutions, [&](const AssessedSolution& one) {
-                return one.is_real() && are_alike(scene, figure, one.figure);
-              }) == 1);
+      check_listed_once(scene, crossed(on_path), all);
       met += on_path.crossings.size();
     }
   CHECK(met >= 10);

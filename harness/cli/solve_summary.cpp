@@ -58,7 +58,8 @@ std::string solution_counts(const ProblemStatement& problem, const Counts& count
 }
 
 /// What is listed, where no count says how many there are.
-std::string solutions_found(const ProblemStatement& problem, const Assessment& assessment) {
+std::string solutions_found(const ProblemStatement& problem, const Assessment& assessment,
+                            const std::optional<Claim>& claim) {
   const Counts& counts = assessment.counts;
   if (counts.on_path || counts.real_up_to_reflection || counts.complex_up_to_reflection) return "";
   if (assessment.solutions.empty()) return "";
@@ -69,7 +70,10 @@ std::string solutions_found(const ProblemStatement& problem, const Assessment& a
   const std::string found =
       real == all ? amount(all, "real solution", "real solutions")
                   : fmt::format("{}, {} of them real", amount(all, "solution", "solutions"), real);
-  return summary_line("found", fmt::format("{}, {}; there may be more", found, convention(problem)));
+  const std::string_view others = claim == Claim::all_real_of_component
+                                      ? "proven: no other is joined to them by curves with one value released"
+                                      : "there may be more";
+  return summary_line("found", fmt::format("{}, {}; {}", found, convention(problem), others));
 }
 
 /// Whose claim the counts rest on, where it is not one of ours.
@@ -250,11 +254,11 @@ std::string solve_summary(const Instance& instance, const SolveRun& run) {
   const Assessment& assessment = run;
   return headline(instance, run) + foreign_claim(run) +
          solution_counts(instance.problem, assessment.counts, run.claim) +
-         solutions_found(instance.problem, assessment) + standings_text(instance.problem, assessment) +
-         path_counts(assessment.counts) + proofs_text(assessment) + growths(assessment.ends) +
-         path_proofs(assessment.ends) + crossings_table(assessment) +
-         condition_and_residual(assessment.solutions) + particulars(run.particulars) + work(run) + time(run) +
-         failed_checks(assessment.failed_checks);
+         solutions_found(instance.problem, assessment, run.claim) +
+         standings_text(instance.problem, assessment) + path_counts(assessment.counts) +
+         proofs_text(assessment) + growths(assessment.ends) + path_proofs(assessment.ends) +
+         crossings_table(assessment) + condition_and_residual(assessment.solutions) +
+         particulars(run.particulars) + work(run) + time(run) + failed_checks(assessment.failed_checks);
 }
 
 }  // namespace gcs

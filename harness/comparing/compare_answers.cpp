@@ -74,9 +74,9 @@ void compare_status(const CellRecord& before, const CellRecord& after, Changes& 
   changes.add("status", status_text(before), status_text(after), verdict);
 }
 
-/// On the path of the core and of the whole scene are different claims, and neither is stronger.
+/// On the path of the core, of the whole scene and of a component are different claims, and none is stronger.
 int strength(Claim claim) {
-  constexpr std::array strengths{0, 1, 1, 2, 3};
+  constexpr std::array strengths{0, 1, 1, 1, 2, 3};
   return strengths[static_cast<std::size_t>(claim)];
 }
 

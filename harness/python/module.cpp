@@ -181,9 +181,9 @@ void bind_texts(BoundAnswer& bound) {
           "status", [](const SolvedInstance& s) { return std::string(word(s.answer.status)); },
           "'complete', 'partial', 'infinite', 'unsupported', 'gave up', 'interrupted' or 'timed out'")
       .def_property_readonly("reason", of_answer(&Answer::reason), "a sentence; empty when complete")
-      .def_property_readonly(
-          "claim", &claim_of,
-          "what the strategy claims to have found: 'all complex', 'all real', 'on path', 'some real'")
+      .def_property_readonly("claim", &claim_of,
+                             "what the strategy claims to have found: 'all complex', 'all real', 'all real "
+                             "of this component', 'on path', 'some real'")
       .def_property_readonly(
           "counts", &counts_of,
           "numbers of solutions with their convention; None where the strategy does not determine one")

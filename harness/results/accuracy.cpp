@@ -75,6 +75,7 @@ bool AccuracyJudge::is_expected(std::size_t known, Claim claim) const {
     case Claim::on_path_of_core:
       return (*reference_.on_path)[known];
     case Claim::some_real:
+    case Claim::all_real_of_component:
     case Claim::all_real:
       return reference_.solutions[known].figure.is_real();
     case Claim::all_complex:

@@ -18,7 +18,7 @@ inline constexpr double explained_quotient = 10;
 /// Errors are relative to the scene's size; see figure_distance.hpp for what they measure.
 struct Accuracy {
   std::uint64_t met = 0;  ///< reference solutions that the answer has
-  /// Those that its claim covers (some real: all real ones) and that it has not; empty: not known.
+  /// Those that its claim covers (some real, or of a component: all real ones) and that it has not; empty: not known.
   std::optional<std::uint64_t> missed;
   std::uint64_t spurious = 0;  ///< listed solutions that are none, or that stand there twice
   double largest_error = 0;    ///< over the solutions met
@@ -28,9 +28,10 @@ struct Accuracy {
   double largest_quotient = 0;
 
   /// It lists what is none, or has not what it claims to find; who claims some real solutions promises none
-  /// in particular.
+  /// in particular, and which ones a component has the reference does not tell.
   bool contradicts(Claim claim) const {
-    return spurious > 0 || (claim != Claim::some_real && missed.value_or(0) > 0);
+    const bool names_all = claim != Claim::some_real && claim != Claim::all_real_of_component;
+    return spurious > 0 || (names_all && missed.value_or(0) > 0);
   }
   bool operator==(const Accuracy&) const = default;
 };

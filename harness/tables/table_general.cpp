@@ -49,6 +49,8 @@ TableCell standing_entry(Table& table, const InstanceSummary& instance, const Ce
     case Claim::on_path:
     case Claim::on_path_of_core:
       return {"those on S", {}};
+    case Claim::all_real_of_component:
+      return {"all of a component", {}};
     case Claim::some_real:
       break;
   }

@@ -156,7 +156,7 @@ bool Exploration::has_proven_components() const {
 
 SolveReport Exploration::report() const {
   SolveReport report;
-  report.claim = Claim::some_real;
+  report.claim = has_proven_components() ? Claim::all_real_of_component : Claim::some_real;
   report.candidates = graph_.solutions();
   report.curves = graph_.curves();
   report.work = work_;
@@ -164,7 +164,6 @@ SolveReport Exploration::report() const {
       {"curves", std::ssize(graph_.curves())},
       {"proven_curves",
        std::ranges::count_if(graph_.curves(), [](const CurveRecord& curve) { return curve.path.proven; })},
-      {"proven_components", has_proven_components() ? 1 : 0},
       {"meetings", graph_.meetings()},
       {"starts", started_},
       {"singular_points", graph_.singular() + singular_starts_}};

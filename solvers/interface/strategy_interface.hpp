@@ -59,7 +59,14 @@ struct SolveRequest : SolveMeans {
 };
 
 /// What a strategy says that it found; the harness checks it.
-enum class Claim { some_real, on_path, on_path_of_core, all_real, all_complex };
+enum class Claim {
+  some_real,
+  on_path,
+  on_path_of_core,
+  all_real_of_component,  ///< no other is joined to one of these by curves along which one value changes
+  all_real,
+  all_complex
+};
 
 /// How a solve ended. Everything but `complete` comes with a reason.
 enum class SolveStatus { complete, partial, infinite, gave_up, stopped };

@@ -24,7 +24,7 @@ std::string_view word(RunStatus status) {
 
 std::string_view word(Claim claim) {
   constexpr std::array<std::string_view, all_claims.size()> words{
-      "some real", "on path", "on path of the core", "all real", "all complex"};
+      "some real", "on path", "on path of the core", "all real of this component", "all real", "all complex"};
   return words[static_cast<std::size_t>(claim)];
 }
 

@@ -33,8 +33,9 @@ std::string_view word(Standing standing);
 inline constexpr std::array all_statuses{RunStatus::complete,    RunStatus::partial,  RunStatus::infinite,
                                          RunStatus::unsupported, RunStatus::gave_up,  RunStatus::stopped,
                                          RunStatus::interrupted, RunStatus::timed_out};
-inline constexpr std::array all_claims{Claim::some_real, Claim::on_path, Claim::on_path_of_core,
-                                       Claim::all_real, Claim::all_complex};
+inline constexpr std::array all_claims{Claim::some_real,       Claim::on_path,
+                                       Claim::on_path_of_core, Claim::all_real_of_component,
+                                       Claim::all_real,        Claim::all_complex};
 inline constexpr std::array all_conventions{Convention::in_the_given_frame, Convention::up_to_motion,
                                             Convention::up_to_reflection};
 inline constexpr std::array all_standings{Standing::as_stated, Standing::undecided, Standing::not_as_stated};

@@ -11,9 +11,10 @@
 ///
 /// In mode=certified curves are followed by tubes too (proven_paths/certified_tracker.hpp): of each that closes it is proven
 /// that it does, and how many crossings it has, in which order. Others are followed as in mode=fast, and not proven. Where all
-/// curves from all solutions are, `proven_components` says so: then no other real solution is joined to one of these.
+/// curves from all solutions are, it claims all real solutions of this component: no other is joined to one of these by such
+/// curves. There may be several components, of which a start is in each that is known.
 ///
-/// Claims some real solutions. Fails where none is found that is not singular, and is partial where a curve could not be
+/// Otherwise it claims some real solutions. Fails where none is found that is not singular, and is partial where a curve could not be
 /// followed. A curve that crosses itself or another ends there, from both sides, and its record says so.
 ///
 /// Of a gradient's components in the place of values: Diener, Trajectory nets connecting all critical points of a smooth

@@ -61,6 +61,8 @@ class Solve(command_line.CommandLine):
         self.assertGreater(found, 1)
         self.assertIn(f"{found} real solutions, up to reflection; there may be more\n", done.stdout)
         self.assertNotIn("may be more", run("solve", "disulfide", "--strategy", "monodromy").stdout)
+        walked = run("solve", "octahedron", "--strategy", "explore", "--set", "mode=certified").stdout
+        self.assertIn("; proven: no other is joined to them by curves with one value released\n", walked)
 
     def test_a_failed_check_is_exit_code_1(self):
         codes = set()

@@ -31,6 +31,7 @@ class Exploration {
     int start = 0;
   };
 
+  bool has_path() const;
   void find_first();
   void walk_all();
   bool start_anew();

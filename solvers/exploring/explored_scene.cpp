@@ -19,7 +19,7 @@ void add_coordinate(const DistanceSystem& system, int point, int axis, double si
     form.terms.push_back({unknown, exactly(sign)});
 }
 
-/// |p_a − p_b|² = a², of a point and the line y² + z² = a². Where nothing is fixed the frame gives no coordinate but 0.
+/// |p_a − p_b|² = a², of a point and the line y² + z² = a². The frame gives no coordinate but 0.
 QuadraticSystem exact_distances(const Scene& scene, const DistanceSystem& system) {
   QuadraticSystem result{system.unknowns(), {}, mirror_axes(scene, system)};
   for (int e = 0; e < system.equations(); ++e) {
@@ -80,15 +80,16 @@ class ExploredElements final : public ExploredScene {
 
 }  // namespace
 
+bool is_explored_by_elements(const Scene& scene) {
+  return has_element_equations(scene.problem()) || scene.is_anchored() || scene.problem().lines.size() > 1;
+}
+
 std::optional<std::string> why_not_explored(const Scene& scene) {
-  if (has_element_equations(scene.problem())) return why_not_general(scene);
-  if (scene.is_anchored()) return "it places points and a line in a frame, and the file fixes positions";
-  if (scene.problem().lines.size() > 1) return "it places at most one line, and the instance has more";
-  return std::nullopt;
+  return is_explored_by_elements(scene) ? why_not_general(scene) : std::nullopt;
 }
 
 std::unique_ptr<ExploredScene> explored_scene(const Scene& scene) {
-  if (has_element_equations(scene.problem())) return std::make_unique<ExploredElements>(scene);
+  if (is_explored_by_elements(scene)) return std::make_unique<ExploredElements>(scene);
   return std::make_unique<ExploredDistances>(scene);
 }
 

@@ -15,6 +15,10 @@
 
 namespace gcs {
 
+/// Whether the equations are those of all kinds of elements: those of free points, and of a line that the frame holds, know
+/// no given positions.
+bool is_explored_by_elements(const Scene& scene);
+
 /// Why there are no equations to explore, in a sentence; nothing where there are.
 std::optional<std::string> why_not_explored(const Scene& scene);
 

@@ -7,8 +7,8 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "solvers/certificates/nearly_singular.hpp"
-#include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/random_figure.hpp"
+#include "solvers/exploring/explored_scene.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/numeric/digest.hpp"
@@ -162,7 +162,7 @@ std::vector<StartEnd> ends_with(const SolveRequest& request, int first, int last
 }  // namespace
 
 std::vector<StartEnd> ends_of_starts(const SolveRequest& request, int first, int last) {
-  if (has_element_equations(request.scene.problem())) return ends_with<SceneFunction>(request, first, last);
+  if (is_explored_by_elements(request.scene)) return ends_with<SceneFunction>(request, first, last);
   return ends_with<DistanceEquations>(request, first, last);
 }
 

@@ -37,12 +37,6 @@ bool alternate(const std::vector<AssessedCrossing>& crossings) {
   return true;
 }
 
-std::int64_t particular(const SolveRun& run, const std::string& name) {
-  const auto found = std::ranges::find(run.particulars, name, &Particular::name);
-  REQUIRE(found != run.particulars.end());
-  return found->value;
-}
-
 std::int64_t real_solutions(const SolveRun& run) {
   return std::ranges::count_if(run.solutions, [](const AssessedSolution& one) { return one.is_real(); });
 }
@@ -77,6 +71,21 @@ TEST_CASE(
   const auto met = meetings(run);
   CHECK(met.size() == run.solutions.size() * static_cast<std::size_t>(values));
   CHECK(std::ranges::all_of(met, [](const auto& entry) { return entry.second == 1; }));
+}
+
+TEST_CASE("beside given positions, and of several lines, every solution found is one of all") {
+  // Four spheres with twelve real tangents: Macdonald, Pach, Theobald 2001. Two lines at four given points: 12 times 12.
+  int explored = 0;
+  for (const char* id : {"tangents-12-real", "two-lines"}) {
+    const ProblemStatement problem = load_instance(id).problem;
+    const SolveRun run = solved(problem, "explore", {{"reduce", "off"}}), all = solved(problem, "monodromy");
+    CAPTURE(id, run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK_FALSE(run.curves.empty());
+    CHECK(static_cast<std::int64_t>(run.solutions.size()) == real_solutions(all));
+    explored += static_cast<int>(run.solutions.size());
+  }
+  CHECK(explored > 12);
 }
 
 TEST_CASE("exploring reaches as many real solutions of random scenes as there are among all complex ones") {

@@ -41,9 +41,14 @@ double general_residual(const SceneSystem& system, const Figure& figure) {
   return worst;
 }
 
-double general_condition(const SceneSystem& system, const Figure& figure) {
+Eigen::MatrixXcd general_jacobian(const SceneSystem& system, const Figure& figure) {
   Eigen::MatrixXcd matrix = jacobian_at(system.equations(), system.coordinates(figure));
   matrix.rowwise().normalize();
+  return matrix;
+}
+
+double general_condition(const SceneSystem& system, const Figure& figure) {
+  const Eigen::MatrixXcd matrix = general_jacobian(system, figure);
   if (!matrix.allFinite()) return infinity;
   if ((matrix.imag().array() == 0).all()) return rounded_singular_ratio(Eigen::MatrixXd(matrix.real()));
   return rounded_singular_ratio(matrix);

@@ -17,8 +17,10 @@ double general_residual(const Scene& scene, const Figure& figure);
 /// The same with the scene's system.
 double general_residual(const SceneSystem& system, const Figure& figure);
 
-/// 2-norm condition number of the Jacobian of the scene's equations at the figure, its rows normalised, to seven digits at
-/// most. Infinite at a singular figure.
+/// The Jacobian of the scene's equations at the figure, its rows normalised.
+Eigen::MatrixXcd general_jacobian(const SceneSystem& system, const Figure& figure);
+
+/// Its 2-norm condition number, to seven digits at most. Infinite at a singular figure.
 double general_condition(const SceneSystem& system, const Figure& figure);
 
 /// Two figures are the same class when no unknown of the scene's equations differs by more than the tolerance, relative

@@ -104,7 +104,7 @@ Eigen::MatrixXcd complex_jacobian(const DistanceSystem& system, const Figure& fi
 /// safe side: the 2-norm's is up to `size` times the 1-norm's, and that of the estimate rarely a tenth too
 /// small.
 template <class Matrix>
-bool may_be_stiff(const Matrix& matrix) {
+bool is_perhaps_stiff(const Matrix& matrix) {
   constexpr double doubt = 10;
   const double reciprocal = matrix.partialPivLu().rcond();
   return !(reciprocal * stiff_condition >= doubt * static_cast<double>(matrix.rows()));
@@ -148,6 +148,19 @@ double FigureJudge::condition(const Figure& figure) const {
                                        : condition_of_distances(scene_, figure);
 }
 
+bool FigureJudge::may_be_stiff(const Figure& figure) const {
+  if (system_) return is_perhaps_stiff(general_jacobian(*system_, figure));
+  if (scene_.problem().is_general() || scene_.has_lines()) return true;
+  const DistanceSystem system(scene_);
+  if (system.unknowns() > most_dense_unknowns) return true;
+  return figure.is_real() ? is_perhaps_stiff(real_jacobian(system, figure))
+                          : is_perhaps_stiff(complex_jacobian(system, figure));
+}
+
+bool FigureJudge::is_stiff(const Figure& figure) const {
+  return may_be_stiff(figure) && condition(figure) >= stiff_condition;
+}
+
 double relative_residual(const Scene& scene, const Figure& figure) {
   return FigureJudge(scene).residual(figure);
 }
@@ -168,14 +181,6 @@ bool loses_distances(const Scene& scene, const Figure& figure) {
   return extent(figure) > 0x1p26 * scene.size();
 }
 
-bool is_stiff(const Scene& scene, const Figure& figure) {
-  const bool is_of_points = !scene.problem().is_general() && !scene.has_lines();
-  if (const DistanceSystem system(scene); is_of_points && system.unknowns() <= most_dense_unknowns) {
-    const bool may_be = figure.is_real() ? may_be_stiff(real_jacobian(system, figure))
-                                         : may_be_stiff(complex_jacobian(system, figure));
-    if (!may_be) return false;
-  }
-  return jacobian_condition(scene, figure) >= stiff_condition;
-}
+bool is_stiff(const Scene& scene, const Figure& figure) { return FigureJudge(scene).is_stiff(figure); }
 
 }  // namespace gcs

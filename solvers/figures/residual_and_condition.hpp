@@ -25,6 +25,9 @@ inline constexpr double double_root_residual = 1e-13;
 /// singular figure. Dimensionless.
 double jacobian_condition(const Scene& scene, const Figure& figure);
 
+/// A solution with a condition number from here on is stiff: which one it is takes a proof.
+inline constexpr double stiff_condition = 1e6;
+
 /// The two of many figures of one scene, whose equations are set up once.
 class FigureJudge {
  public:
@@ -33,16 +36,17 @@ class FigureJudge {
 
   double residual(const Figure& figure) const;   ///< see relative_residual
   double condition(const Figure& figure) const;  ///< see jacobian_condition
+  /// condition(figure) ≥ stiff_condition, in a tenth of the time where it is far below.
+  bool is_stiff(const Figure& figure) const;
 
  private:
+  bool may_be_stiff(const Figure& figure) const;
+
   const Scene& scene_;
   std::shared_ptr<const SceneSystem> system_;  ///< of a general scene that has one
 };
 
-/// A solution with a condition number from here on is stiff: which one it is takes a proof.
-inline constexpr double stiff_condition = 1e6;
-
-/// jacobian_condition(scene, figure) ≥ stiff_condition, in a tenth of the time where it is far below.
+/// See FigureJudge.
 bool is_stiff(const Scene& scene, const Figure& figure);
 
 /// The size to which the rounding of a figure's distances is relative: the largest coordinate in modulus, and

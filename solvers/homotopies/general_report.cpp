@@ -69,22 +69,21 @@ class GeneralReporter {
       ++without_angle_;
       return;
     }
-    const double condition = judge_.condition(figure);
     missing_.too_far += loses_distances(scene_, figure);
     missing_.lonely += is_lonely;
-    missing_.not_isolated += is_lonely && condition >= rank_lost;
+    missing_.not_isolated += is_lonely && judge_.condition(figure) >= rank_lost;
     if (distinct.is_singular(i))
-      add_meeting(distinct[i], distinct.paths(i), figure, condition);
-    else if (condition < stiff_condition || !add(simple_solutions_near(system_, distinct[i], 1), 1))
+      add_meeting(distinct[i], distinct.paths(i), figure);
+    else if (!judge_.is_stiff(figure) || !add(simple_solutions_near(system_, distinct[i], 1), 1))
       report_.candidates.push_back({figure, 1});
   }
 
   /// An end at which paths met: simple solutions next to it, or a multiple one where none is proven to be simple.
-  void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure, double condition) {
+  void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure) {
     const ResolvedCandidates simple = simple_solutions_near(system_, x, paths);
     if (add(simple, paths)) return;
-    const bool is_multiple =
-        simple.list.empty() && judge_.residual(figure) <= double_root_residual && condition >= regular;
+    const bool is_multiple = simple.list.empty() && judge_.residual(figure) <= double_root_residual &&
+                             judge_.condition(figure) >= regular;
     missing_.in_between += !is_multiple;
     report_.candidates.push_back({figure, paths, std::numeric_limits<double>::infinity()});
   }

@@ -167,15 +167,21 @@ TEST_CASE("a figure is stiff from a condition number on, however it is told") {
   // The third point at a falling height above the first two: the condition number grows like its inverse.
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 3);
   points.row(0) << 0, 2, 1;
-  int stiff = 0;
-  for (double height = 1; height > 1e-9; height /= 1.5) {
-    points(1, 2) = height;
-    const Scene scene(samples::between(2, {{0, 1}, {0, 2}, {1, 2}}, points, points));
-    const bool expected = jacobian_condition(scene, *scene.sketch()) >= stiff_condition;
-    CAPTURE(height);
-    CHECK(is_stiff(scene, *scene.sketch()) == expected);
-    stiff += expected ? 1 : 0;
+  // With an orientation it is solved by the equations of general scenes.
+  const Relation orientation{"o", "orientation", {{0}, {1}, {2}}, Relation::Form::none, {}, 1};
+  for (const std::vector<Relation>& relations : {std::vector<Relation>{}, {orientation}}) {
+    int stiff = 0;
+    for (double height = 1; height > 1e-9; height /= 1.5) {
+      points(1, 2) = height;
+      ProblemStatement problem = samples::between(2, {{0, 1}, {0, 2}, {1, 2}}, points, points);
+      problem.relations = relations;
+      const Scene scene(problem);
+      const bool expected = jacobian_condition(scene, *scene.sketch()) >= stiff_condition;
+      CAPTURE(height, relations.size());
+      CHECK(is_stiff(scene, *scene.sketch()) == expected);
+      stiff += expected ? 1 : 0;
+    }
+    CHECK(stiff > 10);
+    CHECK(stiff < 40);
   }
-  CHECK(stiff > 10);
-  CHECK(stiff < 40);
 }

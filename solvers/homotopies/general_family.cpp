@@ -77,6 +77,19 @@ GeneralEquations general_equations(const SceneSystem& scene) {
   return result;
 }
 
+GeneralEquations sharing_coefficients(GeneralEquations equations) {
+  MonomialSystem& system = equations.system;
+  for (int e = 0; e < system.equations(); ++e)
+    for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
+      int first = j;
+      for (int i = system.first[e]; i < first && j != equations.value_monomial[e]; ++i)
+        if (i != equations.value_monomial[e] && equations.coefficients[i] == equations.coefficients[j])
+          first = i;
+      system.shares.push_back(first);
+    }
+  return equations;
+}
+
 ComplexVectorX values_of(const GeneralEquations& equations, const ComplexVectorX& coefficients) {
   ComplexVectorX values;
   for (std::size_t e = 0; e < equations.value_monomial.size(); ++e)

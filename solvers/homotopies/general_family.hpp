@@ -28,6 +28,9 @@ struct GeneralEquations {
 
 GeneralEquations general_equations(const SceneSystem& scene);
 
+/// The same for paths along which values change and nothing else: monomials with one coefficient are said to share it.
+GeneralEquations sharing_coefficients(GeneralEquations equations);
+
 /// The values on the right-hand sides, of the equations that have one in their order, for these coefficients; and the
 /// coefficients for these values.
 ComplexVectorX values_of(const GeneralEquations& equations, const ComplexVectorX& coefficients);

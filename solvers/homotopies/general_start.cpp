@@ -22,7 +22,7 @@ bool are_of_one_family(const GeneralEquations& a, const GeneralEquations& b) {
 
 GeneralStart::GeneralStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup)
     : random(seed),
-      equations(general_equations(SceneSystem(scene))),
+      equations(sharing_coefficients(general_equations(SceneSystem(scene)))),
       family(family_of(equations)),
       elimination(order_elimination(equations.system, family, random)),
       tracking(equations.system, elimination, setup) {}

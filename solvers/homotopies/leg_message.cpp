@@ -69,7 +69,7 @@ void visit_squares(auto& visit, System& s) {
 
 template <class System>
 void visit_monomials(auto& visit, System& s) {
-  visit_all(visit, s.unknowns, s.monomials, s.first);
+  visit_all(visit, s.unknowns, s.monomials, s.first, s.shares);
 }
 
 template <class Order>

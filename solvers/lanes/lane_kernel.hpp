@@ -224,7 +224,7 @@ class KernelTracker final : public LaneTracker {
     std::array<Real, sizes_kept> last;
     Real first;
     for (int k = 1; k <= order_; ++k) {
-      equations_.right_sides(k, elimination_.equation, series_, change_);
+      equations_.right_sides(k, series_, change_);
       factors_.solve(change_);
       for (int step = 0; step < n_; ++step) store(accepted, elimination_.unknown[step], k, change_[step]);
       if (k == 1) first = largest_change();

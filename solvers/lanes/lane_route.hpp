@@ -21,6 +21,8 @@ class LaneRoute {
   std::size_t parameters() const { return end_.size(); }
   /// Whether any route so far had rates.
   bool has_rates() const { return has_rates_; }
+  /// How many parameters were others along any route so far.
+  std::size_t moving() const { return moving_; }
   /// Whether parameter j was another one along any route so far.
   bool moves(std::size_t j) const { return moves_[j] != 0; }
 
@@ -29,8 +31,10 @@ class LaneRoute {
       for (int k = 0; k <= Route::degree; ++k) set(coefficients_[k][j], lane, route.coefficients[k][j]);
       set(end_[j], lane, route.end[j]);
       rates_[j].set_lane(lane, route.rates.empty() ? 0 : route.rates[j]);
-      for (int k = 1; k <= Route::degree; ++k) moves_[j] |= route.coefficients[k][j] != 0.0;
-      moves_[j] |= route.end[j] != route.coefficients[0][j] || (!route.rates.empty() && route.rates[j] != 0);
+      bool moves = route.end[j] != route.coefficients[0][j] || (!route.rates.empty() && route.rates[j] != 0);
+      for (int k = 1; k <= Route::degree; ++k) moves = moves || route.coefficients[k][j] != 0.0;
+      moving_ += moves && !moves_[j] ? 1 : 0;
+      moves_[j] = moves_[j] || moves;
     }
     has_rates_ = has_rates_ || !route.rates.empty();
   }
@@ -83,6 +87,7 @@ class LaneRoute {
 
   bool has_rates_ = false;
   std::vector<char> moves_;
+  std::size_t moving_ = 0;
   std::array<std::vector<Number>, Route::degree + 1> coefficients_;
   std::vector<Real> rates_;
   std::vector<Number> end_;

@@ -1,6 +1,7 @@
 #pragma once
 /// Sparse equations in lanes: value, Jacobian and Taylor series of f_e(x; c(s)), see monomial_system.hpp. The
-/// series of a monomial's coefficient times that of its product of unknowns is a convolution.
+/// series of a coefficient times that of a sum of monomials is a convolution; what several equations have of these sums is
+/// taken once, and so is their value in two doubles.
 
 #include <algorithm>
 #include <array>
@@ -17,18 +18,17 @@ class MonomialEquations {
   using Number = Complex<Real>;
 
   MonomialEquations(const MonomialSystem& system, const Elimination& elimination, int order)
-      : system_(system),
-        order_(order),
-        distinct_(distinct_monomials(system)),
-        coefficient_(system.monomials.size()),
-        products_(distinct_.monomials.size() * (order + 1)),
-        coefficients_(system.monomials.size() * (order + 1)),
+      : order_(order),
+        parts_(monomial_sums(system)),
+        elimination_(elimination),
+        coefficient_(parts_.terms.size()),
+        sums_(parts_.sums.size()),
+        series_of_sums_(parts_.sums.size() * (order + 1)),
+        coefficients_(parts_.terms.size() * (order + 1)),
         route_(system.monomials.size()) {
-    for (int e = 0; e < system.equations(); ++e)
-      for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
-        const auto [u, v] = system.monomials[j];
-        entries_of_.push_back({entry(elimination, e, u), entry(elimination, e, v)});
-      }
+    list_parts_of_sums();
+    list_derivatives();
+    schedule();
   }
 
   void load(int lane, const Route& route) { route_.load(lane, route); }
@@ -36,123 +36,189 @@ class MonomialEquations {
   /// The coefficients at s, where `arriving` is not 0 those of the end; the Jacobian at x goes into
   /// `entries`, which come as 0.
   void evaluate(const std::vector<Number>& x, Real s, Real arriving, std::vector<Number>& entries) {
-    for (std::size_t j = 0; j < coefficient_.size(); ++j) {
-      coefficient_[j] = route_.value(j, s, arriving);
-      const auto [u, v] = system_.monomials[j];
-      const auto [by_u, by_v] = entries_of_[j];
-      if (u >= 0)
-        entries[by_u] = v < 0 ? entries[by_u] + coefficient_[j] : fused(coefficient_[j], x[v], entries[by_u]);
-      if (v >= 0) entries[by_v] = fused(coefficient_[j], x[u], entries[by_v]);
+    for (std::size_t m = 0; m < sums_.size(); ++m) sums_[m] = sum_at(parts_.sums[m], x);
+    for (std::size_t t = 0; t < coefficient_.size(); ++t)
+      coefficient_[t] = route_.value(parts_.terms[t].coefficient, s, arriving);
+    for (const auto& [entry, term, factor] : derivatives_) {
+      const Number& c = coefficient_[term];
+      entries[entry] = factor < 0 ? entries[entry] + c : fused(c, x[factor], entries[entry]);
     }
   }
 
   /// f_e at the x that was evaluated last, right to the rounding of x and of the coefficients.
-  Number residual(int e, const std::vector<Number>& x) const {
+  Number residual(int e, const std::vector<Number>&) const {
     Compensated<Real> re, im;
-    for (int j = system_.first[e]; j < system_.first[e + 1]; ++j) {
-      const auto [u, v] = system_.monomials[j];
-      const Number& c = coefficient_[j];
-      if (u < 0) {
-        re.add(c.re);
-        im.add(c.im);
-      } else if (v < 0) {
-        add_product(c, x[u], re, im);
-      } else {
-        Compensated<Real> product_re, product_im;
-        add_product(x[u], x[v], product_re, product_im);
-        add_product(c, Number{product_re.high, product_im.high}, re, im);
-        const Number low = product(c, Number{product_re.low, product_im.low});
-        re.low = re.low + low.re;
-        im.low = im.low + low.im;
-      }
+    for (int t = parts_.first[e]; t < parts_.first[e + 1]; ++t) {
+      const Number& c = coefficient_[t];
+      const Sum& sum = sums_[parts_.terms[t].sum];
+      add_product(c, Number{sum.re.high, sum.im.high}, re, im);
+      const Number low = product(c, Number{sum.re.low, sum.im.low});
+      re.low = re.low + low.re;
+      im.low = im.low + low.im;
     }
     return {re.value(), im.value()};
   }
 
-  /// At x = series[unknown][0].
+  /// At x = series[unknown][0], with the coefficients at s, where they were evaluated last.
   void begin_series(const std::vector<Number>& series, Real s) {
-    for (std::size_t j = 0; j < coefficient_.size(); ++j)
-      route_.series(j, s, order_, &coefficients_[j * (order_ + 1)]);
+    if (route_.moving() != scheduled_) schedule();
+    for (const Summand& summand : summands_)
+      if (summand.moves)
+        route_.series(parts_.terms[summand.term].coefficient, s, order_,
+                      &coefficients_[summand.term * (order_ + 1)]);
     const auto x = [&](int i) { return series[i * (order_ + 1)]; };
-    for (std::size_t m = 0; m < distinct_.monomials.size(); ++m) {
-      const auto [u, v] = distinct_.monomials[m];
-      products_[m * (order_ + 1)] =
-          u < 0 ? Number{constant(1, Real{}), Real{}} : (v < 0 ? x(u) : product(x(u), x(v)));
-    }
+    Number* sum = terms_of_sums(0);
+    std::fill_n(sum, parts_.sums.size(), Number{});
+    for (const Part& part : constants_) sum[part.sum].re = sum[part.sum].re + constant(1, Real{});
+    for (const Part& part : unknowns_) sum[part.sum] = sum[part.sum] + x(part.u);
+    for (const std::vector<Part>* parts : {&products_, &squares_})
+      for (const Part& part : *parts) sum[part.sum] = fused(x(part.u), x(part.v), sum[part.sum]);
   }
 
-  /// What the k-th terms of these f_e lack for 0, with the sign turned, in their order, from the terms of x
-  /// up to k − 1 in series[unknown][order]. Precondition: it was called for all lower k since `begin_series`,
-  /// or k = 1.
-  void right_sides(int k, const std::vector<int>& equations, const std::vector<Number>& series,
-                   std::vector<Number>& right) {
-    if (k > 1) extend_products(k - 1, series);
-    for (std::size_t m = 0; m < distinct_.monomials.size(); ++m) {
-      const auto [u, v] = distinct_.monomials[m];
-      products_[m * (order_ + 1) + k] = v < 0 ? Number{} : inner_terms(u, v, k, series);
-    }
-    std::fill_n(right.begin(), equations.size(), Number{});
-    // A term of each equation in turn: sums of different equations do not wait for each other.
-    for (int place = 0, left = 1; left > 0; ++place) {
-      left = 0;
-      for (std::size_t i = 0; i < equations.size(); ++i) {
-        const int j = system_.first[equations[i]] + place;
-        if (j >= system_.first[equations[i] + 1]) continue;
-        right[i] = less_term(right[i], j, k);
-        ++left;
-      }
+  /// What the k-th terms of the equations lack for 0, with the sign turned, in the order of elimination, from the terms
+  /// of x up to k − 1 in series[unknown][order]. Precondition: it was called for all lower k since `begin_series`, or
+  /// k = 1.
+  void right_sides(int k, const std::vector<Number>& series, std::vector<Number>& right) {
+    if (k > 1) extend_sums(k - 1, series);
+    Number* known = terms_of_sums(k);
+    std::fill_n(known, parts_.sums.size(), Number{});
+    for (const Part& part : products_)
+      known[part.sum] = known[part.sum] + inner_terms(terms_of(part.u, series), terms_of(part.v, series), k);
+    for (const Part& part : squares_)
+      known[part.sum] = known[part.sum] + inner_terms(terms_of(part.u, series), k);
+    std::fill_n(right.begin(), elimination_.equation.size(), Number{});
+    for (const Summand& summand : summands_) {
+      Number& sum = right[summand.place];
+      sum = summand.moves ? less_convolution(sum, summand, k)
+                          : fused_minus(coefficient_[summand.term], known[summand.sum], sum);
     }
   }
 
  private:
-  /// `sum` less the k-th coefficient of term j's series.
-  Number less_term(Number sum, int j, int k) const {
-    const Number* c = &coefficients_[j * (order_ + 1)];
-    const Number* p = &products_[distinct_.numbers[j] * (order_ + 1)];
-    // At rest its first coefficient is all, and the k-th term of an unknown is not known yet.
-    if (!route_.moves(j)) return system_.monomials[j].v < 0 ? sum : fused_minus(c[0], p[k], sum);
-    const int terms = route_.has_rates() ? k : std::min(k, Route::degree);
-    for (int a = terms; a >= 0; --a) sum = fused_minus(c[a], p[k - a], sum);
+  /// In twice the precision.
+  struct Sum {
+    Compensated<Real> re, im;
+  };
+  /// A monomial x_u·x_v, x_u or 1 of a sum.
+  struct Part {
+    int sum = 0;
+    int u = -1, v = -1;
+  };
+  /// Of a term, c·x_factor or c, to be added to an entry of the Jacobian.
+  struct Derivative {
+    int entry = 0, term = 0;
+    int factor = -1;
+  };
+  /// A term of the equation that is eliminated at step `place`.
+  struct Summand {
+    int place = 0, term = 0, sum = 0;
+    bool moves = false;
+  };
+
+  void list_parts_of_sums() {
+    for (int m = 0; m < static_cast<int>(parts_.sums.size()); ++m)
+      for (const auto& [u, v] : parts_.sums[m]) {
+        std::vector<Part>& alike = u < 0 ? constants_ : (v < 0 ? unknowns_ : (u == v ? squares_ : products_));
+        alike.push_back({m, u, v});
+      }
+  }
+
+  void list_derivatives() {
+    for (int e = 0; e + 1 < static_cast<int>(parts_.first.size()); ++e)
+      for (int t = parts_.first[e]; t < parts_.first[e + 1]; ++t)
+        for (const auto& [u, v] : parts_.sums[parts_.terms[t].sum]) {
+          if (u >= 0) derivatives_.push_back({elimination_.entry(e, u), t, v});
+          if (v >= 0) derivatives_.push_back({elimination_.entry(e, v), t, u});
+        }
+  }
+
+  /// A term of each equation in turn: sums of different equations do not wait for each other. Left out is what rests and
+  /// has no products: its k-th terms are what is looked for. The order does not depend on what moves.
+  void schedule() {
+    scheduled_ = route_.moving();
+    summands_.clear();
+    const auto equations = static_cast<int>(elimination_.equation.size());
+    for (int turn = 0, left = 1; left > 0; ++turn) {
+      left = 0;
+      for (int place = 0; place < equations; ++place) {
+        const int e = elimination_.equation[place], t = parts_.first[e] + turn;
+        if (t >= parts_.first[e + 1]) continue;
+        ++left;
+        const auto [coefficient, sum] = parts_.terms[t];
+        const bool moves = route_.moves(coefficient);
+        if (moves || has_products(parts_.sums[sum])) summands_.push_back({place, t, sum, moves});
+      }
+    }
+  }
+
+  static bool has_products(const std::vector<Monomial>& sum) {
+    return std::any_of(sum.begin(), sum.end(), [](const Monomial& monomial) { return monomial.v >= 0; });
+  }
+
+  static Sum sum_at(const std::vector<Monomial>& monomials, const std::vector<Number>& x) {
+    Sum sum;
+    for (const auto& [u, v] : monomials) {
+      if (v >= 0) {
+        add_product(x[u], x[v], sum.re, sum.im);
+      } else {
+        sum.re.add(u < 0 ? constant(1, Real{}) : x[u].re);
+        sum.im.add(u < 0 ? Real{} : x[u].im);
+      }
+    }
     return sum;
   }
 
-  /// The k-th terms of the products, from those of x.
-  void extend_products(int k, const std::vector<Number>& series) {
-    for (std::size_t m = 0; m < distinct_.monomials.size(); ++m) {
-      const auto [u, v] = distinct_.monomials[m];
-      if (u < 0) continue;
-      Number& p = products_[m * (order_ + 1) + k];
-      const Number* x = &series[u * (order_ + 1)];
-      const Number* y = v < 0 ? nullptr : &series[v * (order_ + 1)];
-      p = y ? fused(x[0], y[k], fused(x[k], y[0], p)) : x[k];
-    }
+  /// The k-th coefficients of the series of all sums.
+  Number* terms_of_sums(int k) { return &series_of_sums_[k * parts_.sums.size()]; }
+  const Number* terms_of_sums(int k) const { return &series_of_sums_[k * parts_.sums.size()]; }
+  const Number* terms_of(int unknown, const std::vector<Number>& series) const {
+    return &series[unknown * (order_ + 1)];
   }
 
-  static int entry(const Elimination& elimination, int e, int i) {
-    return i < 0 ? -1 : elimination.entry(e, i);
+  /// `sum` less the k-th coefficient of a term's series.
+  Number less_convolution(Number sum, const Summand& of, int k) const {
+    const Number* c = &coefficients_[of.term * (order_ + 1)];
+    const int terms = route_.has_rates() ? k : std::min(k, Route::degree);
+    for (int a = terms; a >= 0; --a) sum = fused_minus(c[a], terms_of_sums(k - a)[of.sum], sum);
+    return sum;
   }
 
-  /// Σ_{0<a<k} u_a·v_{k−a}
-  Number inner_terms(int u, int v, int k, const std::vector<Number>& series) const {
-    const Number* a = &series[u * (order_ + 1)];
-    const Number* b = &series[v * (order_ + 1)];
+  /// The k-th coefficients of the sums, from those of x.
+  void extend_sums(int k, const std::vector<Number>& series) {
+    Number* sum = terms_of_sums(k);
+    for (const Part& part : unknowns_) sum[part.sum] = sum[part.sum] + terms_of(part.u, series)[k];
+    for (const std::vector<Part>* parts : {&products_, &squares_})
+      for (const Part& part : *parts) {
+        const Number *x = terms_of(part.u, series), *y = terms_of(part.v, series);
+        sum[part.sum] = fused(x[0], y[k], fused(x[k], y[0], sum[part.sum]));
+      }
+  }
+
+  /// Σ_{0<a<k} x_a·y_{k−a}
+  static Number inner_terms(const Number* x, const Number* y, int k) {
     Number sum{};
-    if (u != v) {
-      for (int i = 1; i < k; ++i) sum = fused(a[i], b[k - i], sum);
-      return sum;
-    }
-    for (int i = 1; 2 * i < k; ++i) sum = fused(a[i], a[k - i], sum);
+    for (int i = 1; i < k; ++i) sum = fused(x[i], y[k - i], sum);
+    return sum;
+  }
+  /// The same with y = x.
+  static Number inner_terms(const Number* x, int k) {
+    Number sum{};
+    for (int i = 1; 2 * i < k; ++i) sum = fused(x[i], x[k - i], sum);
     sum = sum + sum;
-    return k % 2 == 0 ? fused(a[k / 2], a[k / 2], sum) : sum;
+    return k % 2 == 0 ? fused(x[k / 2], x[k / 2], sum) : sum;
   }
 
-  const MonomialSystem& system_;
   const int order_;
-  std::vector<std::array<int, 2>> entries_of_;  ///< of a monomial's derivatives by u and v (−1: none)
-  const DistinctMonomials distinct_;
-  std::vector<Number> coefficient_;
-  std::vector<Number> products_;      ///< [distinct monomial][order]
-  std::vector<Number> coefficients_;  ///< [monomial][order]
+  const MonomialSums parts_;
+  const Elimination& elimination_;
+  std::vector<Part> constants_, unknowns_, squares_, products_;  ///< of all sums
+  std::vector<Derivative> derivatives_;
+  std::vector<Summand> summands_;
+  std::size_t scheduled_ = 0;           ///< parameters that moved when the summands were put in order
+  std::vector<Number> coefficient_;     ///< of a term
+  std::vector<Sum> sums_;               ///< at the x that was evaluated last
+  std::vector<Number> series_of_sums_;  ///< [order][sum]
+  std::vector<Number> coefficients_;    ///< [term][order], of what moves
   LaneRoute<Real> route_;
 };
 

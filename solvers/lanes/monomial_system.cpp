@@ -1,21 +1,32 @@
 #include "solvers/lanes/monomial_system.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
 namespace gcs {
 
-DistinctMonomials distinct_monomials(const MonomialSystem& system) {
-  DistinctMonomials distinct;
-  std::map<std::pair<int, int>, int> numbers;
-  for (const Monomial& monomial : system.monomials) {
-    const auto [number, is_new] =
-        numbers.try_emplace({monomial.u, monomial.v}, static_cast<int>(distinct.monomials.size()));
-    if (is_new) distinct.monomials.push_back(monomial);
-    distinct.numbers.push_back(number->second);
+MonomialSums monomial_sums(const MonomialSystem& system) {
+  MonomialSums result;
+  std::map<std::vector<std::pair<int, int>>, int> numbers;
+  for (int e = 0; e < system.equations(); ++e) {
+    std::map<int, std::vector<std::pair<int, int>>> with_coefficient;
+    for (int j = system.first[e]; j < system.first[e + 1]; ++j)
+      with_coefficient[system.shares.empty() ? j : system.shares[j]].emplace_back(system.monomials[j].u,
+                                                                                  system.monomials[j].v);
+    for (auto& [coefficient, monomials] : with_coefficient) {
+      std::sort(monomials.begin(), monomials.end());
+      const auto [known, is_new] = numbers.try_emplace(monomials, static_cast<int>(result.sums.size()));
+      if (is_new) {
+        std::vector<Monomial>& sum = result.sums.emplace_back();
+        for (const auto& [u, v] : monomials) sum.push_back({u, v});
+      }
+      result.terms.push_back({coefficient, known->second});
+    }
+    result.first.push_back(static_cast<int>(result.terms.size()));
   }
-  return distinct;
+  return result;
 }
 
 EquationValues values_at(const MonomialSystem& system, const ComplexVectorX& coefficients,

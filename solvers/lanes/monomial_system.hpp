@@ -17,16 +17,25 @@ struct MonomialSystem {
   int unknowns = 0;
   std::vector<Monomial> monomials;  ///< those of equation e are first[e] … first[e + 1] − 1
   std::vector<int> first{0};
+  /// Of each monomial the first of its equation that has the same coefficient along every path; empty: each itself.
+  std::vector<int> shares{};
 
   int equations() const { return static_cast<int>(first.size()) - 1; }
 };
 
-/// Those of all equations, each once.
-struct DistinctMonomials {
-  std::vector<Monomial> monomials;
-  std::vector<int> numbers;  ///< of the system's monomials, in `monomials`
+/// The equations as Σ c·(sum of monomials): monomials with one coefficient are a sum, and sums that several equations have
+/// stand here once.
+struct MonomialSums {
+  struct Term {
+    int coefficient = 0;  ///< that of this monomial of the system
+    int sum = 0;
+  };
+
+  std::vector<std::vector<Monomial>> sums;
+  std::vector<Term> terms;
+  std::vector<int> first{0};  ///< those of equation e are first[e] … first[e + 1] − 1
 };
-DistinctMonomials distinct_monomials(const MonomialSystem& system);
+MonomialSums monomial_sums(const MonomialSystem& system);
 
 /// At x.
 inline std::complex<double> monomial_at(const Monomial& monomial, const ComplexVectorX& x) {

@@ -20,6 +20,7 @@ class SquareEquations {
 
   SquareEquations(const SquareSystem& system, const Elimination& elimination, int order)
       : system_(system),
+        equations_(elimination.equation),
         order_(order),
         difference_(system.differences.size()),
         route_(system.given.size()),
@@ -80,22 +81,20 @@ class SquareEquations {
   /// At x = series[unknown][0].
   void begin_series(const std::vector<Number>&, Real s) { s_ = s; }
 
-  /// A_k/2 − (1/2) Σ d_a·d_{k−a}, 0 < a < k, of the equations in this order, from the terms of x up to k − 1
-  /// in series[unknown][order]. Precondition: it was called for all lower k since `begin_series`, or k = 1.
-  void right_sides(int k, const std::vector<int>& equations, const std::vector<Number>& series,
-                   std::vector<Number>& right) {
+  /// A_k/2 − (1/2) Σ d_a·d_{k−a}, 0 < a < k, of the equations in the order of elimination, from the terms of x up to
+  /// k − 1 in series[unknown][order]. Precondition: it was called for all lower k since `begin_series`, or k = 1.
+  void right_sides(int k, const std::vector<Number>& series, std::vector<Number>& right) {
     if (k % 2 == 1)
-      (this->*convolutions_at(k))(equations, series.data(), right);
+      (this->*convolutions_at(k))(series.data(), right);
     else
-      add_last_products(k, equations, series.data(), right);
+      add_last_products(k, series.data(), right);
     if (k > Route::degree) return;
-    for (std::size_t i = 0; i < equations.size(); ++i)
-      right[i] = fused(constant(0.5, Real{}), route_.term(equations[i], k, s_), right[i]);
+    for (std::size_t i = 0; i < equations_.size(); ++i)
+      right[i] = fused(constant(0.5, Real{}), route_.term(equations_[i], k, s_), right[i]);
   }
 
  private:
-  using Convolutions = void (SquareEquations::*)(const std::vector<int>&, const Number*,
-                                                 std::vector<Number>&);
+  using Convolutions = void (SquareEquations::*)(const Number*, std::vector<Number>&);
 
   /// `convolutions` for an odd k.
   static Convolutions convolutions_at(int k) {
@@ -110,10 +109,10 @@ class SquareEquations {
   /// Of two orders at once: right = −(1/2) Σ d_a·d_{k−a}, 0 < a < k, and next_ = (1/2) Σ d_a·d_{k+1−a} but
   /// for what needs d_k. The time goes into loading the terms, and so each is used for both.
   template <int k>
-  void convolutions(const std::vector<int>& equations, const Number* series, std::vector<Number>& right) {
-    for (std::size_t i = 0; i < equations.size(); ++i) {
+  void convolutions(const Number* series, std::vector<Number>& right) {
+    for (std::size_t i = 0; i < equations_.size(); ++i) {
       SplitSum<Real> sum, next;
-      for_differences(equations[i], series,
+      for_differences(equations_[i], series,
                       [&](const auto& difference) { add_products<k>(difference, sum, next); });
       right[i] = -sum.value();
       next_[i] = next.value();
@@ -137,12 +136,11 @@ class SquareEquations {
   }
 
   /// right = −next_ − (the products that need d_{k−1}), k even.
-  void add_last_products(int k, const std::vector<int>& equations, const Number* series,
-                         std::vector<Number>& right) {
+  void add_last_products(int k, const Number* series, std::vector<Number>& right) {
     const Real factor = constant(k == 2 ? 0.5 : 1, Real{});
-    for (std::size_t i = 0; i < equations.size(); ++i) {
+    for (std::size_t i = 0; i < equations_.size(); ++i) {
       Number sum = next_[i];
-      for_differences(equations[i], series,
+      for_differences(equations_[i], series,
                       [&](const auto& d) { sum = fused(factor * d(1), d(k - 1), sum); });
       right[i] = -sum;
     }
@@ -167,6 +165,7 @@ class SquareEquations {
   }
 
   const SquareSystem& system_;
+  const std::vector<int>& equations_;  ///< in the order of elimination
   const int order_;
   std::vector<std::array<int, 2>> entries_of_;  ///< of a difference's minuend and subtrahend (−1: none)
   std::vector<int> entries_of_linear_;

@@ -160,7 +160,7 @@ Route random_route(const MonomialSystem& system, const ComplexVectorX& start, st
 TEST_CASE("legs of equations that share monomials end where many small steps end, though coefficients rest") {
   std::mt19937_64 random(13);
   const MonomialSystem system = full_quadrics(3);
-  CHECK(distinct_monomials(system).monomials.size() == 10);
+  CHECK(monomial_sums(system).sums.size() == 10);
   // Those that rest along the first leg move along later ones, and rest again.
   std::vector<ComplexVectorX> starts, jacobians;
   std::vector<Route> routes;
@@ -180,6 +180,35 @@ TEST_CASE("legs of equations that share monomials end where many small steps end
     const Eigen::Map<const Eigen::VectorXcd> fast(result.x.data(), 3);
     CHECK((fast - slow).cwiseAbs().maxCoeff() <= 1e-9 * (1 + slow.cwiseAbs().maxCoeff()));
   }
+}
+
+TEST_CASE("monomials that share a coefficient are followed as without saying so") {
+  std::mt19937_64 random(14);
+  MonomialSystem system = full_quadrics(3);
+  const ComplexVectorX start = random_complex_vector(3, random);
+  // Of ten monomials the first, 1, is alone; the others are three sums of three, which all equations have.
+  for (const int first : system.first)
+    for (int i = 0; i < 10 && first < std::ssize(system.monomials); ++i)
+      system.shares.push_back(first + (i == 0 ? 0 : i - (i - 1) % 3));
+  CHECK(monomial_sums(system).sums.size() == 4);
+  Route route = random_route(system, start, 2, random);
+  for (auto& coefficients : route.coefficients)
+    for (std::size_t j = 0; j < coefficients.size(); ++j) coefficients[j] = coefficients[system.shares[j]];
+  const ComplexVectorX missing = values_at(system, route.coefficients[0], start).value;
+  for (int e = 0; e < system.equations(); ++e) route.coefficients[0][system.first[e]] -= missing[e];
+  for (std::size_t j = 0; j < route.end.size(); ++j) {
+    const auto& c = route.coefficients;
+    route.end[j] = c[0][j] + c[1][j] + c[2][j] + c[3][j];
+  }
+  const Elimination elimination = order_elimination(system, {jacobian_at(system, route.end, start)});
+  LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
+  WorkCounters work;
+  const std::vector<Leg> legs{{start.data(), &route}};
+  const LegResult result = tracking.follow(legs, never, work).front();
+  REQUIRE(result.state.end == LegEnd::arrived);
+  const Eigen::VectorXcd slow = follow_slowly(system, start, route);
+  const Eigen::Map<const Eigen::VectorXcd> fast(result.x.data(), 3);
+  CHECK((fast - slow).cwiseAbs().maxCoeff() <= 1e-9 * (1 + slow.cwiseAbs().maxCoeff()));
 }
 
 TEST_CASE("where an unknown is 0 at all samples there is an entry for what it multiplies") {

@@ -82,7 +82,7 @@ CLI::Validator output_name() {
   return check([](std::string& text) { return text == "-" ? std::string() : place_name()(text); });
 }
 
-void require_another_file(const std::string& out, const std::string& used) {
+void require_another_file(const std::string& out, const std::string& used, std::string_view option) {
   std::error_code ignored;
   if (out.empty() || out == "-" || used.empty() || used == "-") return;
   const bool is_same =
@@ -90,7 +90,7 @@ void require_another_file(const std::string& out, const std::string& used) {
       std::filesystem::equivalent(out, used, ignored);
   if (is_same)
     throw UsageError(
-        fmt::format("--out {} would replace {}, which this run uses; name another file", out, used));
+        fmt::format("{} {} would replace {}, which this run uses; name another file", option, out, used));
 }
 
 }  // namespace gcs

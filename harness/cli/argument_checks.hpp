@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace gcs {
 
@@ -27,8 +28,8 @@ CLI::Validator place_name();
 /// Likewise, or "-" for standard output.
 CLI::Validator output_name();
 
-/// Throws UsageError when `out` is the same file as `used`, which the run reads or keeps: "--out" would
-/// replace it. "-" and names of no file are no files.
-void require_another_file(const std::string& out, const std::string& used);
+/// Throws UsageError when `out`, given by the option, is the same file as `used`, which the run reads or keeps: it would
+/// be replaced. "-" and names of no file are no files.
+void require_another_file(const std::string& out, const std::string& used, std::string_view option = "--out");
 
 }  // namespace gcs

@@ -19,6 +19,7 @@
 #include "harness/cli/progress_line.hpp"
 #include "harness/cli/solve_summary.hpp"
 #include "harness/instances/instance_lookup.hpp"
+#include "harness/results/certificate_io.hpp"
 #include "harness/results/result_io.hpp"
 #include "harness/results/strategy_choice.hpp"
 #include "harness/solving/file_journal.hpp"
@@ -34,9 +35,10 @@ struct SolveArguments {
   std::string instance;
   std::string strategy;
   std::vector<std::string> settings;
-  std::string out;        ///< empty: no file; "-": standard output
-  std::string solutions;  ///< "real" or "all"; empty: all
-  std::string resume;     ///< the journal's file; empty: none
+  std::string out;          ///< empty: no file; "-": standard output
+  std::string solutions;    ///< "real" or "all"; empty: all
+  std::string resume;       ///< the journal's file; empty: none
+  std::string certificate;  ///< empty: none
   RunLimits limits;
 };
 
@@ -82,6 +84,27 @@ void print_answer(const SolveArguments& arguments, const Instance& instance, con
   if (run.status != RunStatus::unsupported) std::cout << solve_summary(instance, run);
 }
 
+/// The file that --certificate names, if any.
+std::optional<Output> open_certificate(const SolveArguments& arguments, const Instance& instance) {
+  if (arguments.certificate.empty()) return std::nullopt;
+  for (const std::string& used : {instance.origin, arguments.resume, arguments.out})
+    require_another_file(arguments.certificate, used, "--certificate");
+  require_certifiable(instance);
+  return std::optional<Output>(std::in_place, arguments.certificate);
+}
+
+void keep_certificate(const Instance& instance, const Scene& scene, const SolveRun& run,
+                      Output& certificate) {
+  const std::uint64_t proven = run.proofs ? run.proofs->classes : 0;
+  if (proven == 0) return complain("nothing is proven, and no certificate is written");
+  const std::size_t kept =
+      write_certificate(instance, scene, run, [&](std::string_view piece) { certificate.write(piece); });
+  certificate.commit();
+  if (kept < proven)
+    complain(fmt::format("the certificate has {} of {} proven solutions: the others take too many digits",
+                         kept, proven));
+}
+
 std::string strategies_with_a_journal() {
   std::vector<std::string> names;
   for (const StrategyEntry& entry : all_strategies())
@@ -111,11 +134,13 @@ ExitCode solve(const SolveArguments& arguments, bool quiet, Crew* crew) {
   require_another_file(arguments.out, arguments.resume);
   std::optional<Output> out;
   if (!arguments.out.empty()) out.emplace(arguments.out);
+  std::optional<Output> certificate = open_certificate(arguments, instance);
   const std::unique_ptr<FileJournal> journal = open_journal(arguments, entry, options, instance);
 
   catch_interrupts();
   RunLimits limits = arguments.limits;
   limits.only_real = arguments.solutions == "real";
+  limits.certify = limits.certify || certificate;
   const Scene scene = instance;
   SolveRun run = [&] {
     ProgressLine progress(!quiet);
@@ -123,6 +148,7 @@ ExitCode solve(const SolveArguments& arguments, bool quiet, Crew* crew) {
   }();
   if (journal) run.timing.recalled_steps = journal->recalled();
   print_answer(arguments, instance, run, out);
+  if (certificate) keep_certificate(instance, scene, run, *certificate);
   complain_about(run);
   return exit_code(run);
 }
@@ -187,6 +213,12 @@ void add_options(CLI::App& command, SolveArguments& arguments, int ranks_here) {
       ->check(CLI::IsMember({"real", "all"}));
   command.add_flag("--certify", arguments.limits.certify,
                    "Prove that every solution exists, is real or not as listed, and a class of its own");
+  command
+      .add_option(
+          "--certificate", arguments.certificate,
+          "--certify, and write the proofs to FILE for scripts/check-certificate, a checker of its own")
+      ->check(place_name())
+      ->type_name("FILE");
   command
       .add_option("--resume", arguments.resume,
                   "Keep a journal in FILE; when it is there, go on where it ends, with the same result")

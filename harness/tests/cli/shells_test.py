@@ -40,7 +40,7 @@ class Completion(unittest.TestCase):
         self.assertIn("flat-triangle", completed("stability", "flat"))
 
     def test_options_and_their_values(self):
-        self.assertEqual(completed("solve", "k33", "--certi"), ["--certify"])
+        self.assertEqual(completed("solve", "k33", "--certi"), ["--certificate", "--certify"])
         self.assertEqual(completed("solve", "k33", "--solutions", ""), ["all", "real"])
         self.assertEqual(completed("tables", "table1", "--instances", "k33,disul"), ["k33,disulfide"])
         chosen = ["solve", "k33", "--strategy", "rcp", "--set"]

@@ -1,0 +1,238 @@
+#!/usr/bin/python3
+"""`gcsbench solve --certificate` and scripts/check-certificate: what is a theorem, and that nothing false becomes one.
+
+Usage: certificate_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import copy
+import importlib.machinery
+import importlib.util
+import json
+import random
+import subprocess
+
+import command_line
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, SOURCE, run
+
+SCRIPT = SOURCE / "scripts" / "check-certificate"
+
+# Complex and real solutions up to reflection. K3,3: 16 in the fixed frame (Capco et al. 2018). Prism: two triangles on
+# three legs have 6 postures for each orientation (Hunt 1983), all of them real here by box subdivision. Octahedron: at
+# most 16 in the frame, four real ones (Imbach, Mathis, Schreck 2016), whose table has 32 · 8 and 18 of the disulfide.
+KNOWN = {"k33": (8, 2), "prism": (12, 12), "octahedron": (8, 4), "disulfide": (32, 18)}
+
+# Graphs with most realisations among those of 6, 7 and 8 points, by the bits of their adjacency matrices, and these
+# numbers (Capco et al. 2018, table 1).
+RECORDS = {7916: 24, 1269995: 56, 170989214: 136}
+
+
+def loaded(script):
+    loader = importlib.machinery.SourceFileLoader("check_certificate", str(script))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
+checker = loaded(SCRIPT)
+
+
+def sentence(name, found, real, quantity="exactly"):
+    return f"{name}: {quantity} {found} complex solutions up to reflection, {real} of them real: proven."
+
+
+def verdict(certificate):
+    """The theorem, or None."""
+    try:
+        return checker.theorem(checker.parsed(json.dumps(certificate)))
+    except (checker.Refused, checker.Unreadable):
+        return None
+
+
+def places(value, path=()):
+    """Paths to all values within one."""
+    if isinstance(value, (dict, list)):
+        for key in value if isinstance(value, dict) else range(len(value)):
+            yield (*path, key)
+            yield from places(value[key], (*path, key))
+
+
+def at(value, path):
+    for key in path:
+        value = value[key]
+    return value
+
+
+def with_value(certificate, path, value):
+    changed = copy.deepcopy(certificate)
+    at(changed, path[:-1])[path[-1]] = value
+    return changed
+
+
+def without(certificate, path):
+    changed = copy.deepcopy(certificate)
+    del at(changed, path[:-1])[path[-1]]
+    return changed
+
+
+def changes(value, draw, names):
+    """Other values in the place of one."""
+    if isinstance(value, bool):
+        return [not value]
+    if isinstance(value, (int, float)):
+        return [value + 1, value - 1, 2 * value, -value]
+    if isinstance(value, str) and value.lstrip("-").isdigit():
+        return [str(int(value) + step) for step in (-(10 ** 9), 10 ** 9, draw.getrandbits(70))]
+    if isinstance(value, str):
+        return [draw.choice(names), ""]
+    if isinstance(value, list) and value:
+        return [value[:-1], value + value[:1], value[::-1]]
+    return [None, {}]
+
+
+class Certificates(command_line.CommandLine):
+    def certificate(self, instance, *options):
+        out = self.folder / "certificate.json"
+        done = run("--quiet", "solve", instance, "--strategy", "monodromy", "--certificate", out, *options)
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        return json.loads(out.read_text())
+
+    def checked(self, text):
+        return subprocess.run([SCRIPT, "-"], input=text, capture_output=True, text=True, timeout=60, check=False)
+
+    def test_known_numbers_are_theorems(self):
+        for name, (found, real) in KNOWN.items():
+            self.assertEqual(verdict(self.certificate(name)), sentence(name, found, real))
+
+    def test_of_parts_and_hung_points_too(self):
+        # Two octahedra with a triangle in common: 16 · 16 in the frame.
+        tower = verdict(self.certificate("octahedra@2"))
+        self.assertRegex(tower, r"^octahedra@2: exactly 128 complex .*: proven\.$")
+        k33 = json.loads((SOURCE / "instances" / "k33.json").read_text())
+        hung = {**{key: k33[key] for key in ("format", "dimension")}, "id": "hung",
+                "points": k33["points"] + ["hung"],
+                "constraints": k33["constraints"] + [
+                    {"type": "distance", "between": ["hung", point], "squared": square}
+                    for point, square in zip(k33["points"], (7.3, 5.1))]}
+        self.assertRegex(verdict(self.certificate(self.write(hung, "hung.json"))), "^hung: exactly 16 complex")
+
+    def test_other_names_orders_and_units_change_nothing(self):
+        draw = random.Random(5)
+        octahedron = json.loads((SOURCE / "instances" / "octahedron.json").read_text())
+        names = dict(zip(octahedron["points"], draw.sample(["a", "b b", "ö", "3", "p1", "p-"], 6)))
+        for exponent in (-500, 70):
+            constraints = [{"type": "distance", "between": [names[point] for point in constraint["between"]][::-1],
+                            "length": constraint["length"] * 2.0 ** exponent}
+                           for constraint in octahedron["constraints"]]
+            restated = {"format": octahedron["format"], "id": "restated", "dimension": 3,
+                        "points": draw.sample(list(names.values()), 6),
+                        "constraints": draw.sample(constraints, len(constraints))}
+            path = self.write(restated, "restated.json")
+            self.assertEqual(verdict(self.certificate(path)), sentence("restated", *KNOWN["octahedron"]))
+
+    def test_nearly_singular_solutions_take_more_digits(self):
+        certificate = self.certificate("short-edge@1e-12")
+        self.assertRegex(verdict(certificate), r"^short-edge@1e-12: exactly \d+ complex .*: proven\.$")
+
+    def test_realisations_are_those_of_the_literature(self):
+        for code, known in RECORDS.items():
+            bits = f"{code:b}"
+            points = next(n for n in range(2, 20) if n * (n - 1) // 2 >= len(bits))
+            pairs = [(i, j) for i in range(points) for j in range(i + 1, points)]
+            edges = [pair for pair, bit in zip(pairs, bits.zfill(len(pairs))) if bit == "1"]
+            self.assertEqual(checker.Realisations().count([(edge, edge) for edge in edges]), known)
+
+    def test_a_change_is_refused_or_changes_nothing(self):
+        """Of some hundreds, in every kind of place."""
+        draw = random.Random(7)
+        for name in ("k33", "octahedron"):
+            certificate = self.certificate(name)
+            kinds = {}
+            for path in places(certificate):
+                kinds.setdefault(tuple(key for key in path if isinstance(key, str)), []).append(path)
+            for paths in kinds.values():
+                for path in draw.sample(paths, min(len(paths), 6)):
+                    value = at(certificate, path)
+                    changed = [with_value(certificate, path, other)
+                               for other in changes(value, draw, certificate["instance"]["points"]) if other != value]
+                    for one in [*changed, without(certificate, path)]:
+                        with self.subTest(path=path):
+                            found = verdict(one)
+                            self.assertIn(found, (None, sentence(one["instance"]["id"], *KNOWN[name]))
+                                          if isinstance(one.get("instance"), dict) and "id" in one["instance"]
+                                          else (None,))
+
+    def test_what_says_something_else_is_refused(self):
+        certificate = self.certificate("k33")
+        solutions = certificate["solutions"]
+        wrong = {"a count": with_value(certificate, ["complex"], 9),
+                 "the number of real ones": with_value(certificate, ["real"], 3),
+                 "a bound": with_value(certificate, ["limit", 0, "at_most"], 18),
+                 "a pair": with_value(certificate, ["solutions", 5], solutions[4]),
+                 "a format": with_value(certificate, ["format"], "gcsbench-certificate/2")}
+        for number, constraint in enumerate(certificate["instance"]["constraints"]):
+            name = "length" if "length" in constraint else "squared"
+            place = ["instance", "constraints", number, name]
+            wrong[f"length {number}"] = with_value(certificate, place, constraint[name] * (1 + 1e-12))
+            wrong[f"ends {number}"] = with_value(certificate, [*place[:3], "between"], constraint["between"][:1] * 2)
+        mirrored = copy.deepcopy(solutions[4])
+        for point in mirrored["points"]:
+            point[-1] = self.negative(point[-1])
+        wrong["a mirror image"] = with_value(certificate, ["solutions", 5], mirrored)
+        for number, solution in enumerate(solutions):
+            wrong[f"realness {number}"] = with_value(certificate, ["solutions", number, "real"], not solution["real"])
+            for point in range(len(solution["points"])):
+                far = copy.deepcopy(certificate)
+                far["solutions"][number]["points"][point][0] = str(2 ** 90)
+                wrong[f"place {number} {point}"] = far
+        for what, changed in wrong.items():
+            with self.subTest(what=what):
+                self.assertIsNone(verdict(changed))
+
+    @staticmethod
+    def negative(number):
+        return [str(-int(part)) for part in number] if isinstance(number, list) else str(-int(number))
+
+    def test_a_list_that_lacks_one_is_not_complete(self):
+        certificate = self.certificate("prism")
+        found, real = KNOWN["prism"]
+        del certificate["solutions"][3]
+        self.assertIsNone(verdict(certificate))
+        certificate["complex"], certificate["real"] = found - 1, real - 1
+        self.assertEqual(verdict(certificate), sentence("prism", found - 1, real - 1, "at least").replace(
+            ": proven.", f": proven; isolated are at most {found}."))
+        certificate["limit"] = None
+        self.assertEqual(verdict(certificate), sentence("prism", found - 1, real - 1, "at least"))
+
+    def test_other_groups_prove_the_same_or_nothing(self):
+        certificate = self.certificate("octahedron")
+        self.assertEqual(certificate["limit"][0]["argument"], "m-Bézout bound")
+        points = certificate["instance"]["points"]
+        for held in ([points[0]], points[:2], points[:4], [points[0], points[0], points[1]], ["nobody"], "p1"):
+            self.assertIsNone(verdict(with_value(certificate, ["limit", 0, "held"], held)))
+        ring = self.certificate("disulfide")
+        bodies = ring["limit"][0]["bodies"]
+        self.assertEqual(verdict(with_value(ring, ["limit", 0, "bodies"], bodies[2:] + bodies[:2])),
+                         sentence("disulfide", *KNOWN["disulfide"]))
+
+    def test_codes_and_messages(self):
+        certificate = self.certificate("k33", "--out", self.folder / "result.json")
+        good = self.checked(json.dumps(certificate))
+        self.assertEqual((good.returncode, good.stdout, good.stderr), (DONE, sentence("k33", *KNOWN["k33"]) + "\n", ""))
+        text = json.dumps(certificate)
+        for bad, code in ((json.dumps(with_value(certificate, ["complex"], 7)), CHECK_FAILED), (text[:-1], BAD_INPUT),
+                          (text.replace('"real": ', '"real": 2, "real": ', 1), BAD_INPUT), ("[" * 100000, BAD_INPUT),
+                          (text.replace('"dimension": 2', '"dimension": 1e999999999'), BAD_INPUT), ("NaN", BAD_INPUT),
+                          (json.dumps(without(certificate, ["frame"])), BAD_INPUT), ("", BAD_INPUT)):
+            done = self.checked(bad)
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (code, "", 1), done.stderr)
+
+    def test_scenes_and_lists_without_a_certificate(self):
+        out = self.folder / "none.json"
+        for instance in ("tangents-durand", "two-lines"):
+            done = run("solve", instance, "--strategy", "monodromy", "--certificate", out)
+            self.assert_one_message(done, BAD_INPUT, "--certificate")
+        self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    command_line.main()

@@ -1,13 +1,17 @@
 #include "harness/results/certificate_io.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "harness/solving/frame_view.hpp"
 #include "solvers/certificates/dyadic_figure.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/structure/decomposition.hpp"
 
 namespace gcs {
 namespace {

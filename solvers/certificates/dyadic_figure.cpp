@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <limits>
+#include <string>
 
 #include "solvers/running/run_on_threads.hpp"
 

@@ -43,6 +43,10 @@ def sentence(name, found, real, quantity="exactly"):
     return f"{name}: {quantity} {found} complex solutions up to reflection, {real} of them real: proven."
 
 
+def some_of(name, found, real, most):
+    return sentence(name, found, real, "at least")[:-1] + f"; isolated are at most {most}."
+
+
 def verdict(certificate):
     """The theorem, or None."""
     try:
@@ -212,10 +216,12 @@ class Certificates(command_line.CommandLine):
         del certificate["solutions"][3]
         self.assertIsNone(verdict(certificate))
         certificate["complex"], certificate["real"] = found - 1, real - 1
-        self.assertEqual(verdict(certificate), sentence("prism", found - 1, real - 1, "at least").replace(
-            ": proven.", f": proven; isolated are at most {found}."))
+        self.assertEqual(verdict(certificate), some_of("prism", found - 1, real - 1, found))
         certificate["limit"] = None
         self.assertEqual(verdict(certificate), sentence("prism", found - 1, real - 1, "at least"))
+        found, real = KNOWN["disulfide"]
+        self.assertEqual(verdict(self.certificate("disulfide", "--solutions", "real")),
+                         some_of("disulfide", real, real, found))
 
     def test_other_groups_prove_the_same_or_nothing(self):
         certificate = self.certificate("octahedron")

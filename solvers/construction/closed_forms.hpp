@@ -11,7 +11,7 @@ namespace gcs {
 enum class MetBy {
   distance,       ///< of a point from a point, a line or a plane, from its side; 0 on a line or a plane
   product,        ///< of unit directions and normals, of a line its size alone: the cosine of two planes
-  one_direction,  ///< two lines are parallel, or a line is perpendicular to a plane
+  one_direction,  ///< two lines or planes are parallel, or a line is perpendicular to a plane
   anything        ///< else
 };
 

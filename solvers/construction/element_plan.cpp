@@ -40,10 +40,12 @@ GivenFrom given_by(const Scene& scene, const Relation& relation, int constraint)
     return std::ranges::count_if(relation.of,
                                  [&](const Operand& of) { return kind_of(problem, of) == kind; });
   };
-  const auto points = count(OperandKind::point), lines = count(OperandKind::line);
+  const auto points = count(OperandKind::point), lines = count(OperandKind::line),
+             planes = count(OperandKind::plane);
   const bool is_of_line_and_plane = points == 0 && lines == 1;
   const bool is_parallel = type == "parallel", is_perpendicular = type == "perpendicular";
-  const bool is_along = (is_parallel && lines == 2) || (is_perpendicular && is_of_line_and_plane);
+  const bool is_along =
+      (is_parallel && (lines == 2 || planes == 2)) || (is_perpendicular && is_of_line_and_plane);
   GivenFrom given;
   given.constraint = constraint;
   if (points == 1 && (type == "distance" || type == "on")) {
@@ -94,12 +96,6 @@ std::vector<GivenFrom> given_of(const ProblemStatement& problem, const std::vect
     }
   std::ranges::stable_sort(given, {}, [&](const GivenFrom& from) { return rank_of(problem, from.other); });
   return given;
-}
-
-/// The coordinates of an element without a frame. In the plane a point's third is one that the frame makes 0.
-int coordinates_of(const ProblemStatement& problem, int element) {
-  if (problem.is_line(element)) return problem.dimension == 2 ? 2 : 4;
-  return 3;
 }
 
 /// Places elements one after the other.
@@ -266,6 +262,11 @@ std::string without_instruction(const ProblemStatement& problem, const Placing& 
 }
 
 }  // namespace
+
+int coordinates_of(const ProblemStatement& problem, int element) {
+  if (problem.is_line(element)) return problem.dimension == 2 ? 2 : 4;
+  return 3;
+}
 
 Reference ElementPlan::frame() const {
   Reference reference;

@@ -12,6 +12,9 @@
 
 namespace gcs {
 
+/// The coordinates of an element without a frame. In the plane a point's third is one that the frame makes 0.
+int coordinates_of(const ProblemStatement& problem, int element);
+
 struct ElementStep {
   int place = -1;
   bool is_origin = false;

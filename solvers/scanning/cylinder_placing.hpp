@@ -2,6 +2,7 @@
 /// Sharper enclosures of points on two spheres and a cylinder around the x-axis.
 
 #include "solvers/scanning/form_contraction.hpp"
+#include "solvers/scanning/form_placing.hpp"
 
 namespace gcs {
 
@@ -12,8 +13,7 @@ namespace gcs {
 /// Every point of the branch satisfies this: an enclosure put in on the right gives another one. What is
 /// known of a centre enters it with its true weight. The better one is returned.
 template <int N>
-FormVector<N> sharpened_on_cylinder(const FormVector<N>& known, const std::array<FormVector<N>, 2>& centers,
-                                    const std::array<AffineForm<N>, 2>& squares,
+FormVector<N> sharpened_on_cylinder(const FormVector<N>& known, const std::array<FormSurface<N>, 2>& spheres,
                                     const AffineForm<N>& axis_square) {
   Eigen::Vector3d middle;
   FormVector<N> delta = known;
@@ -31,10 +31,10 @@ FormVector<N> sharpened_on_cylinder(const FormVector<N>& known, const std::array
     equations.right[row] = from - square(constant_form<N>(d)) - 2 * dot(d, rest_of_way) - square(moved);
   };
   for (int i = 0; i < 2; ++i) {
-    const Eigen::Vector3d d(middle[0] - centers[i][0].mid, middle[1] - centers[i][1].mid,
-                            middle[2] - centers[i][2].mid);
-    const FormVector<N> rest_of_way = constant_form<N>(middle) - constant_form<N>(d) - centers[i];
-    set(i, d, rest_of_way, squares[i], delta + rest_of_way);
+    const FormVector<N>& center = spheres[i].vector;
+    const Eigen::Vector3d d(middle[0] - center[0].mid, middle[1] - center[1].mid, middle[2] - center[2].mid);
+    const FormVector<N> rest_of_way = constant_form<N>(middle) - constant_form<N>(d) - center;
+    set(i, d, rest_of_way, spheres[i].number, delta + rest_of_way);
   }
   set(2, {0, middle[1], middle[2]}, {}, axis_square, {AffineForm<N>(), delta[1], delta[2]});
   const FormVector<N> sharp = constant_form<N>(middle) + equations.solve(reach);

@@ -56,23 +56,24 @@ struct PointByHeight {
   }
 };
 
-/// Sharpens what is known of a point p at given squared distances from D centres in D dimensions, at the
-/// height n·(p − c_0) = σ above their line or plane with normal n. With x the exchanged symbol less its
-/// middle, d_i the constant way from centre i to the middle m of the point, δ = p − m, s_i and n' the slopes
+/// Sharpens what is known of a point p on D surfaces in D dimensions, the first a sphere around c_0, at the height
+/// n·(p − c_0) = σ along the normal n of their common normals' line or plane. With x the exchanged symbol less its middle,
+/// d_i the constant way from the centre of sphere i to the middle m of the point, δ = p − m, s_i and n' the slopes
 /// of c_i and n by x, e_i and e_n what else is in m − d_i − c_i and n − n_0, and
 /// v_i = p − c_i − d_i = δ − s_i x + e_i,
 ///   2 d_i·δ − 2 d_i·s_i x = squares_i − |d_i|² − 2 d_i·e_i − |v_i|²,
-///   n_0·δ + (n'·d_0 − n_0·s_0) x = σ − n_0·d_0 − n_0·e_0 − e_n·d_0 − (n' x + e_n)·v_0,
-/// whose matrix is regular at the branch end too. Every point of the branch satisfies them: an enclosure put
+///   n_0·δ + (n'·d_0 − n_0·s_0) x = σ − n_0·d_0 − n_0·e_0 − e_n·d_0 − (n' x + e_n)·v_0;
+/// of a plane q_i·p = o_i, with the constants q_0 and o_0, the slopes q' and o' and what else there is, e_q and e_o,
+///   q_0·δ + (q'·m − o') x = o_0 + e_o − q_0·m − e_q·m − (q' x + e_q)·δ.
+/// The matrix is regular at the branch end too. Every point of the branch satisfies them: an enclosure put
 /// in on the right gives another one.
 template <std::size_t D, int N>
 class HeightPlacing {
  public:
-  /// Keeps references.
-  HeightPlacing(const std::array<FormVector<N>, D>& centers, const std::array<AffineForm<N>, D>& squares)
-      : centers_(centers), squares_(squares) {}
+  /// Keeps a reference.
+  explicit HeightPlacing(const std::array<FormSurface<N>, D>& surfaces) : surfaces_(surfaces) {}
 
-  /// At the heights `sigma` along `normal`, from an enclosure in the same symbols; centres, squares and the
+  /// At the heights `sigma` along `normal`, from an enclosure in the same symbols; surfaces and the
   /// normal are in terms of the angle.
   PointByHeight<N> sharpened(PointByHeight<N> known, const FormVector<N>& normal,
                              const AffineForm<N>& sigma) const {
@@ -131,14 +132,18 @@ class HeightPlacing {
     Equations result;
     const Expansion n(normal, at_middle);
     for (std::size_t i = 0; i < D; ++i) {
-      const Expansion c(centers_[i], at_middle);
+      if (surfaces_[i].is_plane) {
+        take_plane(i, middle, delta, at_middle, x, result);
+        continue;
+      }
+      const Expansion c(surfaces_[i].vector, at_middle);
       const Point d = middle - c.constant;
       const Position e =
           constant_form<N>(middle) - constant_form<N>(d) - constant_form<N>(c.constant) - c.others;
       const Position v = delta - x * constant_form<N>(c.slope) + e;
       result.matrix.row(i) << 2 * d.head<D>().transpose(), -2 * d.dot(c.slope);
       result.terms.row(i) << 2 * d.head<D>().cwiseAbs().transpose(), 2 * d.cwiseAbs().dot(c.slope.cwiseAbs());
-      result.right[i] = squares_[i] - square(constant_form<N>(d)) - 2 * dot(d, e) - square(v);
+      result.right[i] = surfaces_[i].number - square(constant_form<N>(d)) - 2 * dot(d, e) - square(v);
       if (i > 0) continue;
       result.matrix.row(D) << n.constant.template head<D>().transpose(),
           n.slope.dot(d) - n.constant.dot(c.slope);
@@ -150,8 +155,19 @@ class HeightPlacing {
     return result;
   }
 
-  const std::array<FormVector<N>, D>& centers_;
-  const std::array<AffineForm<N>, D>& squares_;
+  void take_plane(std::size_t i, const Point& middle, const Position& delta, const Exchange<N>& at_middle,
+                  const Form& x, Equations& result) const {
+    const Expansion q(surfaces_[i].vector, at_middle);
+    const Form& number = surfaces_[i].number;
+    const double rate = number.slope[static_cast<std::size_t>(at_middle.symbol)];
+    result.matrix.row(i) << q.constant.template head<D>().transpose(), q.slope.dot(middle) - rate;
+    result.terms.row(i) << q.constant.template head<D>().cwiseAbs().transpose(),
+        q.slope.cwiseAbs().dot(middle.cwiseAbs()) + std::abs(rate);
+    result.right[i] = at_middle.of(number) - dot(q.constant, constant_form<N>(middle)) -
+                      dot(middle, q.others) - dot(x * constant_form<N>(q.slope) + q.others, delta);
+  }
+
+  const std::array<FormSurface<N>, D>& surfaces_;
 };
 
 }  // namespace gcs

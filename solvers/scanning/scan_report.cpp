@@ -85,7 +85,7 @@ SolveStatus status_of(const ScanOutcome& outcome) {
 
 }  // namespace
 
-SolveReport scan_report(const Scene& scene, const ScanPlan& plan, const ScanOutcome& outcome) {
+SolveReport scan_report(const Scene& scene, std::size_t angles, const ScanOutcome& outcome) {
   SolveReport report;
   report.claim = Claim::all_real;
   report.status = status_of(outcome);
@@ -96,7 +96,7 @@ SolveReport scan_report(const Scene& scene, const ScanPlan& plan, const ScanOutc
       report.candidates.push_back({piece.figure});
   report.work.evaluations = outcome.cells;
   report.work.newton_iterations = outcome.newton_iterations;
-  report.particulars = {{"driving_parameters", plan.angles()},
+  report.particulars = {{"driving_parameters", static_cast<std::int64_t>(angles)},
                         {"cells", outcome.cells},
                         {"boxes_tested", outcome.boxes},
                         {"undecided_pieces", static_cast<std::int64_t>(outcome.undecided.size())}};

@@ -6,8 +6,8 @@
 
 namespace gcs {
 
-/// The solutions with the claim that they are all real ones. Where pieces are undecided the status says so
+/// `angles`: of the plan. The solutions with the claim that they are all real ones. Where pieces are undecided the status says so
 /// and the reason names the first; points of them that satisfy the constraints to rounding are reported too.
-SolveReport scan_report(const Scene& scene, const ScanPlan& plan, const ScanOutcome& outcome);
+SolveReport scan_report(const Scene& scene, std::size_t angles, const ScanOutcome& outcome);
 
 }  // namespace gcs

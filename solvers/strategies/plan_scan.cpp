@@ -11,15 +11,15 @@
 /// beforehand: all real solutions. It refuses scenes with more than most_angles driving parameters, of which
 /// each multiplies the cells by hundreds, and gives up where solutions are not isolated or where they are
 /// multiple; the ranges that it could not decide are named, and points of them that satisfy the constraints
-/// to rounding are reported. It refuses a line: on some scenes the derived plan leaves angles undecided at
-/// which there is no solution.
+/// to rounding are reported. Of general scenes it places points, lines and planes (construction/closed_forms.hpp,
+/// scanning/element_subdivision.hpp). Of points and one line it refuses the line: on some scenes the derived plan leaves
+/// angles undecided at which there is no solution.
 ///
 /// method=published is theirs, for any number of parameters, with a line or without (scanning/grid_scan.hpp):
 /// at every point T of the grid each branch with ρ(T) = max |f_j| < delta over the removed constraints, in
 /// lengths, is a coarse solution, from which Newton's method on the whole system starts. Deviations: the grid is taken once over
 /// mirror images, and coarse solutions that refine to mirror images are one. It misses what lies between the
-/// points of the grid, hence the claim: some real ones. Of general scenes it places points, lines and planes
-/// (construction/closed_forms.hpp, scanning/element_scan.hpp); equations of any kind that the plan does not use close the
+/// points of the grid, hence the claim: some real ones. Of general scenes (scanning/element_scan.hpp) equations of any kind that the plan does not use close the
 /// scan. There it also starts where the surfaces of an instruction miss each other by little.
 
 #include "solvers/strategies/plan_scan.hpp"
@@ -28,6 +28,7 @@
 #include <numbers>
 
 #include "solvers/scanning/element_scan.hpp"
+#include "solvers/scanning/element_subdivision.hpp"
 #include "solvers/scanning/grid_scan.hpp"
 #include "solvers/scanning/scan_report.hpp"
 
@@ -43,16 +44,14 @@ class PlanScanStrategy final : public Strategy {
     if (scene.problem().is_general()) {
       if (const auto reason = why_no_element_plan(scene, Instructions::all_places)) return reason;
       if (is_published()) return std::nullopt;
-      return "its subdivision knows distances between points only; method=published scans points, lines and "
-             "planes";
+      const ElementPlan plan = derive_element_plan(scene, Instructions::all_places);
+      if (auto reason = why_too_many(plan.ranges.size())) return reason;
+      return why_no_element_subdivision(scene, plan);
     }
     if (scene.has_lines() && !is_published())
       return "its subdivision places points only, and the instance has a line";
     if (const auto reason = why_no_scan_plan(scene)) return reason;
-    const int angles = derive_scan_plan(scene).angles();
-    if (is_published() || angles <= asked_.most_angles) return std::nullopt;
-    return "the derived plan has " + std::to_string(angles) + " driving parameters, and it scans at most " +
-           std::to_string(asked_.most_angles);
+    return is_published() ? std::nullopt : why_too_many(derive_scan_plan(scene).ranges.size());
   }
 
   void prepare(const SolveRequest& request) override {
@@ -62,15 +61,23 @@ class PlanScanStrategy final : public Strategy {
   SolveReport solve(const SolveRequest& request) override {
     if (request.scene.problem().is_general()) {
       const ElementPlan plan = derive_element_plan(request.scene, Instructions::all_places);
-      return element_scan(request, plan, grid(request.scene, plan.ranges));
+      if (is_published()) return element_scan(request, plan, grid(request.scene, plan.ranges));
+      return scan_report(request.scene, plan.ranges.size(),
+                         subdivide_element_plan(request, plan, asked_.scan.max_cells));
     }
     const ScanPlan plan = plan_ ? *plan_ : derive_scan_plan(request.scene);
     if (is_published()) return grid_scan(request, plan, grid(request.scene, plan.ranges));
-    return scan_report(request.scene, plan, scan_plan(request, plan, asked_.scan.max_cells));
+    return scan_report(request.scene, plan.ranges.size(), scan_plan(request, plan, asked_.scan.max_cells));
   }
 
  private:
   bool is_published() const { return asked_.method == PlanScan::Method::published; }
+
+  std::optional<std::string> why_too_many(std::size_t angles) const {
+    if (angles <= static_cast<std::size_t>(asked_.most_angles)) return std::nullopt;
+    return "the derived plan has " + std::to_string(angles) + " driving parameters, and it scans at most " +
+           std::to_string(asked_.most_angles);
+  }
 
   GridScan grid(const Scene& scene, const std::vector<std::array<double, 2>>& ranges) const {
     GridScan scan;

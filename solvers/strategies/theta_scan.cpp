@@ -62,7 +62,7 @@ class ThetaScanStrategy final : public Strategy {
       return grid_scan(request, pyramid_plan_with_images(request.scene, *pyramid),
                        published_scan(request.scene, asked_));
     const ScanPlan plan = pyramid_plan(request.scene, *pyramid);
-    return scan_report(request.scene, plan, scan_plan(request, plan, asked_.scan.max_cells));
+    return scan_report(request.scene, plan.ranges.size(), scan_plan(request, plan, asked_.scan.max_cells));
   }
 
  private:

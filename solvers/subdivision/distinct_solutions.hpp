@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solvers/subdivision/krawczyk_test.hpp"
+#include "solvers/certificates/krawczyk_test.hpp"
 
 namespace gcs {
 

@@ -10,8 +10,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "solvers/certificates/krawczyk_test.hpp"
 #include "solvers/running/work.hpp"
-#include "solvers/subdivision/krawczyk_test.hpp"
 
 namespace gcs {
 

@@ -217,7 +217,7 @@ std::string Subject::label() const {
 bool takes_too_long(const Subject& subject, const Scene& scene) {
   const std::string_view name = subject.entry.name;
   const bool proves_curves = name == "explore" && subject.given.contains("mode");
-  return (name == "plan-scan" && derive_scan_plan(scene).angles() > 1) ||
+  return (name == "plan-scan" && !scene.problem().is_general() && derive_scan_plan(scene).angles() > 1) ||
          ((name == "monodromy" || name == "polyhedral" || proves_curves) && has_many_solutions(scene));
 }
 

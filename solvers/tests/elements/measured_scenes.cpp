@@ -96,6 +96,18 @@ void beside_body(MeasuredProblem& p) {
   p.holds("on", 5, 6).distance(4, 6).distance(0, 6).distance(1, 6);
 }
 
+/// Parallel planes, whose normals are one or opposite, beside points.
+Figure parallel_planes_figure(RandomNumbers& random) {
+  Figure figure{random.points(3, 4, 2), {}};
+  figure.planes = {random_plane(random), random_plane(random)};
+  figure.planes[1].normal = -figure.planes[0].normal;
+  return figure;
+}
+void parallel_planes(MeasuredProblem& p) {
+  p.distance(0, 1).distance(0, 2).distance(1, 2).distance(0, 4).distance(1, 4).holds("parallel", 4, 5);
+  p.distance(2, 5).distance(0, 3).distance(1, 3).distance(3, 5).distance(2, 3);
+}
+
 struct Kind {
   std::string name;
   int dimension;
@@ -174,7 +186,8 @@ std::vector<NamedProblem> measured_scenes(RandomNumbers& random) {
                                 {"line beside", 3, line_beside_figure, line_beside},
                                 {"tangents", 2, tangents_figure, tangents},
                                 {"lines", 2, lines_figure, lines},
-                                {"beside a body", 3, beside_body_figure, beside_body}};
+                                {"beside a body", 3, beside_body_figure, beside_body},
+                                {"parallel planes", 3, parallel_planes_figure, parallel_planes}};
   std::vector<NamedProblem> scenes;
   for (const Kind& kind : kinds) {
     MeasuredProblem measured(kind.dimension, kind.figure(random));

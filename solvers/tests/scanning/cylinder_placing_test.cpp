@@ -52,8 +52,9 @@ struct MovingPoint {
     FormVector<1> moving = constant_form<1>(second);
     for (int axis = 0; axis < 3; ++axis) moving[axis].slope[0] = slope[axis];
     return sharpened_on_cylinder<1>(
-        known, {constant_form<1>(first), moving},
-        {square(constant_form<1>(start - first)), square(constant_form<1>(start - second))},
+        known,
+        {FormSurface<1>{constant_form<1>(first), square(constant_form<1>(start - first))},
+         FormSurface<1>{moving, square(constant_form<1>(start - second))}},
         square(Form(start.y())) + square(Form(start.z())));
   }
 };

@@ -20,7 +20,7 @@ std::string reason_for(std::vector<UndecidedPiece> pieces) {
   const Scene scene(samples::octahedron());
   ScanOutcome outcome;
   outcome.undecided = std::move(pieces);
-  const SolveReport report = scan_report(scene, derive_scan_plan(scene), outcome);
+  const SolveReport report = scan_report(scene, derive_scan_plan(scene).ranges.size(), outcome);
   CHECK(report.status == SolveStatus::partial);
   return report.reason;
 }

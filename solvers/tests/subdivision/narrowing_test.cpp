@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "solvers/certificates/krawczyk_test.hpp"
 #include "solvers/certificates/scene_equations.hpp"
-#include "solvers/subdivision/krawczyk_test.hpp"
 #include "solvers/subdivision/linear_narrowing.hpp"
 #include "solvers/subdivision/square_narrowing.hpp"
 #include "solvers/subdivision/start_box.hpp"

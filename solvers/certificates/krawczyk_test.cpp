@@ -1,4 +1,4 @@
-#include "solvers/subdivision/krawczyk_test.hpp"
+#include "solvers/certificates/krawczyk_test.hpp"
 
 #include <Eigen/LU>
 #include <limits>

@@ -27,8 +27,10 @@ class KrawczykTest {
   /// not proven. `iterations` grows by those of Newton's method.
   std::optional<ProvenSolution> only_solution_around(const Box& box, std::int64_t& iterations) const;
 
- private:
+  /// Newton's method, as far as rounding lets it go. False where it does not converge.
   bool refine(Eigen::VectorXd& x, std::int64_t& iterations) const;
+
+ private:
   /// A smaller box of the same middle that holds the solutions in `box`.
   Box tightened(Box box) const;
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 
 #include "solvers/certificates/krawczyk.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/scanning/narrowing.hpp"
 #include "solvers/scanning/piece.hpp"
-#include "solvers/scanning/plan_scan.hpp"
+#include "solvers/scanning/scan_outcome.hpp"
 
 namespace gcs {
 

@@ -276,9 +276,9 @@ ScanOutcome subdivided(const SolveRequest& request, const Scene& scene, const El
 }  // namespace
 
 std::optional<std::string> why_no_element_subdivision(const Scene& scene, const ElementPlan& plan) {
-  if (symbols_of(scene, plan) > most_symbols)
-    return "its plan has more angles than are subdivided, the one of a point beside a line included: " +
-           std::to_string(symbols_of(scene, plan));
+  if (const int symbols = symbols_of(scene, plan); symbols > most_symbols)
+    return "its subdivision has at most " + std::to_string(most_symbols) +
+           " angles, that of a point on a cylinder included, and the plan has " + std::to_string(symbols);
   const Scene framed = in_frame_of(scene, plan);
   const SceneSystem system(framed);
   const ElementUnknowns known = element_unknowns(system, IntervalEquations(system.equations()), plan);

@@ -6,8 +6,12 @@
 /// the unknowns of elements/scene_system.hpp follow (element_unknowns.hpp); equations of constraints that place nothing are
 /// checks, whatever their kind, and Krawczyk's test is that of all equations.
 
+#include <optional>
+#include <string>
+
 #include "solvers/construction/element_plan.hpp"
-#include "solvers/scanning/plan_scan.hpp"
+#include "solvers/interface/strategy_interface.hpp"
+#include "solvers/scanning/scan_outcome.hpp"
 
 namespace gcs {
 

@@ -58,9 +58,9 @@ class Search {
     follow({}, found.at_rest);
     for (const ElementStep& step : plan.steps) {
       KnownAtStep known;
-      take(step.place, known);
+      const bool is_on_its_own = take(step.place, known);
       placed_.insert(step.place);
-      follow(used_to_place(step), known);
+      follow(is_on_its_own ? used_to_place(step) : std::vector<int>(), known);
       found.steps.push_back(std::move(known));
     }
     for (std::size_t e = 0; e < unknowns_.size(); ++e)
@@ -127,16 +127,22 @@ class Search {
   bool is_known(int unknown) const { return is_known_[static_cast<std::size_t>(unknown)]; }
   void learn(int unknown) { is_known_[static_cast<std::size_t>(unknown)] = true; }
 
-  void take(int entity, KnownAtStep& known) {
+  /// False where the element has unknowns of one before: equations say of these what no constraint does.
+  bool take(int entity, KnownAtStep& known) {
+    bool is_on_its_own = true;
     for (const auto& [part, forms] : forms_of(system_.elements(), entity))
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!is_unknown(forms[axis])) continue;
         const ScaledUnknown& term = forms[axis].terms[0];
-        if (is_known(term.unknown)) continue;
+        if (is_known(term.unknown)) {
+          is_on_its_own = false;
+          continue;
+        }
         learn(term.unknown);
         known.of_elements.push_back(
             {term.unknown, entity, part, static_cast<int>(axis), term.coefficient.is_negative});
       }
+    return is_on_its_own;
   }
 
   /// What follows by equations, and which of these can be checked now. `used`: constraints that placed the element.

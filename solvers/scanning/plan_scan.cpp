@@ -1,6 +1,7 @@
 #include "solvers/scanning/plan_scan.hpp"
 
 #include "solvers/certificates/box_search.hpp"
+#include "solvers/model/distance_system.hpp"
 #include "solvers/scanning/cell_scan.hpp"
 #include "solvers/scanning/step_pieces.hpp"
 

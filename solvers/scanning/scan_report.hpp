@@ -2,7 +2,7 @@
 /// What a scan of a plan reports, the same for every strategy that scans.
 
 #include "solvers/interface/strategy_interface.hpp"
-#include "solvers/scanning/plan_scan.hpp"
+#include "solvers/scanning/scan_outcome.hpp"
 
 namespace gcs {
 

@@ -30,6 +30,7 @@
 #include "solvers/scanning/element_scan.hpp"
 #include "solvers/scanning/element_subdivision.hpp"
 #include "solvers/scanning/grid_scan.hpp"
+#include "solvers/scanning/plan_scan.hpp"
 #include "solvers/scanning/scan_report.hpp"
 
 namespace gcs {

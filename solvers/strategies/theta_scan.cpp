@@ -28,6 +28,7 @@
 
 #include "solvers/pyramid/pyramid_plan.hpp"
 #include "solvers/scanning/grid_scan.hpp"
+#include "solvers/scanning/plan_scan.hpp"
 #include "solvers/scanning/scan_report.hpp"
 
 namespace gcs {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "solvers/scanning/scan_plan.hpp"
 #include "solvers/tests/sample_problems.hpp"
 
 using namespace gcs;

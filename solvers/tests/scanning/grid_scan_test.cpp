@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "solvers/figures/reflection_classes.hpp"
+#include "solvers/model/distance_system.hpp"
 #include "solvers/scanning/plan_scan.hpp"
 #include "solvers/scanning/step_pieces.hpp"
 #include "solvers/scanning/step_places.hpp"

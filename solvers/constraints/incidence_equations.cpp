@@ -4,17 +4,6 @@
 
 namespace gcs {
 
-void state_on_line(SystemBuilder& builder, const VectorForm& point, const LineForms& line) {
-  const LinearForm along = builder.unknown(line.turning);
-  builder.define([point, line](const Placement&, const ComplexValues& x) {
-    const Eigen::Vector3cd way = vector_at(point, x) - vector_at(line.foot, x);
-    return ComplexValues{bilinear_product(way, vector_at(line.direction, x))};
-  });
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(builder.dimension()); ++axis)
-    builder.add(
-        Equation().plus(line.foot[axis]).plus(along, line.direction[axis]).minus(point[axis]).equals());
-}
-
 void state_on_plane(SystemBuilder& builder, const VectorForm& point, const PlaneForms& plane) {
   builder.add(Equation().plus(plane.normal, point).minus(plane.offset).equals());
 }

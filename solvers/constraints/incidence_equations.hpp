@@ -5,8 +5,6 @@
 
 namespace gcs {
 
-/// The point is foot + λ·direction, with an unknown λ.
-void state_on_line(SystemBuilder& builder, const VectorForm& point, const LineForms& line);
 void state_on_plane(SystemBuilder& builder, const VectorForm& point, const PlaneForms& plane);
 
 /// end − start is λ·direction, with an unknown λ.

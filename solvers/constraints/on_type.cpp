@@ -1,5 +1,6 @@
 #include "solvers/constraints/incidence_equations.hpp"
 #include "solvers/elements/constraint_types.hpp"
+#include "solvers/elements/element_kinds.hpp"
 
 namespace gcs {
 namespace {

@@ -2,58 +2,23 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
-#include "solvers/elements/body_motion.hpp"
+#include "solvers/elements/body_joints.hpp"
+#include "solvers/running/words.hpp"
 
 namespace gcs {
 namespace {
 
-/// Below this sine directions are parallel: positions in two bodies agree as well, of the scene's size.
-constexpr double parallel_sine = 1e-9;
-
-struct Hinge {
-  std::array<int, 2> bodies{};
-  std::vector<int> points;  ///< in the order of the first body; two at least
-  int axis = -1;            ///< once a body has given it
-  bool is_opposite = false;
-
-  bool joins(int body) const { return bodies[0] == body || bodies[1] == body; }
-  int other(int body) const { return bodies[0] == body ? bodies[1] : bodies[0]; }
-  BodyDirection direction() const { return {points[0], points[1]}; }
-  bool has(const std::vector<int>& some) const {
-    return std::ranges::find_first_of(points, some) != points.end();
-  }
-};
-
 bool has(const std::vector<int>& all, int one) { return std::ranges::find(all, one) != all.end(); }
-
-std::vector<int> shared_points(const ProblemStatement& problem, const RigidBody& a, const RigidBody& b) {
-  std::vector<int> points;
-  for (const BodyElement& element : a.elements)
-    if (problem.is_point(element.entity) &&
-        std::ranges::find(b.elements, element.entity, &BodyElement::entity) != b.elements.end())
-      points.push_back(element.entity);
-  return points;
-}
-
-std::vector<Hinge> hinges_of(const ProblemStatement& problem) {
-  std::vector<Hinge> hinges;
-  const int bodies = static_cast<int>(problem.bodies.size());
-  for (int a = 0; a < bodies && problem.dimension == 3; ++a)
-    for (int b = a + 1; b < bodies; ++b) {
-      std::vector<int> points = shared_points(problem, problem.bodies[static_cast<std::size_t>(a)],
-                                              problem.bodies[static_cast<std::size_t>(b)]);
-      if (points.size() >= 2) hinges.push_back({{a, b}, std::move(points)});
-    }
-  return hinges;
-}
 
 class Ordering {
  public:
   explicit Ordering(const ProblemStatement& problem)
-      : problem_(problem), hinges_(hinges_of(problem)), is_placed_(problem.bodies.size()) {}
+      : problem_(problem), joints_(body_joints(problem)), is_placed_(problem.bodies.size()) {
+    for (const BodyJoint& joint : joints_)
+      if (!joint.is_known && order_.reason.empty()) order_.reason = why_unknown(joint);
+  }
 
   BodyOrder run() {
     if (problem_.reference_body >= 0) take(problem_.reference_body);
@@ -63,41 +28,60 @@ class Ordering {
 
  private:
   bool is_placed(int body) const { return is_placed_[static_cast<std::size_t>(body)]; }
+  const std::string& name(int body) const { return problem_.bodies[static_cast<std::size_t>(body)].name; }
 
-  Eigen::Vector3d vector(int body, const BodyDirection& direction) const {
-    const RigidBody& of = problem_.bodies[static_cast<std::size_t>(body)];
-    const auto at = [&](int entity) {
-      return std::get<Eigen::Vector3d>(
-          position_in_body(problem_, *std::ranges::find(of.elements, entity, &BodyElement::entity)));
-    };
-    return (at(direction.to) - at(direction.from)).stableNormalized();
+  std::string why_unknown(const BodyJoint& joint) const {
+    if (problem_.is_anchored() && joint.joins(problem_.reference_body))
+      return fmt::format(
+          "the given positions tell the pose of body '{}', and there are equations only where they are of "
+          "all of its elements: give the others too",
+          name(joint.other(problem_.reference_body)));
+    std::vector<std::string> shared;
+    for (const std::vector<int>& entities : {joint.points, joint.lines, joint.planes})
+      for (const int entity : entities) shared.push_back(problem_.name(entity));
+    return fmt::format("there are no equations yet for bodies that share {}, as '{}' and '{}' do",
+                       enumeration(shared), name(joint.bodies[0]), name(joint.bodies[1]));
   }
 
   bool are_parallel(int body, const BodyDirection& a, const BodyDirection& b) const {
-    return vector(body, a).cross(vector(body, b)).norm() <= parallel_sine;
+    return are_parallel_in_body(problem_, problem_.bodies[static_cast<std::size_t>(body)], a, b);
   }
   bool are_opposite(int body, const BodyDirection& a, const BodyDirection& b) const {
-    return vector(body, a).dot(vector(body, b)) < 0;
+    const RigidBody& of = problem_.bodies[static_cast<std::size_t>(body)];
+    return direction_in_body(problem_, of, a).dot(direction_in_body(problem_, of, b)) < 0;
   }
 
-  bool is_hinged_to_placed(int body) const {
-    return std::ranges::any_of(
-        hinges_, [&](const Hinge& hinge) { return hinge.joins(body) && is_placed(hinge.other(body)); });
+  /// The joints of a body with those before it.
+  std::vector<const BodyJoint*> joints_before(int body) const {
+    std::vector<const BodyJoint*> found;
+    for (const BodyJoint& joint : joints_)
+      if (joint.joins(body) && is_placed(joint.other(body))) found.push_back(&joint);
+    return found;
+  }
+
+  bool has_direction(int body) const {
+    return std::ranges::any_of(joints_, [&](const BodyJoint& joint) {
+      return joint.shares_something() && !joint.directions.empty() && joint.joins(body) &&
+             is_placed(joint.other(body));
+    });
   }
 
   /// Whether it should not be the one that closes a loop.
   bool comes_first(int body) const {
     std::vector<BodyDirection> all;
-    for (const Hinge& hinge : hinges_) {
-      if (!hinge.joins(body)) continue;
-      for (const BodyDirection& other : all)
-        if (are_parallel(body, hinge.direction(), other)) return true;
-      all.push_back(hinge.direction());
-    }
+    for (const BodyJoint& joint : joints_)
+      for (const BodyJoint::Direction& direction : joint.directions) {
+        if (!joint.joins(body) || direction.is_either_way) continue;
+        const BodyDirection& in_body = joint.in_body(direction, body);
+        for (const BodyDirection& other : all)
+          if (are_parallel(body, in_body, other)) return true;
+        all.push_back(in_body);
+      }
     return all.size() > 2;
   }
 
-  std::optional<int> joint(int body) const {
+  /// A point of bodies before it, the first in the body's order.
+  std::optional<int> joint_point(int body) const {
     for (const BodyElement& element : problem_.bodies[static_cast<std::size_t>(body)].elements)
       if (problem_.is_point(element.entity) &&
           std::ranges::any_of(bodies_with(problem_, element.entity),
@@ -110,7 +94,7 @@ class Ordering {
     int best = -1;
     const auto rank = [&](int body) {
       if (body < 0) return -1;
-      if (!is_hinged_to_placed(body)) return joint(body) ? 1 : 0;
+      if (!has_direction(body)) return joint_point(body) ? 1 : 0;
       return comes_first(body) ? 3 : 2;
     };
     for (int body = 0; body < static_cast<int>(is_placed_.size()); ++body)
@@ -118,106 +102,123 @@ class Ordering {
     return best;
   }
 
-  /// Whether points that it shares with a body before it tell its pose.
-  bool is_held(int body) const {
-    const auto by = [&](int other) {
-      const std::vector<int> points = shared_points(problem_, problem_.bodies[static_cast<std::size_t>(body)],
-                                                    problem_.bodies[static_cast<std::size_t>(other)]);
-      return points.size() >= 2 && (problem_.dimension == 2 ||
-                                    std::ranges::any_of(points.begin() + 2, points.end(), [&](int point) {
-                                      return !are_parallel(body, {points[0], points[1]}, {points[0], point});
-                                    }));
-    };
-    for (int other = 0; other < static_cast<int>(is_placed_.size()); ++other)
-      if (is_placed(other) && by(other)) return true;
-    return false;
-  }
-
   void take(int body) {
-    if (is_held(body))
-      order_.reason = fmt::format(
-          "the given positions tell the pose of body '{}', and there are equations only where they are of "
-          "all of "
-          "its elements: give the others too",
-          problem_.bodies[static_cast<std::size_t>(body)].name);
-    BodyStep step{body, {}, -1, {}, {}};
-    for (const Hinge& hinge : hinges_)
-      if (hinge.joins(body) && is_placed(hinge.other(body))) add_known(hinge, step);
-    if (step.known.empty())
-      take_joint(step);
-    else
-      step.implied = implied_points(step);
+    BodyStep step{body, {}, -1, {}, {}, {}};
+    const std::vector<const BodyJoint*> before = joints_before(body);
+    for (const bool is_either_way : {false, true})
+      for (const BodyJoint* joint : before)
+        for (const BodyJoint::Direction& direction : joint->directions)
+          if (direction.is_either_way == is_either_way) add_known(*joint, direction, step);
+    take_origin(step);
+    imply(before, step);
     is_placed_[static_cast<std::size_t>(body)] = true;
-    for (Hinge& hinge : hinges_)
-      if (hinge.joins(body) && !is_placed(hinge.other(body))) give_axis(hinge, step);
+    for (BodyJoint& joint : joints_)
+      if (joint.joins(body) && !is_placed(joint.other(body)))
+        for (BodyJoint::Direction& direction : joint.directions)
+          if (!direction.is_either_way) give_axis(joint.in_body(direction, body), direction, step);
     order_.steps.push_back(std::move(step));
   }
 
-  void take_joint(BodyStep& step) const {
-    const std::optional<int> point = joint(step.body);
-    if (!point) return;
-    step.origin = *point;
-    step.implied = {*point};
-  }
-
-  void add_known(const Hinge& hinge, BodyStep& step) {
+  void add_known(const BodyJoint& joint, const BodyJoint::Direction& direction, BodyStep& step) {
+    const BodyDirection& in_body = joint.in_body(direction, step.body);
     const auto same = std::ranges::find_if(step.known, [&](const BodyStep::Use& use) {
-      return are_parallel(step.body, use.in_body, hinge.direction());
+      return are_parallel(step.body, use.in_body, in_body);
     });
-    if (same == step.known.end()) {
-      if (step.known.empty()) step.origin = hinge.points[0];
-      step.known.push_back({hinge.axis, hinge.is_opposite, hinge.direction()});
-      if (step.known.size() > 2) refuse(step.body, "more than two hinges");
+    const bool is_known = same != step.known.end();
+    if (direction.is_either_way) {
+      if (is_known || step.known.size() == 2) return;
+      append(joint.lines, step.directed);
+    } else if (is_known) {
+      const bool is_opposite = same->is_opposite != are_opposite(step.body, same->in_body, in_body);
+      if (direction.axis != same->axis || direction.is_opposite != is_opposite)
+        refuse(step.body, "parallel hinges or planes");
       return;
     }
-    const bool is_opposite = same->is_opposite != are_opposite(step.body, same->in_body, hinge.direction());
-    if (hinge.axis != same->axis || hinge.is_opposite != is_opposite) refuse(step.body, "parallel hinges");
+    const BodyDirection& before = joint.in_body(direction, joint.other(step.body));
+    step.known.push_back({direction.axis, direction.is_opposite, in_body,
+                          direction.is_either_way ? before.from : -1, direction.relation,
+                          static_cast<int>(&joint - joints_.data())});
+    if (step.known.size() > 2) refuse(step.body, "more than two hinges or planes");
   }
 
   void refuse(int body, const char* what) {
-    order_.reason = fmt::format("body '{}' closes a loop with {}, for which there are no equations yet",
-                                problem_.bodies[static_cast<std::size_t>(body)].name, what);
+    order_.reason =
+        fmt::format("body '{}' closes a loop with {}, for which there are no equations yet", name(body), what);
+  }
+
+  void take_origin(BodyStep& step) const {
+    for (const BodyStep::Use& use : step.known)
+      if (const BodyJoint& joint = joints_[static_cast<std::size_t>(use.joint)];
+          step.origin < 0 && !joint.points.empty())
+        step.origin = joint.points[0];
+    if (step.origin < 0) step.origin = joint_point(step.body).value_or(-1);
+    for (const BodyStep::Use& use : step.known)
+      if (const BodyJoint& joint = joints_[static_cast<std::size_t>(use.joint)];
+          step.origin < 0 && !joint.lines.empty())
+        step.origin = joint.lines[0];
+  }
+
+  /// What a point is on has its place with the point; of parallel planes all have with the first.
+  void imply(const std::vector<const BodyJoint*>& before, BodyStep& step) const {
+    if (step.origin >= 0) step.implied.push_back(step.origin);
+    for (const BodyJoint* joint : before) {
+      const bool has_point = !joint->points.empty(), is_turned = joint->directions.size() == 2;
+      if (has_point) append(joint->lines, step.implied);
+      if (has_point) append(joint->planes, step.implied);
+      if (has_point && is_turned) append(joint->points, step.implied);
+      if (!has_point && !is_turned && !joint->planes.empty())
+        append({joint->planes.begin() + 1, joint->planes.end()}, step.implied);
+      if (!joint->directions.empty() && !joint->directions[0].is_either_way)
+        append(joint->lines, step.directed);
+    }
+    imply_hinges(before, step);
+  }
+
+  static void append(const std::vector<int>& more, std::vector<int>& entities) {
+    entities.insert(entities.end(), more.begin(), more.end());
   }
 
   /// Of hinges that have one such point, all; of the others all but the first, which is joined by equations.
-  std::vector<int> implied_points(const BodyStep& step) const {
-    std::vector<const Hinge*> left;
-    for (const Hinge& hinge : hinges_)
-      if (hinge.joins(step.body) && is_placed(hinge.other(step.body))) left.push_back(&hinge);
-    std::vector<int> implied, joined{step.origin};
+  void imply_hinges(const std::vector<const BodyJoint*>& before, BodyStep& step) const {
+    std::vector<const BodyJoint*> left;
+    for (const BodyJoint* joint : before)
+      if (joint->points.size() > 1) left.push_back(joint);
+    std::vector<int> joined{step.origin};
+    const auto is_met = [&](const BodyJoint* joint) {
+      return std::ranges::any_of(joint->points,
+                                 [&](int point) { return has(step.implied, point) || has(joined, point); });
+    };
     while (!left.empty()) {
-      auto hinge =
-          std::ranges::find_if(left, [&](const Hinge* h) { return h->has(implied) || h->has(joined); });
-      if (hinge == left.end()) {
-        hinge = left.begin();
-        joined.push_back((*hinge)->points[0]);
+      auto joint = std::ranges::find_if(left, is_met);
+      if (joint == left.end()) {
+        joint = left.begin();
+        joined.push_back((*joint)->points[0]);
       }
-      for (const int point : (*hinge)->points)
-        if (point == step.origin || !has(joined, point)) implied.push_back(point);
-      left.erase(hinge);
+      for (const int point : (*joint)->points)
+        if (!has(joined, point)) step.implied.push_back(point);
+      left.erase(joint);
     }
-    return implied;
   }
 
-  /// That of a hinge of the body with the same direction, or a new one.
-  void give_axis(Hinge& hinge, BodyStep& step) {
-    const auto take_over = [&](const BodyDirection& in_body, int axis, bool is_opposite) {
-      if (!are_parallel(step.body, in_body, hinge.direction())) return false;
-      hinge.axis = axis;
-      hinge.is_opposite = is_opposite != are_opposite(step.body, in_body, hinge.direction());
+  /// That of a joint of the body with the same direction, or a new one.
+  void give_axis(const BodyDirection& in_body, BodyJoint::Direction& direction, BodyStep& step) {
+    const auto take_over = [&](const BodyDirection& known, int axis, bool is_opposite) {
+      if (!are_parallel(step.body, known, in_body)) return false;
+      direction.axis = axis;
+      direction.is_opposite = is_opposite != are_opposite(step.body, known, in_body);
       return true;
     };
     for (const BodyStep::Use& use : step.known)
-      if (take_over(use.in_body, use.axis, use.is_opposite)) return;
+      if (use.along < 0 && take_over(use.in_body, use.axis, use.is_opposite)) return;
     for (const int axis : step.further)
       if (take_over(order_.axes[static_cast<std::size_t>(axis)], axis, false)) return;
-    hinge.axis = static_cast<int>(order_.axes.size());
-    order_.axes.push_back(hinge.direction());
-    step.further.push_back(hinge.axis);
+    direction.axis = static_cast<int>(order_.axes.size());
+    order_.axes.push_back(in_body);
+    step.further.push_back(direction.axis);
   }
 
   const ProblemStatement& problem_;
-  std::vector<Hinge> hinges_;
+  std::vector<BodyJoint> joints_;
   std::vector<bool> is_placed_;
   BodyOrder order_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "solvers/numeric/bilinear_product.hpp"
 
@@ -69,8 +70,13 @@ PlacedBody BodyPlacing::run(const RigidBody& body) const {
   return placed;
 }
 
-VectorForm BodyPlacing::direction(const RigidBody& body, int from, int to) const {
-  const VectorForm known = combined(basis_.direction(element_of(body, from), element_of(body, to)), axes_);
+VectorForm BodyPlacing::direction(const RigidBody& body, const BodyDirection& direction) const {
+  const ProblemStatement& problem = builder_.problem();
+  const BodyElement& from = element_of(body, direction.from);
+  const VectorForm known = combined(direction.to < 0
+                                        ? basis_.direction(from, direction_numbers(problem, direction.from))
+                                        : basis_.direction(from, element_of(body, direction.to)),
+                                    axes_);
   VectorForm result;
   for (std::size_t i = 0; i < 3; ++i) {
     if (is_zero(known[i])) continue;
@@ -80,8 +86,8 @@ VectorForm BodyPlacing::direction(const RigidBody& body, int from, int to) const
     });
     builder_.add(Equation().plus(result[i]).minus(LinearForm{known[i].terms, {}}).equals(known[i].constant));
   }
-  const ProblemStatement& problem = builder_.problem();
-  builder_.name({problem.name(from) + "_" + problem.name(to) + "_u", result});
+  const std::string end = direction.to < 0 ? "" : "_" + problem.name(direction.to);
+  builder_.name({problem.name(direction.from) + end + "_u", result});
   return result;
 }
 
@@ -97,9 +103,9 @@ BodyPoint BodyPlacing::point(const BodyElement& element) const {
 }
 
 LineForms BodyPlacing::line(const BodyElement& element) const {
-  const auto dimension = static_cast<std::size_t>(builder_.dimension());
+  const std::size_t first = direction_numbers(builder_.problem(), element.entity);
   return {sum_of(origin_, combined(basis_.arm(element), axes_)),
-          combined(basis_.direction(element, dimension), axes_), 0, false};
+          combined(basis_.direction(element, first), axes_), 0, false};
 }
 
 /// h = n·t + k with the offset k from the body's origin t.
@@ -122,6 +128,10 @@ PlaneForms BodyPlacing::plane(const BodyElement& element) const {
 
 SegmentForms BodyPlacing::segment(const BodyElement& from, const BodyElement& to) const {
   return {constant_form(basis_.distance(from, to)), combined(basis_.direction(from, to), axes_), 0};
+}
+
+std::size_t direction_numbers(const ProblemStatement& problem, int entity) {
+  return problem.is_line(entity) ? static_cast<std::size_t>(problem.dimension) : 0;
 }
 
 const BodyElement& element_of(const RigidBody& body, int entity) {

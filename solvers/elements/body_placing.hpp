@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "solvers/elements/system_builder.hpp"
+#include "solvers/elements/element_kinds.hpp"
 
 namespace gcs {
 
@@ -38,8 +38,8 @@ class BodyPlacing {
       : builder_(builder), basis_(basis), origin_(std::move(origin)), axes_(std::move(axes)) {}
 
   PlacedBody run(const RigidBody& body) const;
-  /// The unit vector from one of the body's points to another: components that are not 0 are unknowns of their own.
-  VectorForm direction(const RigidBody& body, int from, int to) const;
+  /// Of length 1: components that are not 0 are unknowns of their own.
+  VectorForm direction(const RigidBody& body, const BodyDirection& direction) const;
 
  private:
   BodyPoint point(const BodyElement& element) const;
@@ -55,5 +55,8 @@ class BodyPlacing {
 
 /// The element of a body that is an entity. Precondition: there is one.
 const BodyElement& element_of(const RigidBody& body, int entity);
+
+/// Where the numbers of a line or a plane begin that give its direction or its normal.
+std::size_t direction_numbers(const ProblemStatement& problem, int entity);
 
 }  // namespace gcs

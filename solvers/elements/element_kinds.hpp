@@ -17,6 +17,11 @@ LineForms free_line(SystemBuilder& builder, SignMask turning,
 LineForms further_line(SystemBuilder& builder, const std::vector<int>& through);
 /// The line of that number, whose direction is that of another element: f·u = 0.
 LineForms line_along(SystemBuilder& builder, const VectorForm& direction, SignMask turning, int line);
+/// f + λ u = p. The unknown λ has the sign of the direction.
+void state_on_line(SystemBuilder& builder, const VectorForm& point, const LineForms& line,
+                   int value = no_value);
+/// v = s u for two directions of length 1, so that s = ±1.
+void state_same_direction(SystemBuilder& builder, const VectorForm& v, const VectorForm& u);
 /// The lines, itself among them, that the problem says are parallel to a line, by their numbers.
 std::vector<int> parallel_lines(const ProblemStatement& problem, int line);
 /// The planes that are perpendicular to one of these lines.
@@ -38,7 +43,7 @@ PlaneForms further_plane(SystemBuilder& builder, const std::vector<int>& through
 /// file's no product of two lengths under- or overflows.
 std::optional<std::string> why_no_pose(const ProblemStatement& problem, const RigidBody& body, int exponent);
 
-/// From one point of a body to another.
+/// From one point of a body to another or, without that, of a line or along the normal of a plane.
 struct BodyDirection {
   int from = -1, to = -1;
 };
@@ -53,23 +58,24 @@ PlacedBody free_body(SystemBuilder& builder, const RigidBody& body, std::optiona
 PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body,
                         const std::vector<BodyDirection>& directions);
 
-/// Where a body is hinged to others before it.
+/// Where a body has directions in common with others before it.
 struct HingedPose {
-  /// The direction of a hinge, and where it is in the body.
+  /// A direction, and where it is in the body.
   struct Axis {
     BodyDirection in_body;
     VectorForm direction;
   };
-  int origin = -1;  ///< a point on the first hinge
+  int origin = -1;  ///< a point of the body, or a line by the point that the file gives
   VectorForm at;    ///< its place
   Axis first;
   /// One that is not parallel to the first.
   std::optional<Axis> second;
+  bool is_turned = false;  ///< whether the two have their angle anyway
 };
 
 /// A body by the direction u of its hinge and another one, w, of its own: w·w = 1 and u·w as in the body; a third vector
-/// is u × w, where the body has it. A second hinge takes the place of w, and then u·w closes a loop. w is the first of
-/// `directions` that is not parallel to u, if there is one.
+/// is u × w, where the body has it. A second hinge takes the place of w, and then u·w closes a loop, unless the body
+/// `is_turned`. w is the first of `directions` that is not parallel to u, if there is one.
 PlacedBody hinged_body(SystemBuilder& builder, const RigidBody& body, const HingedPose& pose,
                        const std::vector<BodyDirection>& directions);
 

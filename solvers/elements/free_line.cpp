@@ -2,6 +2,7 @@
 
 #include "solvers/elements/constraint_types.hpp"
 #include "solvers/elements/element_kinds.hpp"
+#include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
 namespace {
@@ -63,6 +64,26 @@ LineForms line_along(SystemBuilder& builder, const VectorForm& direction, SignMa
   });
   builder.add(Equation().plus(line.foot, line.direction).equals());
   return line;
+}
+
+void state_on_line(SystemBuilder& builder, const VectorForm& point, const LineForms& line, int value) {
+  const LinearForm along = builder.unknown(line.turning);
+  builder.define([point, line](const Placement&, const ComplexValues& x) {
+    const Eigen::Vector3cd way = vector_at(point, x) - vector_at(line.foot, x);
+    return ComplexValues{bilinear_product(way, vector_at(line.direction, x))};
+  });
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(builder.dimension()); ++axis)
+    builder.add(
+        Equation().plus(line.foot[axis]).plus(along, line.direction[axis]).minus(point[axis]).equals(), value);
+}
+
+void state_same_direction(SystemBuilder& builder, const VectorForm& v, const VectorForm& u) {
+  const LinearForm sense = builder.unknown(0);
+  builder.define([u, v](const Placement&, const ComplexValues& x) {
+    return ComplexValues{bilinear_product(vector_at(u, x), vector_at(v, x))};
+  });
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(builder.dimension()); ++axis)
+    builder.add(Equation().plus(v[axis]).minus(sense, u[axis]).equals(), gap_value);
 }
 
 std::vector<int> parallel_lines(const ProblemStatement& problem, int line) {

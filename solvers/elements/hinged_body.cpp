@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "solvers/elements/body_joints.hpp"
 #include "solvers/elements/body_placing.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/elements/exact_coordinates.hpp"
@@ -56,8 +57,10 @@ class HingedBody {
         pose_(pose),
         directions_(directions),
         exponent_(-builder.scene().unit_exponent()),
-        vectors_(body_vectors(builder.problem(), body, exponent_, pose.origin)),
+        vectors_(body_vectors(builder.problem(), body, exponent_,
+                              builder.problem().is_point(pose.origin) ? pose.origin : -1)),
         further_(farthest_from_hinge()),
+        own_(own_direction()),
         basis_(position(pose.origin), along_hinge(), second_given(), exponent_) {}
 
   PlacedBody run() {
@@ -65,10 +68,8 @@ class HingedBody {
     const BodyPlacing placing(builder_, basis_, pose_.at,
                               std::array{pose_.first.direction, w, third_axis(w)});
     PlacedBody placed = placing.run(body_);
-    const bool has_first = !pose_.second && !directions_.empty();
-    if (has_first) placed.directions.push_back(w);
-    for (std::size_t i = has_first ? 1 : 0; i < directions_.size(); ++i)
-      placed.directions.push_back(placing.direction(body_, directions_[i].from, directions_[i].to));
+    for (const BodyDirection& direction : directions_)
+      placed.directions.push_back(&direction == own_ ? w : placing.direction(body_, direction));
     return placed;
   }
 
@@ -77,7 +78,9 @@ class HingedBody {
     return rational_vector(element_of(body_, entity), 0, 3, exponent_);
   }
   RationalVector along(const BodyDirection& direction) const {
-    return position(direction.to) - position(direction.from);
+    if (direction.to >= 0) return position(direction.to) - position(direction.from);
+    const std::size_t first = direction_numbers(builder_.problem(), direction.from);
+    return rational_vector(element_of(body_, direction.from), first, 3, 0);
   }
   RationalVector along_hinge() const { return along(pose_.first.in_body); }
 
@@ -89,13 +92,22 @@ class HingedBody {
     });
   }
 
+  /// Null: none. Parallel to a line that two bodies share there may be others.
+  const BodyDirection* own_direction() const {
+    if (pose_.second) return nullptr;
+    const auto found = std::ranges::find_if(directions_, [&](const BodyDirection& one) {
+      return !are_parallel_in_body(builder_.problem(), body_, one, pose_.first.in_body);
+    });
+    return found == directions_.end() ? nullptr : &*found;
+  }
+
   /// e, of which w is the direction.
   RationalVector second_given() const {
     if (pose_.second) return along(pose_.second->in_body);
-    if (!directions_.empty()) return along(directions_.front());
+    if (own_ != nullptr) return along(*own_);
     const BodyElement& element = element_of(body_, further_.entity);
     if (!builder_.problem().is_point(further_.entity)) return rational_vector(element, 0, 3, 0);
-    return position(further_.entity) - position(pose_.origin);
+    return position(further_.entity) - position(vectors_.origin);
   }
 
   static Eigen::Vector3cd approximate(const RationalVector& v) {
@@ -105,7 +117,8 @@ class HingedBody {
   VectorForm second_axis() {
     const VectorForm& u = pose_.first.direction;
     if (pose_.second) {
-      builder_.add(Equation().plus(u, pose_.second->direction).equals(basis_.cosine()), gap_value);
+      if (!pose_.is_turned)
+        builder_.add(Equation().plus(u, pose_.second->direction).equals(basis_.cosine()), gap_value);
       return pose_.second->direction;
     }
     const VectorForm w = builder_.vector();
@@ -113,7 +126,7 @@ class HingedBody {
     const Eigen::Matrix3cd given = triad(unit_vector(approximate(along_hinge())), further_.given);
     const Eigen::Vector3cd in_triad = given.inverse() * unit_vector(approximate(second_given()));
     builder_.define(
-        [u, in_triad, vector = further_, origin = pose_.origin](const Placement& at, const ComplexValues& x) {
+        [u, in_triad, vector = further_, origin = vectors_.origin](const Placement& at, const ComplexValues& x) {
           return components(triad(vector_at(u, x), moved_vector(vector, origin, at)) * in_triad, 3);
         });
     builder_.add(Equation().plus(w, w).equals(exactly(1)));
@@ -153,6 +166,7 @@ class HingedBody {
   int exponent_;
   BodyVectors vectors_;
   BodyVector further_;
+  const BodyDirection* own_;
   HingeBasis basis_;
 };
 

@@ -70,7 +70,7 @@ PlacedBody placed_body(const BodyPlacing& placing, const RigidBody& body,
                        const std::vector<BodyDirection>& directions) {
   PlacedBody placed = placing.run(body);
   for (const BodyDirection& direction : directions)
-    placed.directions.push_back(placing.direction(body, direction.from, direction.to));
+    placed.directions.push_back(placing.direction(body, direction));
   return placed;
 }
 

@@ -1,10 +1,16 @@
 #include "solvers/elements/scene_elements.hpp"
 
 #include <algorithm>
+#include <set>
 
+#include "solvers/elements/body_joints.hpp"
+#include "solvers/elements/body_motion.hpp"
 #include "solvers/elements/body_order.hpp"
+#include "solvers/elements/body_placing.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/elements/given_elements.hpp"
+#include "solvers/elements/pose_features.hpp"
+#include "solvers/elements/scene_frame.hpp"
 
 namespace gcs {
 namespace {
@@ -20,6 +26,7 @@ class Placing {
 
   void run() {
     place_bodies();
+    state_directions();
     place_frame();
     place_points();
     place_planes();
@@ -51,19 +58,89 @@ class Placing {
     if (step.known.empty())
       return free_body(builder_, body, step.origin < 0 ? std::nullopt : std::optional(step.origin), further);
     const auto known = [&](const BodyStep::Use& use) {
+      if (use.along >= 0) return HingedPose::Axis{use.in_body, direction_along(use, step.body)};
       const VectorForm& axis = axes[index(use.axis)];
       return HingedPose::Axis{use.in_body, use.is_opposite ? negated(axis) : axis};
     };
-    HingedPose pose{step.origin, builder_.point(step.origin), known(step.known[0]), {}};
+    HingedPose pose;
+    pose.first = known(step.known[0]);
     if (step.known.size() > 1) pose.second = known(step.known[1]);
+    pose.is_turned = step.is_turned();
+    pose.origin = step.origin < 0 ? body_vectors(problem(), body, 0).origin : step.origin;
+    pose.at = origin_of(pose, body);
     return hinged_body(builder_, body, pose, further);
   }
 
-  /// A point that was in a body before closes a loop, unless it is there anyway.
+  /// One of the body that is another one or its opposite.
+  VectorForm direction_along(const BodyStep::Use& use, int number) {
+    const RigidBody& body = with_given_.bodies[index(number)];
+    const VectorForm own = builder_.vector();
+    builder_.name({body.name + "_" + problem().name(use.in_body.from) + "_u", own});
+    builder_.define([features = features_of(body), d = builder_.dimension(),
+                     given = direction_in_body(with_given_, body, use.in_body)](const Placement& at,
+                                                                                const ComplexValues&) {
+      return components(body_pose(features, at, d).axes * given, d);
+    });
+    builder_.add(Equation().plus(own, own).equals(exactly(1)));
+    if (use.relation >= 0) builder_.begin(owner_of_relation(use.relation));
+    state_same_direction(builder_, own, direction_of(use.along));
+    builder_.begin(owner_of_joints(number));
+    stated_.insert(use.relation);
+    return own;
+  }
+
+  int owner_of_relation(int relation) const { return builder_.scene().constraint_count() + relation; }
+
+  /// Of lines and planes that have theirs.
+  void state_directions() {
+    for (const DirectionsMadeOne& made : directions_made_one(problem())) {
+      if (stated_.contains(made.relation)) continue;
+      builder_.begin(owner_of_relation(made.relation));
+      state_same_direction(builder_, direction_of(made.entities[0]), direction_of(made.entities[1]));
+    }
+    builder_.begin(no_value);
+  }
+
+  VectorForm direction_of(int entity) const {
+    return problem().is_line(entity) ? builder_.line(entity).direction : builder_.plane(entity).normal;
+  }
+
+  /// The place of a point that has one or, on a line that has one, of the body's point of that, or else of any. On the line
+  /// it slides along the body's own direction, about which it turns, also where that is not quite the line's.
+  VectorForm origin_of(const HingedPose& pose, const RigidBody& body) {
+    const int entity = pose.origin;
+    if (problem().is_point(entity) && has_point_[index(entity)]) return builder_.point(entity);
+    const VectorForm at = builder_.vector();
+    builder_.name({body.name + "_t", at});
+    const ElementPosition position =
+        position_in_body(problem(), element_of(body, entity), -builder_.scene().unit_exponent());
+    const auto* line = std::get_if<LinePosition>(&position);
+    builder_.define([features = features_of(body), d = builder_.dimension(),
+                     given = line == nullptr ? std::get<Eigen::Vector3d>(position) : line->point](
+                        const Placement& placement, const ComplexValues&) {
+      const BodyPose there = body_pose(features, placement, d);
+      return components(there.origin + there.axes * given, d);
+    });
+    if (line != nullptr) {
+      const bool is_first = are_parallel_in_body(problem(), body, {entity}, pose.first.in_body);
+      const VectorForm& along = is_first ? pose.first.direction : pose.second->direction;
+      state_on_line(builder_, at, {builder_.line(entity).foot, along});
+    }
+    return at;
+  }
+
+  PoseFeatures features_of(const RigidBody& body) const {
+    return pose_features(problem(), body, -builder_.scene().unit_exponent());
+  }
+
+  /// What was in a body before closes a loop, unless it is there anyway.
   void place(const PlacedBody& body, const BodyStep& step) {
+    const auto has = [](const std::vector<int>& entities, int entity) {
+      return std::ranges::find(entities, entity) != entities.end();
+    };
     for (const BodyPoint& placed : body.points) {
       if (has_point_[index(placed.point)]) {
-        if (std::ranges::find(step.implied, placed.point) == step.implied.end()) join(placed);
+        if (!has(step.implied, placed.point)) join(placed.at, builder_.point(placed.point));
         continue;
       }
       if (!placed.numbers.empty()) builder_.put_arm(placed);
@@ -72,20 +149,34 @@ class Placing {
     }
     for (const BodySegment& segment : body.segments) builder_.put_segment(segment);
     for (const auto& [line, at] : body.lines) {
+      const int entity = problem().line_entity(line);
+      if (has_line_[index(line)]) {
+        if (!has(step.directed, entity))
+          state_same_direction(builder_, at.direction, builder_.line(entity).direction);
+        if (!has(step.implied, entity)) state_on_line(builder_, at.foot, builder_.line(entity), gap_value);
+        continue;
+      }
       builder_.put_line(line, at);
       has_line_[index(line)] = true;
     }
     for (const auto& [plane, at] : body.planes) {
+      const int entity = problem().plane_entity(plane);
+      if (has_plane_[index(plane)]) {
+        if (!has(step.implied, entity)) join({at.offset}, {builder_.plane(entity).offset});
+        continue;
+      }
       builder_.put_plane(plane, at);
       has_plane_[index(plane)] = true;
     }
   }
 
-  void join(const BodyPoint& placed) {
-    for (std::size_t axis = 0; axis < index(builder_.dimension()); ++axis) {
+  /// Components that are 0 in both are no equations.
+  void join(const VectorForm& a, const VectorForm& b) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (is_zero(a[axis]) && is_zero(b[axis])) continue;
       Equation gap;
-      add_terms(placed.at[axis], gap);
-      add_terms(negated(builder_.point(placed.point)[axis]), gap);
+      add_terms(a[axis], gap);
+      add_terms(negated(b[axis]), gap);
       builder_.add(gap.equals(), gap_value);
     }
   }
@@ -237,6 +328,7 @@ class Placing {
   SystemBuilder& builder_;
   ProblemStatement with_given_;
   std::vector<bool> has_point_, has_line_, has_plane_;
+  std::set<int> stated_;  // relations that give a body a direction
 };
 
 }  // namespace

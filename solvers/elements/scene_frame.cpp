@@ -204,6 +204,25 @@ std::vector<SharedNormal> shared_normals(const ProblemStatement& problem) {
   return PlaneSides(problem).normals();
 }
 
+std::vector<DirectionsMadeOne> directions_made_one(const ProblemStatement& problem) {
+  Sets sets(problem.entity_count());
+  std::vector<int> held(static_cast<std::size_t>(problem.entity_count()), -1);  // of the set with that root
+  for (int entity = 0; entity < problem.entity_count(); ++entity)
+    if (is_held(problem, entity)) held[static_cast<std::size_t>(entity)] = entity;
+  std::vector<DirectionsMadeOne> found;
+  for (std::size_t i = 0; i < problem.relations.size(); ++i) {
+    Relation one = problem.relations[i];
+    if (const ConstraintKind* kind = find_kind(problem, one); kind == nullptr || !kind->shares_direction)
+      continue;
+    const int a = sets.find(one.of[0].entity), b = sets.find(one.of[1].entity);
+    const int of_a = held[static_cast<std::size_t>(a)], of_b = held[static_cast<std::size_t>(b)];
+    if (a != b && of_a >= 0 && of_b >= 0) found.push_back({{of_a, of_b}, static_cast<int>(i)});
+    sets.join(a, b);
+    held[static_cast<std::size_t>(sets.find(a))] = std::max(of_a, of_b);
+  }
+  return found;
+}
+
 std::vector<int> Turnings::turned_planes(const ProblemStatement& problem) {
   return PlaneSides(problem).numbers();
 }

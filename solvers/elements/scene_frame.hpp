@@ -48,6 +48,15 @@ struct SharedNormal {
 /// may be turned over, or the line's direction where that is there before.
 std::vector<SharedNormal> shared_normals(const ProblemStatement& problem);
 
+/// Lines or planes that have their directions from bodies or given positions, and that a relation gives one.
+struct DirectionsMadeOne {
+  std::array<int, 2> entities{};
+  int relation = -1;
+};
+
+/// All relations that say so, directly or by way of free lines and planes; none where those before it say as much.
+std::vector<DirectionsMadeOne> directions_made_one(const ProblemStatement& problem);
+
 /// Sets of planes, and of segments, that may be turned over together.
 class Turnings {
  public:

@@ -22,28 +22,15 @@ std::optional<std::string> why_no_bodies(const Scene& scene) {
   const ProblemStatement problem = with_given_body(scene.problem());
   for (const RigidBody& body : scene.problem().bodies)
     if (auto reason = why_no_pose(problem, body, -scene.unit_exponent())) return reason;
-  for (int entity = problem.line_entity(0); entity < problem.entity_count(); ++entity)
-    if (bodies_with(problem, entity).size() > 1)
-      return fmt::format("'{}' is a line or a plane of {}, for which there are no equations yet",
-                         problem.name(entity),
-                         problem.is_fixed(entity) ? "a body and has a given position" : "several bodies");
   std::string reason = body_order(problem).reason;
   return reason.empty() ? std::nullopt : std::optional(std::move(reason));
 }
 
 std::optional<std::string> why_no_relation(const ProblemStatement& problem) {
-  const auto is_held = [&](const Operand& of) {
-    return problem.is_fixed(of.entity) || !bodies_with(problem, of.entity).empty();
-  };
   for (Relation relation : problem.relations) {
     const ConstraintKind* kind = find_kind(problem, relation);
     if (kind == nullptr || kind->state == nullptr)
       return fmt::format("there are no equations yet for constraint '{}'", relation.id);
-    if (kind->shares_direction && std::ranges::all_of(relation.of, is_held))
-      return fmt::format(
-          "constraint '{}' gives one direction to elements of two bodies, for which there are no equations "
-          "yet",
-          relation.id);
   }
   return std::nullopt;
 }

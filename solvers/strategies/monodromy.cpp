@@ -151,7 +151,8 @@ class MonodromyStrategy final : public ComplexStrategy {
 
   /// Values have no common factor to turn by, which leaves the mixing to the arcs' bends and number: with two bends, each
   /// twice as large as in trace tests, random platforms are found along a third of the paths. Where the trace test says
-  /// that some are missing, more arcs are tried.
+  /// that some are missing, more arcs are tried, which go further out: a point that is 1/δ away has its branch points some
+  /// 1/δ² away.
   StartSystem search_member(const SolveRequest& request, const std::optional<std::uint64_t>& most,
                             GeneralStart& start) const {
     const auto stopped = [&] { return request.stop.stop_requested(); };
@@ -167,6 +168,7 @@ class MonodromyStrategy final : public ComplexStrategy {
     bool is_done = false;
     for (int i = 0; i < most_trace_tests && !is_done && !stopped(); ++i) {
       search.arcs *= 2;
+      if (i > 0) search.bend *= 4;
       if (!found.trace || found.trace->solutions != std::ssize(found.generic.solutions))
         found.generic =
             search_by_monodromy(start.family, start.tracking, {most, nullptr}, search, start.random, stopped,

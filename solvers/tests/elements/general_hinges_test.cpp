@@ -8,16 +8,17 @@
 #include <cmath>
 
 #include "solvers/elements/general_structure.hpp"
-#include "solvers/figures/general_figures.hpp"
-#include "solvers/figures/solution_classes.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/strategies/monodromy.hpp"
 #include "solvers/strategies/newton_multistart.hpp"
-#include "solvers/strategies/polyhedral.hpp"
+#include "solvers/tests/elements/checked_counts.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
 
 using namespace gcs;
 using samples::bodies_of;
+using samples::check_complete;
+using samples::check_counts;
+using samples::classes_of;
 using samples::RandomNumbers;
 using samples::ring_of;
 
@@ -29,49 +30,11 @@ Figure in_unit(const Scene& scene, const Eigen::Matrix3Xd& points) {
   return scene.in_scene_unit(figure);
 }
 
-/// In how many classes the solutions of some answers and the figure fall.
-int classes_of(const Scene& scene, const std::vector<const Answer*>& answers, const Figure& figure) {
-  std::vector<Figure> figures{figure};
-  std::vector<SolutionAccuracy> accuracies{{1e6}};
-  for (const Answer* answer : answers)
-    for (const AssessedSolution& solution : answer->solutions) {
-      figures.push_back(solution.figure);
-      accuracies.push_back({solution.condition});
-    }
-  return solution_classes(scene, figures, accuracies).count();
-}
-
-void check_complete(const Answer& answer, std::size_t count) {
-  INFO(answer.reason);
-  CHECK(answer.status == RunStatus::complete);
-  CHECK(answer.failed_checks.empty());
-  CHECK(answer.solutions.size() == count);
-  REQUIRE(answer.proofs);
-  CHECK(answer.proofs->classes == count);
-  CHECK(answer.proofs->real >= 1);
-}
-
-/// By loops and by mixed cells; the figure is a solution.
-Answer check_counts(const ProblemStatement& problem, const Figure& figure, std::size_t count,
-                    std::uint64_t seed = 1) {
-  const Scene scene = Scene::unchecked(problem);
-  REQUIRE_FALSE(why_no_system(scene));
-  CHECK(analyse_general_structure(scene).well_posed());
-  const Figure made = scene.in_scene_unit(figure);
-  CHECK(general_residual(scene, made) <= 1e-12);
-  Answer loops = solve(scene, Monodromy{.seed = seed, .certify = true});
-  check_complete(loops, count);
-  const Answer cells = solve(scene, Polyhedral{.seed = seed, .threads = 2, .certify = true});
-  check_complete(cells, count);
-  CHECK(classes_of(scene, {&loops, &cells}, made) == static_cast<int>(count));
-  return loops;
-}
-
 Answer check_counts(const ProblemStatement& problem, const Eigen::Matrix3Xd& points, std::size_t count,
                     std::uint64_t seed = 1) {
   Figure figure;
   figure.points = points;
-  return check_counts(problem, figure, count, seed);
+  return samples::check_counts(problem, figure, count, seed);
 }
 
 void add_distance(int a, int b, const Eigen::Matrix3Xd& points, ProblemStatement& problem) {

@@ -90,6 +90,7 @@ TEST_CASE("S of points beside given lines and planes meets solutions that monodr
       const bool is_complete = on_path.status == RunStatus::complete;
       CHECK((is_complete || on_path.reason.find("singular") != std::string::npos));
       complete += is_complete;
+      CHECK(all.status == RunStatus::complete);
       CHECK(on_path.failed_checks.empty());
       check_listed_once(scene, crossed(on_path), all);
       met += on_path.crossings.size();

@@ -91,9 +91,7 @@ class JointReader {
 
 Eigen::Vector3d direction_in_body(const ProblemStatement& problem, const RigidBody& body,
                                   const BodyDirection& direction) {
-  const auto at = [&](int entity) {
-    return position_in_body(problem, element_of(body, entity));
-  };
+  const auto at = [&](int entity) { return position_in_body(problem, element_of(body, entity)); };
   if (direction.to >= 0)
     return (std::get<Eigen::Vector3d>(at(direction.to)) - std::get<Eigen::Vector3d>(at(direction.from)))
         .stableNormalized();
@@ -102,8 +100,7 @@ Eigen::Vector3d direction_in_body(const ProblemStatement& problem, const RigidBo
   return line == nullptr ? std::get<PlanePosition>(position).normal : line->direction;
 }
 
-bool are_parallel_in_body(const ProblemStatement& problem, const RigidBody& body,
-                                  const BodyDirection& a,
+bool are_parallel_in_body(const ProblemStatement& problem, const RigidBody& body, const BodyDirection& a,
                           const BodyDirection& b) {
   return direction_in_body(problem, body, a).cross(direction_in_body(problem, body, b)).norm() <=
          parallel_sine;
@@ -120,9 +117,8 @@ std::vector<BodyJoint> body_joints(const ProblemStatement& problem) {
   for (const DirectionsMadeOne& made : directions_made_one(problem)) {
     BodyJoint joint;
     for (std::size_t i = 0; i < 2; ++i) joint.bodies[i] = bodies_with(problem, made.entities[i]).front();
-    joint.directions.push_back({{BodyDirection{made.entities[0]}, BodyDirection{made.entities[1]}},
-                                true,
-                                made.relation});
+    joint.directions.push_back(
+        {{BodyDirection{made.entities[0]}, BodyDirection{made.entities[1]}}, true, made.relation});
     if (problem.dimension == 3 && joint.bodies[0] != joint.bodies[1]) joints.push_back(std::move(joint));
   }
   return joints;

@@ -46,8 +46,7 @@ std::vector<BodyJoint> body_joints(const ProblemStatement& problem);
 /// The direction, where the body has it; of length 1.
 Eigen::Vector3d direction_in_body(const ProblemStatement& problem, const RigidBody& body,
                                   const BodyDirection& direction);
-bool are_parallel_in_body(const ProblemStatement& problem, const RigidBody& body,
-                                  const BodyDirection& a,
+bool are_parallel_in_body(const ProblemStatement& problem, const RigidBody& body, const BodyDirection& a,
                           const BodyDirection& b);
 
 }  // namespace gcs

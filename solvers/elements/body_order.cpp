@@ -121,9 +121,8 @@ class Ordering {
 
   void add_known(const BodyJoint& joint, const BodyJoint::Direction& direction, BodyStep& step) {
     const BodyDirection& in_body = joint.in_body(direction, step.body);
-    const auto same = std::ranges::find_if(step.known, [&](const BodyStep::Use& use) {
-      return are_parallel(step.body, use.in_body, in_body);
-    });
+    const auto same = std::ranges::find_if(
+        step.known, [&](const BodyStep::Use& use) { return are_parallel(step.body, use.in_body, in_body); });
     const bool is_known = same != step.known.end();
     if (direction.is_either_way) {
       if (is_known || step.known.size() == 2) return;
@@ -142,8 +141,8 @@ class Ordering {
   }
 
   void refuse(int body, const char* what) {
-    order_.reason =
-        fmt::format("body '{}' closes a loop with {}, for which there are no equations yet", name(body), what);
+    order_.reason = fmt::format("body '{}' closes a loop with {}, for which there are no equations yet",
+                                name(body), what);
   }
 
   void take_origin(BodyStep& step) const {

@@ -73,10 +73,10 @@ PlacedBody BodyPlacing::run(const RigidBody& body) const {
 VectorForm BodyPlacing::direction(const RigidBody& body, const BodyDirection& direction) const {
   const ProblemStatement& problem = builder_.problem();
   const BodyElement& from = element_of(body, direction.from);
-  const VectorForm known = combined(direction.to < 0
-                                        ? basis_.direction(from, direction_numbers(problem, direction.from))
-                                        : basis_.direction(from, element_of(body, direction.to)),
-                                    axes_);
+  const VectorForm known =
+      combined(direction.to < 0 ? basis_.direction(from, direction_numbers(problem, direction.from))
+                                : basis_.direction(from, element_of(body, direction.to)),
+               axes_);
   VectorForm result;
   for (std::size_t i = 0; i < 3; ++i) {
     if (is_zero(known[i])) continue;

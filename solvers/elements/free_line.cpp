@@ -74,7 +74,8 @@ void state_on_line(SystemBuilder& builder, const VectorForm& point, const LineFo
   });
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(builder.dimension()); ++axis)
     builder.add(
-        Equation().plus(line.foot[axis]).plus(along, line.direction[axis]).minus(point[axis]).equals(), value);
+        Equation().plus(line.foot[axis]).plus(along, line.direction[axis]).minus(point[axis]).equals(),
+        value);
 }
 
 void state_same_direction(SystemBuilder& builder, const VectorForm& v, const VectorForm& u) {

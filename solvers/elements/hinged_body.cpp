@@ -125,10 +125,10 @@ class HingedBody {
     builder_.name({body_.name + "_w", w});
     const Eigen::Matrix3cd given = triad(unit_vector(approximate(along_hinge())), further_.given);
     const Eigen::Vector3cd in_triad = given.inverse() * unit_vector(approximate(second_given()));
-    builder_.define(
-        [u, in_triad, vector = further_, origin = vectors_.origin](const Placement& at, const ComplexValues& x) {
-          return components(triad(vector_at(u, x), moved_vector(vector, origin, at)) * in_triad, 3);
-        });
+    builder_.define([u, in_triad, vector = further_, origin = vectors_.origin](const Placement& at,
+                                                                               const ComplexValues& x) {
+      return components(triad(vector_at(u, x), moved_vector(vector, origin, at)) * in_triad, 3);
+    });
     builder_.add(Equation().plus(w, w).equals(exactly(1)));
     builder_.add(Equation().plus(u, w).equals(basis_.cosine()));
     return w;

@@ -8,9 +8,11 @@
 #include "solvers/elements/body_order.hpp"
 #include "solvers/elements/body_placing.hpp"
 #include "solvers/elements/element_kinds.hpp"
+#include "solvers/elements/exact_coordinates.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/pose_features.hpp"
 #include "solvers/elements/scene_frame.hpp"
+#include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
 namespace {
@@ -76,14 +78,18 @@ class Placing {
     const RigidBody& body = with_given_.bodies[index(number)];
     const VectorForm own = builder_.vector();
     builder_.name({body.name + "_" + problem().name(use.in_body.from) + "_u", own});
-    builder_.define([features = features_of(body), d = builder_.dimension(),
+    const VectorForm other = direction_of(use.along);
+    builder_.define([features = features_of(body), d = builder_.dimension(), other,
                      given = direction_in_body(with_given_, body, use.in_body)](const Placement& at,
                                                                                 const ComplexValues&) {
-      return components(body_pose(features, at, d).axes * given, d);
+      ComplexValues values = components(body_pose(features, at, d).axes * given, d);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (is_zero(other[i])) values[i] = 0;  // without rounding, which no other term is larger than
+      return values;
     });
     builder_.add(Equation().plus(own, own).equals(exactly(1)));
     if (use.relation >= 0) builder_.begin(owner_of_relation(use.relation));
-    state_same_direction(builder_, own, direction_of(use.along));
+    state_same_direction(builder_, own, other);
     builder_.begin(owner_of_joints(number));
     stated_.insert(use.relation);
     return own;
@@ -112,20 +118,25 @@ class Placing {
     if (problem().is_point(entity) && has_point_[index(entity)]) return builder_.point(entity);
     const VectorForm at = builder_.vector();
     builder_.name({body.name + "_t", at});
+    if (problem().is_point(entity)) {
+      builder_.define([entity, d = builder_.dimension()](const Placement& placement, const ComplexValues&) {
+        return components(placement.points.col(entity), d);
+      });
+      return at;
+    }
+    const bool is_first = are_parallel_in_body(problem(), body, {entity}, pose.first.in_body);
+    const LineForms line{builder_.line(entity).foot,
+                         is_first ? pose.first.direction : pose.second->direction};
     const ElementPosition position =
         position_in_body(problem(), element_of(body, entity), -builder_.scene().unit_exponent());
-    const auto* line = std::get_if<LinePosition>(&position);
-    builder_.define([features = features_of(body), d = builder_.dimension(),
-                     given = line == nullptr ? std::get<Eigen::Vector3d>(position) : line->point](
-                        const Placement& placement, const ComplexValues&) {
-      const BodyPose there = body_pose(features, placement, d);
-      return components(there.origin + there.axes * given, d);
+    builder_.define([features = features_of(body), line, given = std::get<LinePosition>(position).point](
+                        const Placement& placement, const ComplexValues& x) {
+      const BodyPose there = body_pose(features, placement, 3);
+      const Eigen::Vector3cd foot = vector_at(line.foot, x), along = vector_at(line.direction, x);
+      const Eigen::Vector3cd way = there.origin + there.axes * given - foot;
+      return components(foot + bilinear_product(way, along) * along, 3);
     });
-    if (line != nullptr) {
-      const bool is_first = are_parallel_in_body(problem(), body, {entity}, pose.first.in_body);
-      const VectorForm& along = is_first ? pose.first.direction : pose.second->direction;
-      state_on_line(builder_, at, {builder_.line(entity).foot, along});
-    }
+    state_on_line(builder_, at, line);
     return at;
   }
 
@@ -162,12 +173,26 @@ class Placing {
     for (const auto& [plane, at] : body.planes) {
       const int entity = problem().plane_entity(plane);
       if (has_plane_[index(plane)]) {
-        if (!has(step.implied, entity)) join({at.offset}, {builder_.plane(entity).offset});
+        if (!has(step.implied, entity)) join(at, entity, body.points.front(), step.body);
         continue;
       }
       builder_.put_plane(plane, at);
       has_plane_[index(plane)] = true;
     }
+  }
+
+  /// n·p − h is as in the body, for a point p of it.
+  void join(const PlaneForms& plane, int entity, const BodyPoint& point, int number) {
+    const RigidBody& body = with_given_.bodies[index(number)];
+    const int exponent = -builder_.scene().unit_exponent();
+    const ExactNumber offset = offset_from(rational_vector(element_of(body, point.point), 0, 3, exponent),
+                                           element_of(body, entity), exponent);
+    builder_.add(Equation()
+                     .plus(plane.normal, point.at)
+                     .plus(constant_form(offset))
+                     .minus(builder_.plane(entity).offset)
+                     .equals(),
+                 gap_value);
   }
 
   /// Components that are 0 in both are no equations.

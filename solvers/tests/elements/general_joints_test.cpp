@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "solvers/elements/scene_system.hpp"
+#include "solvers/solving/problem.hpp"
 #include "solvers/solving/solve.hpp"
+#include "solvers/strategies/monodromy.hpp"
 #include "solvers/strategies/newton_multistart.hpp"
 #include "solvers/strategies/polyhedral.hpp"
 #include "solvers/tests/elements/checked_counts.hpp"
@@ -114,7 +116,8 @@ class Posture {
     return static_cast<int>(figure_.points.cols()) - 1;
   }
   Posture& distance_of(int a, int b, double length) {
-    problem_.constraints.push_back({"d" + std::to_string(problem_.constraints.size()), {a, b}, {length, ""}, false});
+    problem_.constraints.push_back(
+        {"d" + std::to_string(problem_.constraints.size()), {a, b}, {length, ""}, false});
     return *this;
   }
   Posture& relate(const std::string& type, int a, int b) {
@@ -156,7 +159,9 @@ TEST_CASE("two bodies on a plane and three distances: a planar platform with poi
   check(posture.distance(p[0], p[3]).distance(p[1], p[4]).distance(p[2], p[5]), 6);
 }
 
-TEST_CASE("a point and a line through it are a hinge either way, 2 · 2; a point and a plane are one with a side, 2") {
+TEST_CASE(
+    "a point and a line through it are a hinge either way, 2 · 2; a point and a plane are one with a side, "
+    "2") {
   Posture posture(63);
   const std::vector<int> p = points_of(posture, 4);
   SECTION("line") {
@@ -195,7 +200,9 @@ TEST_CASE("a ring of a hinge, a cylinder and a ball closes in 4 angles, either w
   check(posture, 8);
 }
 
-TEST_CASE("a hinge and three cylinders in a ring: 2 directions of the coupler for each angle, each line either way") {
+TEST_CASE(
+    "a hinge and three cylinders in a ring: 2 directions of the coupler for each angle, each line either "
+    "way") {
   // With both of the coupler's neighbours at rest its direction is where two cones meet; slides are linear.
   Posture posture(66);
   const int a = posture.line(), b = posture.line(), c = posture.line();
@@ -228,7 +235,9 @@ TEST_CASE("three bodies on one line and two distances between two and two, 8 · 
   check(posture.distance(p[4], p[7]), 64);
 }
 
-TEST_CASE("in the plane a body slides along a line to two places at a distance, either way; so does a slider-crank") {
+TEST_CASE(
+    "in the plane a body slides along a line to two places at a distance, either way; so does a "
+    "slider-crank") {
   Posture posture(69, 2);
   const int line = posture.line();
   SECTION("slider") {
@@ -243,7 +252,8 @@ TEST_CASE("in the plane a body slides along a line to two places at a distance, 
   }
 }
 
-TEST_CASE("directions of two bodies are one in two ways, and a point at three distances and a turn in two each") {
+TEST_CASE(
+    "directions of two bodies are one in two ways, and a point at three distances and a turn in two each") {
   Posture posture(70);
   const std::vector<int> p = points_of(posture, 6);
   const auto check_held = [&](std::size_t count) {
@@ -275,6 +285,41 @@ TEST_CASE("directions of two bodies are one in two ways, and a point at three di
     posture.parallel_lines(line, third).parallel_lines(other, third);
     posture.distance_from_line(p[0], third).distance_from_line(p[1], third);
     check_held(16);
+  }
+}
+
+TEST_CASE(
+    "a body on a given line or plane through the origin, 8 and 6; given points that tell its pose place the "
+    "others") {
+  Problem problem(3);
+  const Placed a1("a1", {0.1, 0.2, 0.9}), a2("a2", {1, 0.3, 0.2}), a3("a3", {0.2, 0.8, 0.1});
+  const auto check_all = [&](std::size_t count) {
+    const Scene scene(problem);
+    const Answer loops = solve(scene, Monodromy{.certify = true});
+    check_complete(loops, count);
+    check_complete(solve(scene, Polyhedral{.certify = true}), count);
+    const Answer newton = solve(scene, NewtonMultistart{.certify = true});
+    CHECK(newton.failed_checks.empty());
+    CHECK(newton.solutions.size() == loops.proofs->real);
+  };
+  SECTION("line") {
+    problem.body("b", {a1, a2, a3, {"L", {0, 0.1, 0.3}, {1, 0.2, 0.1}}});
+    problem.points("q", "r").fix("L", {0, 0, 0}, {0, 0, 1}).fix("q", {1, 0, 0}).fix("r", {0, 1, 0.3});
+    problem.distance("q", "a1", 1.1).distance("r", "a2", 0.9);
+    check_all(8);
+  }
+  SECTION("plane") {
+    problem.body("b", {a1, a2, a3, {"E", {0.1, 0.2, 1}, 0.1}});
+    problem.points("q", "r", "s").fix("E", {0, 0, 1}, 0);
+    problem.fix("q", {1, 0, 0}).fix("r", {0, 1, 0.3}).fix("s", {-1, 0.2, 0.1});
+    problem.distance("q", "a1", 1.1).distance("r", "a2", 0.9).distance("s", "a3", 1.2);
+    check_all(6);
+  }
+  SECTION("points") {
+    problem.body("b", {{"b1", {0, 0, 0}}, {"b2", {1, 0, 0}}, {"b3", {0, 1, 0}}, {"b4", {0.3, 0.2, 0.5}}});
+    problem.points("q").fix("b1", {0.5, 0, 0}).fix("b2", {0.5, 1, 0}).fix("b3", {0.5, 0, 1});
+    problem.distance("q", "b4", 1.1).distance("q", "b1", 0.9).distance("q", "b2", 1.2);
+    check_all(2);
   }
 }
 

@@ -31,7 +31,7 @@ struct ConstraintKind {
   /// Writes the equations; operands are in the order of `between`. Null: nobody has written it yet.
   void (*state)(SystemBuilder& builder, const StatedRelation& stated) = nullptr;
   Joined joined = Joined::never;
-  /// Whether the first of the two has the direction of the second from the start, and nothing is to be stated.
+  /// Whether the first of the two has the direction of the second from the start; of bodies place_elements states it.
   bool shares_direction = false;
 };
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "solvers/elements/scene_system.hpp"
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/quadratic_system.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/sign_masks.hpp"
@@ -51,5 +53,9 @@ class ExploredScene {
 
 /// Precondition: !why_not_explored(scene). The scene outlives it.
 std::unique_ptr<ExploredScene> explored_scene(const Scene& scene);
+
+/// The simple real solution next to unknowns of a scene that is explored by elements, by the file's own numbers; nothing where
+/// none is proven: with residuals in doubles the ends beside a multiple solution look like stiff simple ones.
+std::optional<Candidate> proven_solution(const SceneSystem& system, const ComplexValues& x);
 
 }  // namespace gcs

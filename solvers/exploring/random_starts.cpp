@@ -6,8 +6,8 @@
 #include <random>
 #include <unsupported/Eigen/NonLinearOptimization>
 
-#include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/elements/random_figure.hpp"
+#include "solvers/elements/scene_system.hpp"
 #include "solvers/exploring/explored_scene.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/distance_system.hpp"
@@ -56,8 +56,8 @@ class DistanceEquations {
   }
   Refinement refined(Eigen::VectorXd& x) const { return refine(system_, squares_, x); }
   Figure figure(const Eigen::VectorXd& x) const { return scene_.representative(system_.figure(x)); }
-  /// Its refinement has residuals in double-double.
-  std::optional<Candidate> proven(const Eigen::VectorXd&) const { return std::nullopt; }
+  /// Of a stiff end: its refinement has residuals in double-double.
+  void settle(const Eigen::VectorXd&, StartEnd&) const {}
 
  private:
   const Scene& scene_;
@@ -92,12 +92,14 @@ class SceneFunction {
   Figure figure(const Eigen::VectorXd& x) const {
     return system_.figure(ComplexValues(x.begin(), x.end()), true);
   }
-  /// The real solution next to x, by the file's own numbers: rounded residuals leave stiff ones too uncertain for their
-  /// classes.
-  std::optional<Candidate> proven(const Eigen::VectorXd& x) const {
-    const std::vector<Candidate> found =
-        simple_solutions_near(system_, ComplexValues(x.begin(), x.end()), 1).list;
-    return found.empty() || !found.front().figure.is_real() ? std::nullopt : std::optional(found.front());
+  /// Of a stiff end, which is a solution if one is proven.
+  void settle(const Eigen::VectorXd& x, StartEnd& end) const {
+    const auto proven = proven_solution(system_, ComplexValues(x.begin(), x.end()));
+    end.is_solution = proven.has_value();
+    end.is_singular = !proven;
+    if (!proven) return;
+    end.figure = proven->figure;
+    end.accuracy.error = proven->error;
   }
   Refinement refined(Eigen::VectorXd& x) const { return refine(equations_, tolerance, x); }
 
@@ -140,11 +142,7 @@ StartEnd end_of(const SolveRequest& request, Equations& equations, int number) {
   end.is_solution = end.accuracy.condition <= singular_solution_condition &&
                     refinement.last_correction <= settled_correction * rounding;
   end.is_singular = !end.is_solution;
-  if (!end.is_solution || end.accuracy.condition < stiff_condition) return end;
-  if (const auto proven = equations.proven(x)) {
-    end.figure = proven->figure;
-    end.accuracy.error = proven->error;
-  }
+  if (end.is_solution && end.accuracy.condition >= stiff_condition) equations.settle(x, end);
   return end;
 }
 

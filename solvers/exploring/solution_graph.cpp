@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "solvers/elements/scene_system.hpp"
+#include "solvers/exploring/explored_scene.hpp"
 #include "solvers/exploring/random_starts.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 
@@ -18,6 +20,13 @@ std::vector<int> SolutionGraph::known(const std::vector<Figure>& figures,
   return {classes.class_of.begin() + size(), classes.class_of.end()};
 }
 
+/// Of equations with residuals in doubles; the others tell stiff solutions from multiple ones themselves.
+std::optional<Candidate> SolutionGraph::proven(const Candidate& stiff) const {
+  if (!is_explored_by_elements(scene_)) return stiff;
+  const SceneSystem system(scene_);
+  return proven_solution(system, system.coordinates(scene_.in_frame(stiff.figure)));
+}
+
 /// Condition numbers, which cost the most, are taken of what is not seen at once to be known.
 std::vector<int> SolutionGraph::take(const std::vector<Candidate>& found) {
   std::vector<Figure> figures;
@@ -28,6 +37,7 @@ std::vector<int> SolutionGraph::take(const std::vector<Candidate>& found) {
   }
   std::vector<int> numbers = known(figures, accuracies);
   std::vector<std::size_t> unknown;
+  std::vector<Candidate> new_solutions;
   std::vector<Figure> new_figures;
   std::vector<SolutionAccuracy> new_accuracies;
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -35,11 +45,17 @@ std::vector<int> SolutionGraph::take(const std::vector<Candidate>& found) {
     numbers[i] = -1;
     if (relative_residual(scene_, figures[i]) > double_root_residual) continue;
     accuracies[i].condition = jacobian_condition(scene_, figures[i]);
-    if (!(accuracies[i].condition <= singular_solution_condition)) {
+    std::optional<Candidate> settled;
+    if (accuracies[i].condition <= singular_solution_condition)
+      settled = accuracies[i].condition < stiff_condition ? found[i] : proven(found[i]);
+    if (!settled) {
       ++singular_;
       continue;
     }
+    figures[i] = scene_.representative(settled->figure);
+    accuracies[i].error = settled->error;
     unknown.push_back(i);
+    new_solutions.push_back(std::move(*settled));
     new_figures.push_back(figures[i]);
     new_accuracies.push_back(accuracies[i]);
   }
@@ -49,7 +65,7 @@ std::vector<int> SolutionGraph::take(const std::vector<Candidate>& found) {
     const std::size_t i = unknown[k];
     numbers[i] = classes[k];
     if (classes[k] < size()) continue;
-    solutions_.push_back(found[i]);
+    solutions_.push_back(std::move(new_solutions[k]));
     representatives_.push_back(figures[i]);
     accuracies_.push_back(accuracies[i]);
     walked_.emplace_back(values_, false);

@@ -2,6 +2,7 @@
 /// Real solutions, up to what the scene counts as one, and the curves between them: a graph whose edges hold any number of
 /// nodes.
 
+#include <optional>
 #include <vector>
 
 #include "solvers/figures/solution_classes.hpp"
@@ -35,6 +36,7 @@ class SolutionGraph {
 
  private:
   void mark(int solution, std::size_t value);
+  std::optional<Candidate> proven(const Candidate& stiff) const;
   std::vector<int> known(const std::vector<Figure>& figures,
                          const std::vector<SolutionAccuracy>& accuracies) const;
 

@@ -244,8 +244,11 @@ Violations check_refusal(const Subject& subject, const Scene& scene) {
   return finder.take();
 }
 
-Violations check_completion(const SolveReport& report) {
+Violations check_completion(const SolveReport& report, bool has_simple_solutions) {
   Finder finder;
+  // Newton's method alone finds no multiple solution, and says so.
+  if (!has_simple_solutions && report.claim == Claim::some_real && report.candidates.empty())
+    return finder.take();
   const bool leaves_multiple = report.status == SolveStatus::partial && report.claim == Claim::all_real &&
                                std::any_of(report.candidates.begin(), report.candidates.end(),
                                            [](const Candidate& found) { return found.multiplicity > 1; });

@@ -44,8 +44,9 @@ std::int64_t effort(const WorkCounters& work);
 Violations check_refusal(const Subject& subject, const Scene& scene);
 
 /// `support`: a scene within reach is solved completely, but that a proof that there is no other real solution may
-/// leave undecided what is next to multiple ones. For scenes that are known to be within reach.
-Violations check_completion(const SolveReport& report);
+/// leave undecided what is next to multiple ones; where there are no simple solutions, some real ones may be none. For
+/// scenes that are known to be within reach.
+Violations check_completion(const SolveReport& report, bool has_simple_solutions = true);
 
 /// What must hold in every report, also in that of a solve that was stopped.
 /// `malformed`: indices, directions, sizes and counters are in range.

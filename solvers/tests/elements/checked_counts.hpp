@@ -12,7 +12,9 @@ namespace gcs::samples {
 /// In how many classes the solutions of some answers and the figure, in the scene's unit, fall.
 int classes_of(const Scene& scene, const std::vector<const Answer*>& answers, const Figure& figure);
 
-/// Complete, each proven, with a real one.
+/// Complete, each proven.
+void check_proven(const Answer& answer, std::size_t count);
+/// The same, with a real one.
 void check_complete(const Answer& answer, std::size_t count);
 
 /// By loops and by mixed cells; the figure is a solution. The answer is that by loops.

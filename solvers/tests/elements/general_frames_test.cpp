@@ -13,6 +13,7 @@
 #include "solvers/strategies/monodromy.hpp"
 #include "solvers/strategies/newton_multistart.hpp"
 #include "solvers/strategies/polyhedral.hpp"
+#include "solvers/tests/elements/checked_counts.hpp"
 #include "solvers/tests/random_numbers.hpp"
 
 using namespace gcs;
@@ -128,23 +129,14 @@ std::ptrdiff_t real_solutions(const Answer& answer) {
   return std::ranges::count_if(answer.solutions, [](const AssessedSolution& s) { return s.is_real(); });
 }
 
-void check_proven(const Answer& answer, std::size_t count) {
-  INFO(answer.reason);
-  CHECK(answer.status == RunStatus::complete);
-  CHECK(answer.failed_checks.empty());
-  CHECK(answer.solutions.size() == count);
-  REQUIRE(answer.proofs);
-  CHECK(answer.proofs->classes == count);
-}
-
 /// The count by two homotopies in two orders and units, and the real ones among them by Newton's method from random starts.
 void check_counts(const Draft& draft, std::size_t count, bool has_real = true) {
   for (const auto& [unit, is_reversed] : {std::pair(1.0, false), std::pair(0x1p-30, true)}) {
     const Scene scene = draft.problem(unit, is_reversed);
     INFO("in a unit of " << unit);
     const Answer loops = solve(scene, Monodromy{.seed = 3, .certify = true});
-    check_proven(loops, count);
-    check_proven(solve(scene, Polyhedral{.seed = 3, .certify = true}), count);
+    samples::check_proven(loops, count);
+    samples::check_proven(solve(scene, Polyhedral{.seed = 3, .certify = true}), count);
     const Answer some = solve(scene, NewtonMultistart{.seed = 3});
     CHECK(real_solutions(some) == real_solutions(loops));
     if (has_real) CHECK(real_solutions(loops) > 0);
@@ -301,7 +293,7 @@ TEST_CASE(
                                .distance("p", "L", 0.8)
                                .distance("p", "M", 1)
                                .problem(1, false);
-  check_proven(solve(with_point, Monodromy{.seed = 3, .certify = true}), 64);
+  samples::check_proven(solve(with_point, Monodromy{.seed = 3, .certify = true}), 64);
 }
 
 TEST_CASE("lines beside a plane, eight by their signs, of which four are one up to reflection") {

@@ -39,14 +39,11 @@ std::vector<Certificate> certificates(const Certifier& certifier, const std::vec
                                       int threads, Monitor* monitor, const std::stop_token& stop) {
   std::vector<Certificate> results(points.size());
   CertificateProgress progress(monitor, points.size());
-  const auto step = static_cast<std::size_t>(threads);
-  run_on_threads(threads, [&](int thread) {
+  share_on_threads(points.size(), threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
     const ThreadReserves reserves;
-    for (std::size_t i = static_cast<std::size_t>(thread); i < points.size() && !stop.stop_requested();
-         i += step) {
-      results[i] = certifier.certify(points[i]);
-      progress.one_more();
-    }
+    results[i] = certifier.certify(points[i]);
+    progress.one_more();
   });
   return results;
 }

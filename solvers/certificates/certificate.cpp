@@ -1,7 +1,6 @@
 #include "solvers/certificates/certificate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,10 +11,6 @@ namespace gcs {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-/// In bits. What 1024 do not separate, lengths of any use do not separate either.
-constexpr std::array<slong, 4> precisions{128, 256, 512, 1024};
-constexpr int bits_of_doubles = 53;
 
 /// Newton's method that still moves, but by less than this of the solution's size, is closing in on a
 /// solution as slowly as it does on multiple ones: by a bit a step.
@@ -45,7 +40,7 @@ bool has_real_coefficients(const QuadraticSystem& system) {
 std::string cause_of(const BallKrawczyk::Newton& newton) {
   if (newton.converged) return "it is so nearly singular that no surroundings are proven to hold it alone";
   if (newton.is_singular || newton.correction < slow_convergence)
-    return "it is singular: a multiple solution, or several that " + std::to_string(precisions.back()) +
+    return "it is singular: a multiple solution, or several that " + std::to_string(ball_precisions.back()) +
            " bits do not tell apart";
   return "Newton's method from it leads to no solution";
 }
@@ -75,11 +70,11 @@ Certifier::Certifier(QuadraticSystem system)
     : system_(std::move(system)),
       is_real_(has_real_coefficients(system_)),
       discs_(DiscKrawczyk::of(system_)),
-      levels_(std::make_unique<Level[]>(precisions.size())) {}
+      levels_(std::make_unique<Level[]>(ball_precisions.size())) {}
 
 const BallKrawczyk& Certifier::level(std::size_t number) const {
   Level& level = levels_[number];
-  std::call_once(level.is_made, [&] { level.balls.emplace(system_, precisions[number]); });
+  std::call_once(level.is_made, [&] { level.balls.emplace(system_, ball_precisions[number]); });
   return *level.balls;
 }
 
@@ -99,8 +94,8 @@ Certificate Certifier::certify(const Point& x, int least_bits) const {
     if (auto enclosure = discs_->prove(x, is_real_ && is_real(x)))
       take(std::move(*enclosure), bits_of_doubles);
   BallMatrix start = BallKrawczyk::vector(x);
-  for (std::size_t i = 0; i < precisions.size() && !is_settled(); ++i) {
-    if (precisions[i] < least_bits) continue;
+  for (std::size_t i = 0; i < ball_precisions.size() && !is_settled(); ++i) {
+    if (ball_precisions[i] < least_bits) continue;
     const BallKrawczyk& balls = level(i);
     const BallKrawczyk::Newton newton = balls.refined(start);
     const auto proof = newton.converged ? balls.prove(newton.x) : std::nullopt;
@@ -119,7 +114,7 @@ void Certifier::find_cluster(const Point& x, Certificate& certificate) const {
   const auto cluster = prove_cluster(level(0), x);
   if (!cluster) return;
   certificate.cluster = cluster->solutions;
-  certificate.bits = static_cast<int>(precisions.front());
+  certificate.bits = static_cast<int>(ball_precisions.front());
   certificate.enclosure.mid = x;
   for (const double radius : cluster->radius) certificate.enclosure.radius.emplace_back(radius, radius);
   certificate.cause = "it is singular or nearly so, a cluster of " + std::to_string(cluster->solutions) +

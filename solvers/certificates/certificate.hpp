@@ -2,6 +2,7 @@
 /// Proofs that numbers lie next to a solution: Krawczyk's test in doubles where these suffice, else in balls
 /// of more and more bits. Where it does not succeed at all, how many solutions lie together there.
 
+#include <array>
 #include <complex>
 #include <memory>
 #include <mutex>
@@ -13,6 +14,10 @@
 #include "solvers/certificates/disc_krawczyk.hpp"
 
 namespace gcs {
+
+inline constexpr int bits_of_doubles = 53;
+/// In bits, of balls. What 1024 do not separate, lengths of any use do not separate either.
+inline constexpr std::array<slong, 4> ball_precisions{128, 256, 512, 1024};
 
 /// What is proven about one point x.
 struct Certificate {

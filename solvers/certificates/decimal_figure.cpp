@@ -168,11 +168,9 @@ std::vector<std::optional<DecimalFigure>> decimal_figures(const SceneEquations& 
                                                           const std::vector<Figure>& near, int digits,
                                                           int threads, const std::stop_token& stop) {
   std::vector<std::optional<DecimalFigure>> figures(near.size());
-  const auto step = static_cast<std::size_t>(threads);
-  run_on_threads(threads, [&](int thread) {
+  share_on_threads(near.size(), threads, [&](std::size_t i) {
     const ThreadReserves reserves;
-    for (auto i = static_cast<std::size_t>(thread); i < near.size() && !stop.stop_requested(); i += step)
-      figures[i] = decimal_figure(equations, scene, near[i], digits);
+    if (!stop.stop_requested()) figures[i] = decimal_figure(equations, scene, near[i], digits);
   });
   return figures;
 }

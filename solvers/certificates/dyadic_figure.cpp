@@ -3,7 +3,6 @@
 #include <flint/flint.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -13,9 +12,6 @@
 
 namespace gcs {
 namespace {
-
-constexpr int bits_of_doubles = 53;
-constexpr std::array<slong, 4> precisions{128, 256, 512, 1024};
 
 /// Exactly one solution is within `spread` of the middle in every unknown, and no other within `unique`.
 struct Place {
@@ -69,7 +65,7 @@ class DyadicWriter {
     const ComplexValues x = equations_.coordinates(near);
     if (const Certificate certificate = certifier_.certify(x); certificate.is_proven)
       if (auto result = figure(place_of(certificate.enclosure), near.is_real())) return result;
-    for (const slong bits : precisions)
+    for (const slong bits : ball_precisions)
       if (const auto proof = certifier_.prove(x, bits))
         if (auto result = figure(place_of(*proof, bits), near.is_real())) return result;
     return std::nullopt;
@@ -108,11 +104,9 @@ std::vector<std::optional<DyadicFigure>> dyadic_figures(const SceneEquations& eq
                                                         const std::vector<Figure>& near, int threads) {
   const DyadicWriter writer(equations, scene);
   std::vector<std::optional<DyadicFigure>> figures(near.size());
-  const auto step = static_cast<std::size_t>(threads);
-  run_on_threads(threads, [&](int thread) {
+  share_on_threads(near.size(), threads, [&](std::size_t i) {
     const ThreadReserves reserves;
-    for (auto i = static_cast<std::size_t>(thread); i < near.size(); i += step)
-      figures[i] = writer.figure(near[i]);
+    figures[i] = writer.figure(near[i]);
   });
   return figures;
 }

@@ -79,14 +79,17 @@ GeneralEquations general_equations(const SceneSystem& scene) {
 
 GeneralEquations sharing_coefficients(GeneralEquations equations) {
   MonomialSystem& system = equations.system;
-  for (int e = 0; e < system.equations(); ++e)
+  for (int e = 0; e < system.equations(); ++e) {
+    const auto share = [&, value = equations.value_monomial[e]](int i, int j) {
+      const bool is_alone = i == value || j == value;
+      return i == j || (!is_alone && equations.coefficients[i] == equations.coefficients[j]);
+    };
     for (int j = system.first[e]; j < system.first[e + 1]; ++j) {
-      int first = j;
-      for (int i = system.first[e]; i < first && j != equations.value_monomial[e]; ++i)
-        if (i != equations.value_monomial[e] && equations.coefficients[i] == equations.coefficients[j])
-          first = i;
+      int first = system.first[e];
+      while (!share(first, j)) ++first;
       system.shares.push_back(first);
     }
+  }
   return equations;
 }
 

@@ -29,8 +29,8 @@ std::span<const InstanceFamily> families() {
   return all;
 }
 
-std::array<std::span<const InstanceFamily>, 3> all_families() {
-  return {families(), growing_families(), graph_families()};
+std::array<std::span<const InstanceFamily>, 4> all_families() {
+  return {families(), growing_families(), graph_families(), record_families()};
 }
 
 const InstanceFamily* find_family(std::string_view name) {

@@ -23,8 +23,11 @@ std::span<const InstanceFamily> growing_families();
 /// Minimally rigid graphs of the plane with random lengths, there and on a sphere (families_graphs.hpp).
 std::span<const InstanceFamily> graph_families();
 
+/// Graphs at lengths with many real realisations, as they were found (results/records).
+std::span<const InstanceFamily> record_families();
+
 /// All kinds of families, in this order.
-std::array<std::span<const InstanceFamily>, 3> all_families();
+std::array<std::span<const InstanceFamily>, 4> all_families();
 
 /// The family of that name, of all kinds, or nullptr.
 const InstanceFamily* find_family(std::string_view name);

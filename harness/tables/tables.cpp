@@ -150,6 +150,9 @@ std::span<const TableKind> table_kinds() {
                 "exact counts of realisations of minimally rigid graphs, and what is found of them",
                 realisations, realisations_instances, !free_columns, !shows_solutions, realisations_variants,
                 build_realisations, no_drawing, !measures_accuracy, load_instance, !shows_times},
+      TableKind{"records", "minimally rigid graphs at lengths with many real realisations", realisations,
+                records_instances, free_columns, !shows_solutions, realisations_variants, build_records,
+                no_drawing, !measures_accuracy, load_instance, !shows_times},
   };
   return kinds;
 }

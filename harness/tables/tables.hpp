@@ -170,6 +170,11 @@ std::vector<Variant> realisations_variants();
 /// Exact counts beside what is found and certified.
 std::vector<Table> build_realisations(const RunFile& run, const Publication& published);
 
+/// Minimally rigid graphs with lengths of the literature, and the family `record`.
+const std::vector<std::string>& records_instances();
+/// How many are known, found and certified, and of these how many are real.
+std::vector<Table> build_records(const RunFile& run, const Publication& published);
+
 /// Every cell of the run with its repetitions, whatever the tables show of it.
 Table build_measurements(const RunFile& run);
 

@@ -6,7 +6,7 @@ set(data_dir ${CMAKE_INSTALL_DATADIR}/gcsbench)
 
 install(TARGETS gcsbench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY instances DESTINATION ${data_dir} FILES_MATCHING PATTERN "*.json" PATTERN "README.md")
-install(DIRECTORY results/published results/reference DESTINATION ${data_dir}/results FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY results/published results/records results/reference DESTINATION ${data_dir}/results FILES_MATCHING PATTERN "*.json")
 # README.md, and what it leads to.
 install(FILES LICENSE CITATION.cff README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES results/README.md results/findings.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/results)

@@ -104,7 +104,7 @@ JsonValue reference_value(const ProblemStatement& problem, const Reference& refe
 /// The frame of the scene, if the file can say it.
 std::optional<JsonValue> frame_value(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
-  if (scene.is_anchored()) return std::nullopt;
+  if (problem.has_fixed()) return std::nullopt;
   if (problem.reference_body >= 0)
     return json_object(
         {{"body", json_text(problem.bodies[static_cast<std::size_t>(problem.reference_body)].name)}});

@@ -31,7 +31,7 @@ std::vector<std::string> fixed_names(const ProblemStatement& problem) {
 
 JsonValue frame_value(const Scene& scene) {
   JsonMembers members;
-  if (scene.is_anchored()) members.emplace_back("fixed", json_texts(fixed_names(scene.problem())));
+  if (scene.problem().has_fixed()) members.emplace_back("fixed", json_texts(fixed_names(scene.problem())));
   for (const auto& [part, name] : frame_parts(scene)) members.emplace_back(part, json_text(name));
   return json_object(std::move(members));
 }

@@ -97,8 +97,8 @@ class Assessor {
   }
 
   Motion in_file_unit(Motion motion) const {
-    motion.figure = motion.figure.scaled(scene_.unit_exponent());
-    for (Figure& figure : motion.curve.figures) figure = figure.scaled(scene_.unit_exponent());
+    motion.figure = scene_.in_file_unit(motion.figure);
+    for (Figure& figure : motion.curve.figures) figure = scene_.in_file_unit(figure);
     return motion;
   }
 
@@ -128,8 +128,7 @@ class Assessor {
     for (const auto& [judged, direction] : taken)
       assessed.crossings.push_back({solution_of_[judged], direction});
     if (taken.size() == curve.places.size()) assessed.places = curve.places;
-    for (const Figure& figure : curve.figures)
-      assessed.figures.push_back(figure.scaled(scene_.unit_exponent()));
+    for (const Figure& figure : curve.figures) assessed.figures.push_back(scene_.in_file_unit(figure));
     assessment_.curves.push_back(std::move(assessed));
     if (report_.status == SolveStatus::complete) check_alternation(curve.path, taken);
   }

@@ -26,7 +26,7 @@ void check_real(const AssessedSolution& solution) {
 std::shared_ptr<const FileTerms> file_terms(const Scene& scene) {
   return std::make_shared<const FileTerms>(FileTerms{scene.dimension(), scene.problem().points,
                                                      scene.problem().lines, scene.problem().planes,
-                                                     scene.unit_exponent()});
+                                                     scene.unit_exponent(), scene.problem().file_frame});
 }
 
 std::optional<double> AssessedSolution::error() const {

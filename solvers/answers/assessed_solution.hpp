@@ -9,17 +9,19 @@
 #include <vector>
 
 #include "solvers/elements/stated_signs.hpp"
+#include "solvers/model/figure_in_frame.hpp"
 #include "solvers/model/scene.hpp"
 
 namespace gcs {
 
-/// What a file calls the entities of a scene, and its unit of length; shared by the scene's solutions.
+/// What a file calls the entities of a scene, its unit of length, and its frame where that is not the scene's; shared by the scene's solutions.
 struct FileTerms {
   int dimension = 3;
   std::vector<std::string> points;
   std::vector<std::string> lines;
   std::vector<std::string> planes;
   int unit_exponent = 0;  ///< see Scene::unit_exponent
+  std::optional<FramePose> frame{};
 };
 
 std::shared_ptr<const FileTerms> file_terms(const Scene& scene);
@@ -41,7 +43,7 @@ struct AssessedSolution {
   /// that are counted as real.
   bool is_as_stated() const { return is_real() && signs.standing == Standing::as_stated; }
   /// Where everything is.
-  Figure placement() const { return figure.scaled(terms->unit_exponent); }
+  Figure placement() const { return in_file(figure, terms->unit_exponent, terms->frame); }
   /// How far from the exact solution that is at most, for every point; empty: not certified. Where the unit
   /// makes it so small that it is rounded, it is rounded up.
   std::optional<double> error() const;

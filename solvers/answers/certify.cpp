@@ -9,6 +9,7 @@
 #include "solvers/certificates/coincidences.hpp"
 #include "solvers/certificates/enclosed_point.hpp"
 #include "solvers/certificates/scene_equations.hpp"
+#include "solvers/model/figure_in_frame.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
@@ -192,7 +193,9 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
       assessment.failed_checks.push_back(
           {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
     }
-    if (all[i].certificate.is_proven) solution.error_bound = all[i].distance;
+    if (all[i].certificate.is_proven)
+      solution.error_bound = error_in_file(solution.figure, all[i].distance, scene.size(),
+                                           scene.unit_exponent(), scene.problem().file_frame);
     if (!signs.empty() && proves_real(all[i].certificate) && solution.is_real())
       solution.signs = proven_signs(equations, signs, solution.figure, all[i].certificate);
     solution.certified = what.empty();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/certificates/file_frame.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/given_numbers.hpp"
@@ -34,29 +35,30 @@ class Decimals {
   }
 
   /// A form in the unknowns that is a length, or one without a unit.
-  DecimalNumber form(const LinearForm& form, bool is_length) {
-    Ball sum, coefficient;
+  void enclose_form(acb_ptr sum, const LinearForm& form, bool is_length) const {
+    Ball coefficient;
     enclose(sum, form.constant, bits_);
     for (const ScaledUnknown& term : form.terms) {
       enclose(coefficient, term.coefficient, bits_);
       acb_addmul(sum, coefficient, proof_.solution(term.unknown, 0), bits_);
     }
     acb_mul_2exp_si(sum, sum, is_length ? exponent_ : 0);
-    return decimal(sum);
+  }
+  BallMatrix vector(const VectorForm& forms, bool is_length) const {
+    BallMatrix result(3, 1);
+    for (slong axis = 0; axis < 3; ++axis)
+      enclose_form(result(axis, 0), forms[static_cast<std::size_t>(axis)], is_length);
+    return result;
   }
 
-  DecimalVector vector(const VectorForm& forms, bool is_length) {
-    return {form(forms[0], is_length), form(forms[1], is_length), form(forms[2], is_length)};
+  DecimalNumber decimal(acb_srcptr number) { return {part(acb_realref(number)), part(acb_imagref(number))}; }
+  DecimalVector decimal(const BallMatrix& vector) {
+    return {decimal(vector(0, 0)), decimal(vector(1, 0)), decimal(vector(2, 0))};
   }
 
   double error() const { return error_; }
 
  private:
-  DecimalNumber decimal(const Ball& ball) {
-    const acb_srcptr number = ball;
-    return {part(acb_realref(number)), part(acb_imagref(number))};
-  }
-
   std::string part(arb_srcptr ball) {
     std::string text = "0";
     arb_t rounded;
@@ -84,29 +86,42 @@ class Decimals {
 };
 
 /// Its sign as that of the direction of a line in doubles.
-VectorForm directed(const VectorForm& form, const Eigen::Vector3cd& direction, const ComplexValues& x) {
-  const Eigen::Vector3cd here = vector_at(form, x);
-  return (here - direction).norm() <= (here + direction).norm() ? form : negated(form);
+void direct(BallMatrix& vector, const Eigen::Vector3cd& direction) {
+  Eigen::Vector3cd here;
+  for (slong axis = 0; axis < 3; ++axis) here[axis] = rounded_midpoint(vector(axis, 0));
+  if ((here - direction).norm() > (here + direction).norm()) acb_mat_neg(vector.get(), vector.get());
 }
 
-DecimalFigure general_decimals(Decimals& decimals, const SystemBuilder& forms, const Figure& near,
-                               const ComplexValues& x) {
+/// `near`: in the file's frame.
+DecimalFigure general_decimals(Decimals& decimals, const SystemBuilder& forms, const FileFrame& frame,
+                               const Figure& near) {
   const ProblemStatement& problem = forms.problem();
   const auto lines = static_cast<int>(problem.points.size());
   const auto planes = lines + static_cast<int>(problem.lines.size());
   const std::vector<ComplexLine> near_lines = complex_lines(near);
   DecimalFigure figure;
-  for (int entity = 0; entity < lines; ++entity)
-    figure.points.push_back(decimals.vector(forms.point(entity), true));
+  for (int entity = 0; entity < lines; ++entity) {
+    BallMatrix point = decimals.vector(forms.point(entity), true);
+    frame.place(point);
+    figure.points.push_back(decimals.decimal(point));
+  }
   for (int entity = lines; entity < planes; ++entity) {
     const LineForms& line = forms.line(entity);
-    const Eigen::Vector3cd& direction = near_lines[static_cast<std::size_t>(entity - lines)].direction;
-    figure.lines.push_back(
-        {decimals.vector(line.foot, true), decimals.vector(directed(line.direction, direction, x), false)});
+    BallMatrix foot = decimals.vector(line.foot, true), direction = decimals.vector(line.direction, false);
+    frame.place(foot);
+    frame.turn(direction);
+    frame.move_to_foot(foot, direction);
+    direct(direction, near_lines[static_cast<std::size_t>(entity - lines)].direction);
+    figure.lines.push_back({decimals.decimal(foot), decimals.decimal(direction)});
   }
   for (int entity = planes; entity < problem.entity_count(); ++entity) {
     const PlaneForms& plane = forms.plane(entity);
-    figure.planes.push_back({decimals.vector(plane.normal, false), decimals.form(plane.offset, true)});
+    BallMatrix normal = decimals.vector(plane.normal, false);
+    Ball offset;
+    decimals.enclose_form(offset, plane.offset, true);
+    frame.turn(normal);
+    frame.shift(offset, normal);
+    figure.planes.push_back({decimals.decimal(normal), decimals.decimal(offset)});
   }
   return figure;
 }
@@ -138,9 +153,9 @@ DecimalFigure decimals_of(const BallKrawczyk::Proof& proof, const SceneEquations
                           const Scene& scene, const Figure& near, int digits, slong bits) {
   Decimals decimals(proof, scene, digits, bits);
   const SceneSystem* general = equations.general();
-  DecimalFigure figure =
-      general ? general_decimals(decimals, general->elements(), near, general->coordinates(near))
-              : distance_decimals(decimals, equations, scene);
+  DecimalFigure figure = general ? general_decimals(decimals, general->elements(), FileFrame(scene, bits),
+                                                    scene.in_file_unit(near))
+                                 : distance_decimals(decimals, equations, scene);
   figure.error = decimals.error();
   figure.unique = proof.unique;
   figure.bits = static_cast<int>(bits);

@@ -109,7 +109,7 @@ DecimalVector decimals_of(const Vector& vector) {
 
 /// Whether a change of the signs of these axes leaves the class of a figure as it is, in the frame of a general scene.
 bool keeps_class(const Scene& scene, unsigned mask) {
-  const bool is_mirrored = convention_of(scene.problem()) == Convention::up_to_reflection;
+  const bool is_mirrored = frame_convention(scene.problem()) == Convention::up_to_reflection;
   if (scene.problem().reference_body < 0) return is_mirrored || std::popcount(mask) % 2 == 0;
   return mask == 0 || (is_mirrored && mask == 1U << (scene.dimension() - 1));
 }

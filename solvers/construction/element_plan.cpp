@@ -279,6 +279,8 @@ Reference ElementPlan::frame() const {
 
 std::optional<std::string> why_no_element_plan(const Scene& scene, Instructions instructions) {
   if (auto reason = why_no_system(scene)) return reason;
+  if (has_given_shape(scene.problem()))
+    return "a plan begins with given positions that leave no motion, or with one that does";
   const Placing placing = best_placing(scene, instructions);
   const int missing = placing.missing();
   if (missing < 0) return std::nullopt;

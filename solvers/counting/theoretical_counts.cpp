@@ -10,6 +10,7 @@
 #include "solvers/counting/general_bound.hpp"
 #include "solvers/counting/realisation_count.hpp"
 #include "solvers/counting/ring_bound.hpp"
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/structure/core_reduction.hpp"
 #include "solvers/structure/sub_problem.hpp"
 
@@ -264,6 +265,18 @@ void bound_beyond_points(const ProblemStatement& problem, TheoreticalCounts& cou
   counts.why_no_bound.clear();
 }
 
+/// Of points with distances between them, of which one has a position, which leaves all rotations; nothing for others.
+std::optional<TheoreticalCounts> counts_without_positions(const ProblemStatement& problem) {
+  if (!problem.file_frame || has_given_shape(problem)) return std::nullopt;
+  const std::vector<bool> all(static_cast<std::size_t>(problem.entity_count()), true);
+  const ProblemStatement free = sub_problem(problem, all).problem;
+  if (free.is_general() || !free.lines.empty()) return std::nullopt;
+  TheoreticalCounts counts = theoretical_counts(free);
+  if (counts.exact) counts.exact->images = frame_images(problem);
+  if (counts.bound) counts.bound->count.images = frame_images(problem);
+  return counts;
+}
+
 }  // namespace
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const RecursionLimits& limits) {
@@ -283,6 +296,7 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std:
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem,
                                      const std::optional<ElementOrder>& order) {
+  if (const auto counts = counts_without_positions(problem)) return *counts;
   return general_counts(problem, order,
                         [](const ProblemStatement& core) { return theoretical_counts(core); });
 }

@@ -29,7 +29,7 @@ std::optional<Scene> framed(const Scene& scene) {
   if (problem.lines.empty() && !problem.is_general()) return std::nullopt;
   if (!problem.is_general() && !problem.is_anchored() && problem.lines.size() > 1) return std::nullopt;
   if (!stated_signs(problem).empty() || (problem.is_general() && why_no_system(scene))) return std::nullopt;
-  if (!problem.is_anchored() && problem.reference_body < 0) {
+  if (!problem.is_anchored() && !problem.file_frame && problem.reference_body < 0) {
     if (static_cast<int>(problem.points.size()) < problem.dimension) return std::nullopt;
     problem.reference = point_frame(scene);
   }
@@ -96,7 +96,7 @@ std::vector<Scene> frames_of(const Scene& scene) {
   if (!own) return {};
   std::vector<Scene> frames{*own};
   ProblemStatement problem = own->problem();
-  if (!problem.is_general() || problem.is_anchored()) return frames;
+  if (!problem.is_general() || problem.has_fixed()) return frames;
   const auto add = [&](const std::optional<Reference>& reference, int body) {
     problem.reference = reference;
     problem.reference_body = body;
@@ -210,7 +210,7 @@ bool find_sides(const SceneSystem& system, const std::set<int>& given, PlacingSt
   const Scene scene = Scene::unchecked(core.alone->problem);
   if (!scene.problem().is_general())
     core.has_two_sides =
-        convention_of(system.elements().problem()) == Convention::up_to_motion || !given.empty();
+        frame_convention(system.elements().problem()) == Convention::up_to_motion || !given.empty();
   if (!scene.problem().is_general()) return true;
   if (why_no_system(scene)) return false;
   const SignMasks masks = SceneSystem(scene).equations().mirror, own = signs_of(system, core.unknowns);
@@ -359,6 +359,7 @@ struct Cost {
 }  // namespace
 
 std::optional<ElementOrder> element_order(const Scene& scene) {
+  if (has_given_shape(scene.problem())) return std::nullopt;
   std::optional<ElementOrder> best;
   const auto compare = [&](std::optional<ElementOrder> order) {
     if (order && (!best || Cost(*order) < Cost(*best))) best = std::move(order);

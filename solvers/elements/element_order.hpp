@@ -18,7 +18,7 @@ struct ElementOrder {
 
 /// Of all frames that of most cores, where there are two or more; otherwise, one core and what hangs on it, that of the
 /// smallest one. Nothing where that is one core or a single step, or where it is not known how solutions of a core are
-/// counted in the whole: where signs are stated, and where without the other elements more figures are one solution (a
+/// counted in the whole: where signs are stated, where several given positions leave motions, and where without the other elements more figures are one solution (a
 /// plane loses its side). Points that hang on points of a core without more than distances stay in it: see decompose.
 std::optional<ElementOrder> element_order(const Scene& scene);
 

@@ -202,6 +202,7 @@ std::set<int> framing_points(const Scene& scene) {
   if (scene.is_anchored() || scene.problem().reference_body >= 0) return {};
   const Reference& frame = scene.reference();
   std::set<int> points{frame.origin, frame.axis, frame.plane};
+  if (frame.line < 0 && scene.problem().is_point(frame.height)) points.insert(frame.height);
   points.erase(-1);
   return points;
 }

@@ -12,6 +12,7 @@
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/pose_features.hpp"
 #include "solvers/elements/scene_frame.hpp"
+#include "solvers/model/frame_choice.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
 
 namespace gcs {
@@ -27,6 +28,7 @@ class Placing {
         has_plane_(problem().planes.size()) {}
 
   void run() {
+    place_given();
     place_bodies();
     state_directions();
     place_frame();
@@ -212,11 +214,33 @@ class Placing {
     equation.plus(constant_form(form.constant));
   }
 
+  /// Given elements on the frame's axis or across it, where they are no body's.
+  void place_given() {
+    if (!problem().file_frame || problem().reference_body >= 0) return;
+    const SignMask turning = builder_.frame().axis(0);
+    for (const AxialElement& given : axial_elements(builder_.scene())) {
+      VectorForm along;
+      along[0] = constant_form(given.place);
+      const VectorForm direction{constant_form(exactly(given.is_opposite ? -1 : 1)), {}, {}};
+      if (problem().is_point(given.entity)) {
+        builder_.put_point(given.entity, along);
+        has_point_[index(given.entity)] = true;
+      } else if (problem().is_line(given.entity)) {
+        builder_.put_line(problem().line_of(given.entity), {{}, direction, turning});
+        has_line_[index(problem().line_of(given.entity))] = true;
+      } else {
+        const ExactNumber offset = given.is_opposite ? negated(given.place) : given.place;
+        builder_.put_plane(problem().plane_of(given.entity), {direction, constant_form(offset)});
+        has_plane_[index(problem().plane_of(given.entity))] = true;
+      }
+    }
+  }
+
   /// Lines and planes that the frame is put in.
   void place_frame() {
     const Reference& frame = builder_.frame().reference();
     for (const int entity : {frame.axis, frame.plane, frame.height}) {
-      if (entity < 0 || problem().is_point(entity)) continue;
+      if (entity < 0 || problem().is_point(entity) || problem().is_fixed(entity)) continue;
       if (problem().is_line(entity)) {
         builder_.put_line(problem().line_of(entity), line_in_frame(entity));
         has_line_[index(problem().line_of(entity))] = true;
@@ -248,10 +272,12 @@ class Placing {
     return direction;
   }
 
-  /// Without a point as the origin the first line goes through it, and the second through a point of the third axis.
+  /// Without a point as the origin the first line goes through it, and the second through a point of the third axis or,
+  /// beside a plane, through the origin.
   LineForms line_in_frame(int entity) {
     const SceneFrame& frame = builder_.frame();
-    const bool is_first = entity == frame.reference().axis, has_origin = frame.reference().origin >= 0;
+    const int first = frame.reference().axis;
+    const bool is_first = entity == first, passes = frame.puts_through_origin(entity);
     const int line = problem().line_of(entity);
     LineForms forms;
     forms.turning = is_first ? frame.axis(0) : builder_.new_turning();
@@ -259,25 +285,25 @@ class Placing {
       return components(at.lines[index(line)].direction, 3);
     });
     for (int axis = 0; axis < builder_.dimension(); ++axis) {
-      const bool is_there = has_origin ? !is_first || axis > 0 : !is_first && axis == 2;
+      const bool is_beside_line = !is_first && problem().is_line(first);
+      const bool is_there = passes ? is_beside_line && axis == 2 : !is_first || axis > 0;
       if (!is_there) continue;
       forms.foot[index(axis)] = builder_.unknown(frame.axis(axis));
       builder_.define([line, axis](const Placement& at, const ComplexValues&) {
         return ComplexValues{at.lines[index(line)].point[axis]};
       });
     }
-    if (has_origin && !is_first) builder_.add(Equation().plus(forms.foot, forms.direction).equals());
+    if (!passes && !is_first) builder_.add(Equation().plus(forms.foot, forms.direction).equals());
     return forms;
   }
 
-  /// Without a point as the origin planes go through it.
   PlaneForms plane_in_frame(int entity) {
     const int plane = problem().plane_of(entity);
     const SignMask turning = builder_.turning_of_plane(plane);
     const VectorForm normal = direction_in_frame(entity, turning, [plane](const Placement& at) {
       return components(at.planes[index(plane)].normal, 3);
     });
-    if (builder_.frame().reference().origin < 0) return {normal, {}, turning};
+    if (builder_.frame().puts_through_origin(entity)) return {normal, {}, turning};
     return plane_across(builder_, normal, turning, false, plane);
   }
 
@@ -291,7 +317,7 @@ class Placing {
   }
 
   LinearForm coordinate(int point, int axis) {
-    if (builder_.frame().is_zero(point, axis)) return {};
+    if (is_zero_in_frame(problem(), builder_.frame().reference(), point, axis)) return {};
     const LinearForm form = builder_.unknown(builder_.frame().axis(axis));
     builder_.define([point, axis](const Placement& at, const ComplexValues&) {
       return ComplexValues{at.points(axis, point)};

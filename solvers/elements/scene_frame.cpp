@@ -156,7 +156,8 @@ std::optional<std::string> why_no_frame(const Scene& scene) {
   std::vector<int> needed{frame.axis};
   if (has_points) needed.push_back(frame.origin);
   if (!has_points || problem.dimension == 3) needed.push_back(frame.plane);
-  if (!has_points && frame.axis >= 0 && problem.is_plane(frame.axis)) needed.push_back(frame.height);
+  const bool is_plane_alone = !has_points && frame.axis >= 0 && problem.is_plane(frame.axis);
+  if (is_plane_alone && !problem.is_line(frame.plane)) needed.push_back(frame.height);
   if (std::ranges::all_of(needed, [&](int entity) {
         return entity >= 0 && entity < problem.entity_count() && bodies_with(problem, entity).empty();
       }))
@@ -172,7 +173,7 @@ std::optional<std::string> why_no_frame(const Scene& scene) {
 }
 
 SceneFrame::SceneFrame(const Scene& scene) {
-  const Convention convention = convention_of(scene.problem());
+  const Convention convention = frame_convention(scene.problem());
   if (convention == Convention::in_the_given_frame) return;
   const bool is_mirrored = convention == Convention::up_to_reflection;
   body_ = scene.problem().reference_body;
@@ -188,16 +189,26 @@ SceneFrame::SceneFrame(const Scene& scene) {
   else
     axes_ = is_mirrored ? std::array<SignMask, 3>{1, 2, 0} : std::array<SignMask, 3>{1, 1, 0};
   const ProblemStatement& problem = scene.problem();
-  if (reference_.axis < 0 || !problem.is_plane(reference_.axis)) return;
-  if (Turnings(problem).of_plane(problem.plane_of(reference_.axis)) >= 0) return;
+  find_passing(problem);
+  if (!is_axis_directed(problem)) return;
   axes_[0] = 0;
   axes_[1] = 2;
 }
 
-bool SceneFrame::is_zero(int point, int axis) const {
-  if (point == reference_.origin) return true;
-  if (point == reference_.axis) return axis > 0;
-  return point == reference_.plane && axis > 1;
+/// Without a point as the origin, lines and planes go through it, and beside a plane and a point of the axis just that.
+void SceneFrame::find_passing(const ProblemStatement& problem) {
+  if (reference_.origin >= 0) return;
+  passes_ = {reference_.axis};
+  if (reference_.height < 0 || !problem.is_point(reference_.height))
+    passes_.insert({reference_.plane, reference_.height});
+}
+
+/// By a plane with a side, or a given point.
+bool SceneFrame::is_axis_directed(const ProblemStatement& problem) const {
+  const int axis = reference_.axis;
+  if (axis < 0 || problem.is_line(axis)) return false;
+  if (problem.is_point(axis)) return problem.is_fixed(axis);
+  return Turnings(problem).of_plane(problem.plane_of(axis)) < 0;
 }
 
 std::vector<SharedNormal> shared_normals(const ProblemStatement& problem) {

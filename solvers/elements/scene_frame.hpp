@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,7 +14,8 @@
 
 namespace gcs {
 
-/// A frame is put in a body, or three points (two in the plane), or other elements (see Reference), or given by positions.
+/// A frame is put in a body, or three points (two in the plane), or other elements (see Reference), or given by positions;
+/// where these leave motions, it is put in them first.
 class SceneFrame {
  public:
   explicit SceneFrame(const Scene& scene);
@@ -22,16 +24,20 @@ class SceneFrame {
   int body() const { return body_; }
   /// The elements that it is put in; none where it is put in a body or given.
   const Reference& reference() const { return reference_; }
-  /// Whether coordinate `axis` of a point is 0 in the frame.
-  bool is_zero(int point, int axis) const;
+  /// Whether the frame puts a line or a plane so that it goes through the origin.
+  bool puts_through_origin(int entity) const { return passes_.contains(entity); }
   /// Of the components of vectors, for the reflections or half-turns that the frame leaves.
   SignMask axis(int i) const { return axes_[static_cast<std::size_t>(i)]; }
   /// Of the sign that a mirror image gives to a product of three vectors.
   SignMask mirror() const { return axes_[0] ^ axes_[1] ^ axes_[2]; }
 
  private:
+  void find_passing(const ProblemStatement& problem);
+  bool is_axis_directed(const ProblemStatement& problem) const;
+
   int body_ = -1;
   Reference reference_;
+  std::set<int> passes_;
   std::array<SignMask, 3> axes_{};
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "solvers/model/frame_choice.hpp"
 #include "solvers/model/given_numbers.hpp"
 
 namespace gcs {

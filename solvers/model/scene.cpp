@@ -3,30 +3,33 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "solvers/model/bend_defect.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/model/figure_in_frame.hpp"
+#include "solvers/model/frame_choice.hpp"
 #include "solvers/running/errors.hpp"
 #include "solvers/structure/structure.hpp"
 
 namespace gcs {
 namespace {
 
-/// The largest coordinate of a fixed position that distances are measured from.
+/// The largest coordinate of a fixed position that distances are measured from; where positions leave motions, from the
+/// frame that is put in them.
 double fixed_extent(const ProblemStatement& problem) {
   double extent = 0;
+  const Eigen::Vector3d origin = problem.file_frame ? problem.file_frame->origin : Eigen::Vector3d::Zero();
   for (const DistanceConstraint& constraint : problem.constraints)
     for (const int end : constraint.between)
       if (problem.is_point(end) && problem.is_fixed(end))
-        extent = std::max(extent, problem.fixed_points[end]->cwiseAbs().maxCoeff());
+        extent = std::max(extent, (*problem.fixed_points[end] - origin).cwiseAbs().maxCoeff());
   for (const auto& point : problem.fixed_points)
-    if (point && problem.is_general()) extent = std::max(extent, point->cwiseAbs().maxCoeff());
+    if (point && problem.is_general()) extent = std::max(extent, (*point - origin).cwiseAbs().maxCoeff());
   for (const auto& line : problem.fixed_lines)
-    if (line) extent = std::max(extent, line->point.cwiseAbs().maxCoeff());
+    if (line) extent = std::max(extent, (line->point - origin).cwiseAbs().maxCoeff());
   for (const auto& plane : problem.fixed_planes)
-    if (plane) extent = std::max(extent, std::abs(plane->offset));
+    if (plane) extent = std::max(extent, std::abs(plane->offset - plane->normal.dot(origin)));
   return extent;
 }
 
@@ -49,99 +52,12 @@ int exponent_of(double length) {
   return exponent - 1;
 }
 
-bool constrained(const std::set<std::pair<int, int>>& pairs, int a, int b) {
-  return pairs.count({std::min(a, b), std::max(a, b)}) > 0;
-}
-
-std::set<std::pair<int, int>> constrained_pairs(const ProblemStatement& problem) {
-  std::set<std::pair<int, int>> pairs;
-  for (const DistanceConstraint& c : problem.constraints)
-    pairs.insert(std::minmax(c.between[0], c.between[1]));
-  return pairs;
-}
-
-/// Origin, axis and (in space) plane: the first that are pairwise constrained, in the order of the
-/// constraints.
-Reference point_reference(const ProblemStatement& problem) {
-  const auto pairs = constrained_pairs(problem);
-  const int n = static_cast<int>(problem.points.size());
-  Reference fallback{0, n > 1 ? 1 : -1, problem.dimension == 3 && n > 2 ? 2 : -1};
-  for (const DistanceConstraint& c : problem.constraints) {
-    if (!problem.is_point(c.between[0]) || !problem.is_point(c.between[1])) continue;
-    Reference candidate{c.between[0], c.between[1]};
-    if (problem.dimension == 2) return candidate;
-    for (int p = 0; p < n; ++p)
-      if (constrained(pairs, p, candidate.origin) && constrained(pairs, p, candidate.axis)) {
-        candidate.plane = p;
-        return candidate;
-      }
-  }
-  return fallback;
-}
-
-/// Whether a constraint gives both one direction.
-bool are_aligned(const ProblemStatement& problem, int a, int b) {
-  const std::string type = problem.is_line(a) == problem.is_line(b) ? "parallel" : "perpendicular";
-  return std::ranges::any_of(problem.relations, [&](const Relation& relation) {
-    return relation.type == type && relation.of.size() == 2 &&
-           ((relation.of[0] == Operand{a} && relation.of[1] == Operand{b}) ||
-            (relation.of[0] == Operand{b} && relation.of[1] == Operand{a}));
-  });
-}
-
-/// Points but the origin, lines, and planes: those that no constraint gives the direction of a plane.
-std::vector<int> frame_directions(const ProblemStatement& problem) {
-  std::vector<int> found;
-  for (int entity = problem.points.empty() ? 0 : 1; entity < problem.entity_count(); ++entity) {
-    bool is_free = true;
-    for (int other = problem.line_entity(0); !problem.is_point(entity) && other < problem.entity_count();
-         ++other)
-      if (problem.is_plane(entity) || problem.is_plane(other))
-        is_free = is_free && !are_aligned(problem, entity, other);
-    if (is_free) found.push_back(entity);
-  }
-  return found;
-}
-
-/// See Reference; −1 for what the scene does not have.
-Reference element_reference(const ProblemStatement& problem) {
-  Reference reference;
-  if (!problem.points.empty()) reference.origin = 0;
-  const std::vector<int> directions = frame_directions(problem);
-  if (directions.empty()) return reference;
-  reference.axis = directions.front();
-  if (problem.dimension == 2 && reference.origin >= 0) return reference;
-  for (const int entity : directions) {
-    if (entity == reference.axis || are_aligned(problem, reference.axis, entity)) continue;
-    if (reference.plane < 0) {
-      reference.plane = entity;
-      continue;
-    }
-    if (reference.origin < 0 && problem.is_plane(reference.axis)) reference.height = entity;
-    break;
-  }
-  return reference;
-}
-
-Reference default_reference(const ProblemStatement& problem) {
-  if (!problem.is_general())
-    return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
-  return static_cast<int>(problem.points.size()) < problem.dimension ? element_reference(problem)
-                                                                     : point_reference(problem);
-}
-
 void require_sound_bends(const ProblemStatement& problem) {
   for (const BentLength& bent : bent_lengths(problem))
     if (const auto defect = bend_defect(problem, bent))
       throw InputError("problem", "/interpolation/bends/" + problem.constraints[bent.constraint].id,
                        defect->what, defect->remedy);
 }
-
-/// Rows are the frame's axes.
-struct RigidMotion {
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-};
 
 /// Right-handed axes whose first is along `x` and whose second lies in the half plane of `y`; where a
 /// direction vanishes, any that completes the frame.
@@ -189,19 +105,25 @@ Eigen::Vector3d origin_of(const ProblemStatement& problem, const Reference& refe
   const auto plane = [&](int entity) {
     return figure.planes[static_cast<std::size_t>(problem.plane_of(entity))];
   };
-  if (problem.is_line(reference.axis))
-    return problem.is_line(reference.plane) ? nearest_to(line(reference.plane), line(reference.axis))
-                                            : meeting(line(reference.axis), plane(reference.plane));
-  const PlanePosition a = plane(reference.axis), b = plane(reference.plane), c = plane(reference.height);
+  if (problem.is_line(reference.axis)) {
+    const LinePosition axis = line(reference.axis);
+    if (problem.is_line(reference.plane)) return nearest_to(line(reference.plane), axis);
+    if (problem.is_plane(reference.plane)) return meeting(axis, plane(reference.plane));
+    return axis.point + axis.direction.dot(figure.points.col(reference.plane) - axis.point) * axis.direction;
+  }
+  const PlanePosition a = plane(reference.axis);
+  if (reference.height < 0) return meeting(line(reference.plane), a);
+  if (problem.is_point(reference.height)) return meeting({figure.points.col(reference.height), a.normal}, a);
+  const PlanePosition b = plane(reference.plane), c = plane(reference.height);
   const Eigen::Vector3d along = a.normal.cross(b.normal);
   const Eigen::Vector3d point =
       (a.offset * b.normal.cross(along) + b.offset * along.cross(a.normal)) / along.squaredNorm();
   return meeting({point, along}, c);
 }
 
-RigidMotion motion_to_elements(const ProblemStatement& problem, const Reference& reference,
-                               const Figure& figure) {
-  RigidMotion motion;
+FramePose motion_to_elements(const ProblemStatement& problem, const Reference& reference,
+                             const Figure& figure) {
+  FramePose motion;
   motion.origin = origin_of(problem, reference, figure);
   if (reference.axis < 0) return motion;
   const Eigen::Vector3d x = direction_of(problem, reference.axis, motion.origin, figure);
@@ -213,18 +135,18 @@ RigidMotion motion_to_elements(const ProblemStatement& problem, const Reference&
   return motion;
 }
 
-/// Whether the reference has what tells where a scene's frame is: without a point, two directions at least, the first of a
+/// Whether the reference has what tells where a scene's frame is: without a point, two directions at least, one of a
 /// line or all of three planes.
 bool is_complete(const ProblemStatement& problem, const Reference& reference) {
   if (reference.origin >= 0) return true;
   return reference.axis >= 0 && reference.plane >= 0 &&
-         (problem.is_line(reference.axis) || reference.height >= 0);
+         (problem.is_line(reference.axis) || problem.is_line(reference.plane) || reference.height >= 0);
 }
 
 /// The line becomes the x-axis and the height point lies on the z-axis, z ≥ 0.
-RigidMotion motion_to_line(const Reference& reference, const Figure& figure) {
+FramePose motion_to_line(const Reference& reference, const Figure& figure) {
   const LinePosition& line = figure.lines[reference.line];
-  RigidMotion motion;
+  FramePose motion;
   motion.origin = line.point;
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   if (reference.height >= 0) {
@@ -239,31 +161,16 @@ RigidMotion motion_to_line(const Reference& reference, const Figure& figure) {
   return motion;
 }
 
-Figure moved(const RigidMotion& motion, const Figure& figure) {
-  Figure result = figure;
-  result.points = motion.axes * (figure.points.colwise() - motion.origin);
-  for (LinePosition& line : result.lines) {
-    line.point = motion.axes * (line.point - motion.origin);
-    line.direction = motion.axes * line.direction;
-  }
-  for (PlanePosition& plane : result.planes) {
-    plane.offset -= plane.normal.dot(motion.origin);
-    plane.normal = motion.axes * plane.normal;
-  }
-  return result;
-}
-
 /// The coordinates that the frame makes zero, exactly zero.
-void clear_frame_zeros(const Reference& reference, Figure& figure) {
-  const auto is_point = [&](int entity) { return entity >= 0 && entity < figure.points.cols(); };
+void clear_frame_zeros(const ProblemStatement& problem, const Reference& reference, Figure& figure) {
   if (reference.line >= 0) {
     figure.lines[reference.line] = LinePosition{};
     if (reference.height >= 0) figure.points.col(reference.height).head<2>().setZero();
     return;
   }
-  if (is_point(reference.origin)) figure.points.col(reference.origin).setZero();
-  if (is_point(reference.axis)) figure.points.col(reference.axis).tail<2>().setZero();
-  if (is_point(reference.plane)) figure.points(2, reference.plane) = 0;
+  for (const int entity : {reference.origin, reference.axis, reference.plane, reference.height})
+    for (int axis = 0; entity >= 0 && problem.is_point(entity) && axis < 3; ++axis)
+      if (is_zero_in_frame(problem, reference, entity, axis)) figure.points(axis, entity) = 0;
 }
 
 /// A complex rotation costs accuracy: a figure that is in the frame already is left alone.
@@ -275,17 +182,6 @@ Figure complex_in_line_frame(const Figure& figure, const Reference& reference) {
                         imaginary.point.isZero(0) && imaginary.direction.isZero(0) &&
                         height.head<2>().isZero(0) && lower.head<2>().isZero(0) && height[2] > 0;
   return is_there ? figure : moved_to_line(figure, reference.line, reference.height);
-}
-
-/// The point of the line nearest to the origin, and the direction whose first non-zero component is positive.
-LinePosition normalised(const LinePosition& line) {
-  LinePosition result;
-  result.direction = line.direction.stableNormalized();
-  int lead = 0;
-  while (lead < 2 && std::abs(result.direction[lead]) < 1e-9) ++lead;
-  if (result.direction[lead] < 0) result.direction = -result.direction;
-  result.point = line.point - result.direction * result.direction.dot(line.point);
-  return result;
 }
 
 /// Changes the sign of coordinate `axis` of everything.
@@ -330,19 +226,6 @@ void make_first_positive(Figure& figure, int axis, double threshold) {
 
 }  // namespace
 
-Reference line_reference(const ProblemStatement& problem) {
-  Reference reference;
-  reference.line = 0;
-  const int line = static_cast<int>(problem.points.size());
-  for (const DistanceConstraint& c : problem.constraints)
-    if (c.between[0] == line || c.between[1] == line) {
-      const int point = c.between[0] == line ? c.between[1] : c.between[0];
-      if (reference.height < 0 || c.length() > 0) reference.height = point;
-      if (c.length() > 0) break;
-    }
-  return reference;
-}
-
 Scene::Scene(const Scene&) = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(const Scene&) = default;
@@ -372,7 +255,7 @@ Scene::Scene(ProblemStatement problem, Unchecked)
   reference_ = problem_.reference.value_or(default_reference(problem_));
 
   if (!problem_.sketch) return;
-  sketch_ = in_frame(problem_.sketch->scaled(-unit_exponent_));
+  sketch_ = in_frame(in_scene_unit(*problem_.sketch));
   for (int i = 0; i < constraint_count(); ++i) {
     const auto [a, b] = problem_.constraints[i].between;
     LengthPath path;
@@ -410,10 +293,10 @@ Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
     return reference.line >= 0
                ? complex_in_line_frame(figure, reference)
                : complex_figure(gcs::in_frame(complex_points(figure), dimension(), reference));
-  const RigidMotion motion = reference.line >= 0 ? motion_to_line(reference, figure)
-                                                 : motion_to_elements(problem_, reference, figure);
-  Figure result = moved(motion, figure);
-  clear_frame_zeros(reference, result);
+  const FramePose motion = reference.line >= 0 ? motion_to_line(reference, figure)
+                                               : motion_to_elements(problem_, reference, figure);
+  Figure result = as_seen_from(motion, figure);
+  clear_frame_zeros(problem_, reference, result);
   return result;
 }
 
@@ -424,14 +307,14 @@ Figure Scene::representative(const Figure& figure) const {
     if (reference_.line >= 0) make_first_positive(result, 0, threshold);
     make_first_positive(result, reference_.line >= 0 || dimension() == 2 ? 1 : 2, threshold);
   }
-  if (result.is_real())
-    for (LinePosition& line : result.lines) line = normalised(line);
-  else
-    set_complex_lines(normalised(complex_lines(result)), result);
-  return result;
+  return with_normalised_lines(std::move(result));
 }
 
-Figure Scene::in_file_unit(const Figure& figure) const { return figure.scaled(unit_exponent_); }
-Figure Scene::in_scene_unit(const Figure& figure) const { return figure.scaled(-unit_exponent_); }
+Figure Scene::in_file_unit(const Figure& figure) const {
+  return in_file(figure, unit_exponent_, problem_.file_frame);
+}
+Figure Scene::in_scene_unit(const Figure& figure) const {
+  return in_scene(figure, unit_exponent_, problem_.file_frame);
+}
 
 }  // namespace gcs

@@ -62,7 +62,8 @@ class Scene {
   /// As in_frame, then the mirror image that gcsbench-result/1 prescribes for a class (2D: first non-zero
   /// y > 0; 3D: first non-zero z > 0); "non-zero" means above 1e-9 of the scene's size.
   Figure representative(const Figure& figure) const;
-  /// From the scene's unit to the file's, exactly (a power of two) unless it overflows.
+  /// From the scene's unit to the file's, exactly (a power of two) unless it overflows; also from its frame to the file's
+  /// where given positions leave motions.
   Figure in_file_unit(const Figure& figure) const;
   /// The way back.
   Figure in_scene_unit(const Figure& figure) const;
@@ -81,9 +82,5 @@ class Scene {
   std::optional<Figure> sketch_;
   std::vector<LengthPath> length_paths_;
 };
-
-/// The frame of the first line: it is the x-axis, and the first point that is constrained against it at a
-/// distance > 0 is on the z-axis. Precondition: there is a line.
-Reference line_reference(const ProblemStatement& problem);
 
 }  // namespace gcs

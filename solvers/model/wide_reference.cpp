@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "solvers/model/frame_choice.hpp"
+
 namespace gcs {
 namespace {
 

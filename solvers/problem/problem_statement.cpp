@@ -52,7 +52,7 @@ bool ProblemStatement::is_fixed(int entity) const {
   return line < fixed_lines.size() && fixed_lines[line].has_value();
 }
 
-bool ProblemStatement::is_anchored() const {
+bool ProblemStatement::has_fixed() const {
   for (int entity = 0; entity < entity_count(); ++entity)
     if (is_fixed(entity)) return true;
   return false;
@@ -92,7 +92,7 @@ bool is_flat(const RigidBody& body, int dimension) {
 }
 
 Convention convention_of(const ProblemStatement& problem) {
-  if (problem.is_anchored()) return Convention::in_the_given_frame;
+  if (problem.has_fixed()) return Convention::in_the_given_frame;
   const bool is_oriented = std::any_of(problem.relations.begin(), problem.relations.end(),
                                        [](const Relation& r) { return r.sign != 0; });
   const bool is_chiral =
@@ -101,10 +101,14 @@ Convention convention_of(const ProblemStatement& problem) {
   return is_oriented || is_chiral ? Convention::up_to_motion : Convention::up_to_reflection;
 }
 
+Convention frame_convention(const ProblemStatement& problem) {
+  return problem.file_frame ? Convention::up_to_motion : convention_of(problem);
+}
+
 FrameImages frame_images(const ProblemStatement& problem) {
   const int points = static_cast<int>(problem.points.size());
   if (problem.is_anchored()) return {1, 1};
-  if (problem.is_general()) return {convention_of(problem) == Convention::up_to_reflection ? 2 : 1, 1};
+  if (problem.is_general()) return {frame_convention(problem) == Convention::up_to_reflection ? 2 : 1, 1};
   if (!problem.lines.empty()) return {points == 1 ? 1 : 4, 2};
   return {points <= problem.dimension ? 1 : 2, 1 << (std::min(points, problem.dimension) - 1)};
 }

@@ -69,11 +69,19 @@ struct DistanceConstraint {
   double length() const { return is_squared ? std::sqrt(given.value) : given.value; }  ///< in the file's unit
 };
 
+/// Where a frame is: its origin, and rows that are its axes.
+struct FramePose {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+};
+
 /// Which entities fix the frame; −1: not used. Points: origin, axis and (in space) plane.
 /// With a line: `line` is the x-axis and `height` is the point put on the z-axis.
 /// In general scenes with fewer points `axis`, `plane` and `height` are entities of any kind: along the x-axis is the
 /// direction or normal of `axis`, in the xy-plane that of `plane`, and where there is no point, the origin is where `axis`
-/// is nearest to the line `plane`, or meets the plane, or where the planes `axis`, `plane` and `height` meet.
+/// is nearest to the line `plane`, or meets the plane, or where the planes `axis`, `plane` and `height` meet. With a point
+/// as `plane` the origin is the point of the line `axis` next to it; the plane `axis` has the origin next to the point
+/// `height`, or where it meets the line `plane`.
 struct Reference {
   int origin = -1;
   int axis = -1;
@@ -168,6 +176,9 @@ struct ProblemStatement {
   std::vector<Relation> relations{};
   std::vector<std::optional<PlanePosition>> fixed_planes{};  ///< one per plane, or empty
   int reference_body = -1;  ///< the body that the frame is put in; −1: see Reference
+  /// Where given positions leave motions: a frame, in the file, that has them at its origin or on its axis, and that
+  /// `reference` or `reference_body` completes.
+  std::optional<FramePose> file_frame;
 
   int entity_count() const { return static_cast<int>(points.size() + lines.size() + planes.size()); }
   bool is_point(int entity) const { return entity < static_cast<int>(points.size()); }
@@ -182,14 +193,17 @@ struct ProblemStatement {
     if (is_point(entity)) return points[entity];
     return is_line(entity) ? lines[line_of(entity)] : planes[plane_of(entity)];
   }
-  /// Whether there is more than points, lines in space and distances between them.
+  /// Whether there is more than points, lines in space and distances between them, or a frame is to be completed.
   bool is_general() const {
-    return !planes.empty() || !bodies.empty() || !relations.empty() || (dimension == 2 && !lines.empty());
+    return !planes.empty() || !bodies.empty() || !relations.empty() || (dimension == 2 && !lines.empty()) ||
+           file_frame;
   }
   /// True when the file gives the entity's position. A problem without any may leave both vectors empty.
   bool is_fixed(int entity) const;
-  /// True when positions are given, so that no motion or reflection is divided out.
-  bool is_anchored() const;
+  /// True when the file gives some entity's position.
+  bool has_fixed() const;
+  /// True when positions are given that leave no motion, so that no motion or reflection is divided out.
+  bool is_anchored() const { return !file_frame && has_fixed(); }
 
   /// Compiled once.
   ProblemStatement();
@@ -216,6 +230,10 @@ enum class Convention { in_the_given_frame, up_to_motion, up_to_reflection };
 /// The convention of a problem: in the given frame where there are positions; up to motion with an orientation or
 /// with a body that is not flat; otherwise up to reflection.
 Convention convention_of(const ProblemStatement& problem);
+
+/// What the scene's frame leaves to be divided out: motions also of given positions that leave some; otherwise the
+/// problem's convention.
+Convention frame_convention(const ProblemStatement& problem);
 
 /// The row of fixed_texts that an entity's texts begin in.
 std::size_t fixed_text_row(const ProblemStatement& problem, int entity);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "solvers/elements/general_structure.hpp"
+#include "solvers/reading/frame_completion.hpp"
 #include "solvers/reading/instance_bodies.hpp"
 #include "solvers/reading/instance_constraints.hpp"
 #include "solvers/reading/instance_format.hpp"
@@ -95,11 +96,11 @@ void read_entities(const JsonCursor& root, InstanceFormat format, ProblemStateme
 
 void read_frame(const JsonCursor& root, ProblemStatement& problem) {
   const auto reference = root.optional("reference");
-  if (reference && problem.is_anchored())
+  if (reference && problem.has_fixed())
     reference->fail("fixed positions and a reference exclude each other", "give one of the two");
   if (reference) {
     read_reference(*reference, problem);
-  } else if (!problem.bodies.empty() && !problem.is_anchored()) {
+  } else if (!problem.bodies.empty() && !problem.has_fixed()) {
     problem.reference_body = 0;
   }
 }
@@ -127,6 +128,8 @@ ProblemStatement read_problem(const JsonCursor& root, InstanceFormat format, con
     check_fixed_bodies(*fixed, problem);
   }
   read_constraints(root.required("constraints"), format, problem);
+  if (const auto fixed = root.optional("fixed"); fixed && format == InstanceFormat::general)
+    complete_frame(*fixed, problem);
   check_structure(root, format, problem, file);
   read_frame(root, problem);
   if (const auto sketch = root.optional("sketch")) read_sketch(*sketch, format, problem);

@@ -119,24 +119,6 @@ std::vector<ElementPosition> fixed_elements(const ProblemStatement& problem) {
   return elements;
 }
 
-void refuse_coincident_fixed_points(const JsonCursor& fixed, const ProblemStatement& problem) {
-  for (std::size_t a = 0; a < problem.points.size(); ++a) {
-    for (std::size_t b = a + 1; b < problem.points.size(); ++b) {
-      if (!problem.fixed_points[a] || problem.fixed_points[a] != problem.fixed_points[b]) continue;
-      fixed.fail("'" + problem.points[a] + "' and '" + problem.points[b] + "' are fixed at the same place",
-                 "give different places, or use one point");
-    }
-  }
-}
-
-/// A line that is sought by its distances from given points (4p1L). Wherever these are they make a question,
-/// to which infinitely many lines or none may be the answer.
-bool seeks_line_from_given_points(const ProblemStatement& problem) {
-  const auto is_given = [](const auto& position) { return position.has_value(); };
-  return problem.lines.size() == 1 && !problem.fixed_lines[0] && problem.points.size() == 4 &&
-         std::all_of(problem.fixed_points.begin(), problem.fixed_points.end(), is_given);
-}
-
 bool has_position(const Positions& positions, const ProblemStatement& problem, int entity) {
   if (problem.is_point(entity)) return positions.points[entity].has_value();
   return problem.is_line(entity) ? positions.lines[problem.line_of(entity)].has_value()
@@ -247,6 +229,22 @@ void read_fixed(const JsonCursor& fixed, ProblemStatement& problem) {
   problem.fixed_lines = std::move(positions.lines);
   problem.fixed_planes = std::move(positions.planes);
   problem.fixed_texts = position_texts(fixed, problem);
+}
+
+void refuse_coincident_fixed_points(const JsonCursor& fixed, const ProblemStatement& problem) {
+  for (std::size_t a = 0; a < problem.points.size(); ++a) {
+    for (std::size_t b = a + 1; b < problem.points.size(); ++b) {
+      if (!problem.fixed_points[a] || problem.fixed_points[a] != problem.fixed_points[b]) continue;
+      fixed.fail("'" + problem.points[a] + "' and '" + problem.points[b] + "' are fixed at the same place",
+                 "give different places, or use one point");
+    }
+  }
+}
+
+bool seeks_line_from_given_points(const ProblemStatement& problem) {
+  const auto is_given = [](const auto& position) { return position.has_value(); };
+  return problem.lines.size() == 1 && !problem.fixed_lines[0] && problem.points.size() == 4 &&
+         std::all_of(problem.fixed_points.begin(), problem.fixed_points.end(), is_given);
 }
 
 void require_still(const JsonCursor& fixed, const ProblemStatement& problem) {

@@ -10,6 +10,13 @@ namespace gcs {
 /// Reads `fixed` into the problem. Precondition: entities are read.
 void read_fixed(const JsonCursor& fixed, ProblemStatement& problem);
 
+/// Refused: two points at the same place.
+void refuse_coincident_fixed_points(const JsonCursor& fixed, const ProblemStatement& problem);
+
+/// Whether a line is sought by its distances from given points (4p1L). Wherever these are they make a question, to which
+/// infinitely many lines or none may be the answer.
+bool seeks_line_from_given_points(const ProblemStatement& problem);
+
 /// Refused: two points at the same place, and positions that leave the figure movable as a whole, but for a line sought
 /// from four given points, for which this is no error of the instance. Precondition: there are no planes.
 void require_still(const JsonCursor& fixed, const ProblemStatement& problem);

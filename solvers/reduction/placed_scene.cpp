@@ -18,7 +18,7 @@ namespace {
 Figure in_whole(const Scene& whole, const Scene& part, const std::vector<int>& entities,
                 const Figure& figure) {
   const ProblemStatement &problem = whole.problem(), &own = part.problem();
-  const Figure scaled = whole.in_scene_unit(part.in_file_unit(figure));
+  const Figure scaled = figure.scaled(part.unit_exponent() - whole.unit_exponent());
   const bool is_real = scaled.is_real();
   Figure result;
   result.points = Eigen::Matrix3Xd::Zero(3, whole.point_count());

@@ -54,7 +54,7 @@ std::string about(const PartScene& part, const std::string& reason) {
 
 /// The figure of a part in the whole scene's unit; points outside the part are at the origin.
 Figure in_whole(const Scene& whole, const PartScene& part, const Figure& figure) {
-  const Figure scaled = whole.in_scene_unit(part.scene.in_file_unit(figure));
+  const Figure scaled = figure.scaled(part.scene.unit_exponent() - whole.unit_exponent());
   Figure result = scaled;
   result.points = Eigen::Matrix3Xd::Zero(3, whole.point_count());
   if (!scaled.is_real()) result.imaginary = result.points;

@@ -157,7 +157,8 @@ bool Problem::is_general() const {
     const std::vector<JsonValue>& ends = constraint.find("between")->elements;
     return std::all_of(ends.begin(), ends.end(), is_line);
   };
-  return !planes_.empty() || !bodies_.empty() || (dimension_ == 2 && !lines_.empty()) ||
+  const bool leaves_motions = !fixed_.empty() && fixed_.size() < static_cast<std::size_t>(dimension_);
+  return leaves_motions || !planes_.empty() || !bodies_.empty() || (dimension_ == 2 && !lines_.empty()) ||
          std::any_of(constraints_.begin(), constraints_.end(), is_relation);
 }
 

@@ -372,7 +372,7 @@ class CayleyMengerStrategy final : public Strategy {
 
   std::optional<std::string> why_not_with_planes(const Scene& scene) const {
     const ProblemStatement& problem = scene.problem();
-    if (scene.dimension() != 3 || scene.is_anchored() || problem.planes.empty())
+    if (scene.dimension() != 3 || problem.has_fixed() || problem.planes.empty())
       return "of general scenes it solves octahedra of points and planes in space, without given positions";
     const auto octahedron = find_octahedron_with_planes(scene.problem());
     if (!octahedron)

@@ -47,6 +47,7 @@ class Renumbering {
     problem_.points = kept(whole_.points, entities_, 0);
     problem_.lines = kept(whole_.lines, entities_, line);
     problem_.planes = kept(whole_.planes, entities_, plane);
+    if (whole_.file_frame) return;
     problem_.fixed_points = kept(whole_.fixed_points, entities_, 0);
     take_fixed_texts();
     problem_.fixed_lines = kept(whole_.fixed_lines, entities_, line);

@@ -13,7 +13,7 @@ struct SubProblem {
 };
 
 /// The entities that `is_there`, in their order, with what is stated between them alone, the bodies whose elements are
-/// all there, their places in the sketch and the bends; with the frame where all of it is there; without a construction
+/// all there, given positions that leave no motion, their places in the sketch and the bends; with the frame where all of it is there; without a construction
 /// plan.
 SubProblem sub_problem(const ProblemStatement& whole, const std::vector<bool>& is_there);
 

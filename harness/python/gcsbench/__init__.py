@@ -113,7 +113,8 @@ class Problem:
         if "format" not in document:
             is_general = any(kind in document for kind in ("planes", "bodies")) or any(
                 constraint["type"] != "distance" for constraint in document["constraints"]) or (
-                len(document.get("lines", [])) > 1)
+                len(document.get("lines", [])) > 1) or (
+                0 < len(document.get("fixed", {})) < document["dimension"])
             document = {"format": f"gcsbench-instance/{2 if is_general else 1}", **document}
         return _json(document)
 

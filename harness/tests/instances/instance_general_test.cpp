@@ -304,7 +304,7 @@ TEST_CASE("in both formats distances are checked in the same way") {
   check_refused(general(with(plane(), "/constraints/2", nullptr)), "/constraints", "under-constrained");
   check_refused(general(with(plane(), "/constraints", json::array())), "/constraints", "no constraint");
   check_refused(general(with(plane(), "/constraints/2/length", 8)), "/constraints/2", "a3 (p2–p3) is 8");
-  check_refused(general(with(plane(), "/fixed", {{"p1", {0, 0}}})), "/fixed", "movable as a whole");
+  check_refused(general(with(plane(), "/fixed", {{"p1", {0, 0}}})), "/reference", "exclude each other");
   check_refused(general(with(plane(), "/sketch/p3", {5, 0})), "/sketch", "on one line");
   check_refused(general(with(plane(), "/sketh", 1)), "/sketh", "did you mean 'sketch'?");
   check_refused(general(with(space(), "/constraints/6/length", 0)), "/constraints/6/length", "'on'");

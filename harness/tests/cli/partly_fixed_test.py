@@ -1,0 +1,213 @@
+#!/usr/bin/python3
+"""Scenes whose fixed elements leave motions, against the same scenes with nothing fixed, counted up to motion.
+
+Usage: partly_fixed_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import json
+import math
+import random
+
+import command_line
+from command_line import BAD_INPUT, DONE, SOURCE, run
+from general_scenes import HELD, PLATFORM, distances
+
+
+def combined(a, p, b=0, q=(0, 0, 0)):
+    return [a * x + b * y for x, y in zip(p, q)]
+
+
+def dot(p, q):
+    return sum(x * y for x, y in zip(p, q))
+
+
+def unit(p):
+    return [x / math.hypot(*p) for x in p]
+
+
+def shipped(name):
+    scene = json.loads((SOURCE / "instances" / f"{name}.json").read_text())
+    constraints = [{key: value for key, value in c.items() if key != "id"} for c in scene["constraints"]]
+    return {"format": "gcsbench-instance/2", "constraints": constraints} | {
+        key: scene[key] for key in ["id", "dimension", "points", "planes"] if key in scene}
+
+
+def without(scene, a, b):
+    return scene | {"constraints": [c for c in scene["constraints"] if c.get("between") != [a, b]]}
+
+
+def length(scene, a, b):
+    return next(c["length"] for c in scene["constraints"] if c.get("between") == [a, b])
+
+
+# Lines at given distances from four points: 12 (Macdonald, Pach, Theobald 2001), beside a tetrahedron and its mirror image.
+SIDES = distances(("p", "q", 2.1), ("p", "r", 2.3), ("p", "s", 1.9), ("q", "r", 2.2), ("q", "s", 2.4), ("r", "s", 2.0))
+TANGENT = {"format": "gcsbench-instance/2", "id": "tangent", "dimension": 3, "points": ["p", "q", "r", "s"], "lines": ["L"],
+           "constraints": SIDES + distances(("p", "L", 0.9), ("q", "L", 1.1), ("r", "L", 1.0), ("s", "L", 0.8))}
+# Lines through a point at given distances from two others: two on each of the four pairs of half cones, which are
+# opposite to each other by twos.
+THROUGH = TANGENT | {"id": "through", "constraints": SIDES + distances(("q", "L", 1.1), ("r", "L", 1.0))}
+# The four tangents of two circles, beside a triangle and its mirror image.
+FLAT = {"format": "gcsbench-instance/2", "id": "flat", "dimension": 2, "points": ["p", "q", "r"], "lines": ["L"],
+        "constraints": distances(("p", "q", 2.1), ("p", "r", 2.3), ("q", "r", 1.9), ("p", "L", 0.4), ("q", "L", 0.7))}
+
+
+class PartlyFixed(command_line.CommandLine):
+    def setUp(self):
+        super().setUp()
+        self.random = random.Random(7)
+
+    def position(self, size=3, dimension=3):
+        return [self.random.uniform(-size, size) for _ in range(dimension)]
+
+    def line(self, dimension=3):
+        return {"point": self.position(dimension=dimension), "direction": self.position(dimension=dimension)}
+
+    def plane(self):
+        return {"normal": self.position(), "offset": self.random.uniform(-3, 3)}
+
+    def result(self, scene, strategy="monodromy", *options):
+        file, out = self.write(scene, f"{scene['id']}.json"), self.folder / "result.json"
+        done = run("--quiet", "solve", file, "--strategy", strategy, *options, "--out", out)
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        return json.loads(out.read_text())
+
+    def certified(self, scene, strategy="monodromy"):
+        result = self.result(scene, strategy, "--certify")
+        self.assertEqual(result["counts"]["certified"], result["counts"]["complex"])
+        done = run("--quiet", "verify", self.folder / "result.json")
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        return result
+
+    def assert_solved(self, scene, fixed, count, strategies=("monodromy", "polyhedral")):
+        """As many complex solutions, each with the fixed elements in their places and the distances of points."""
+        for strategy in strategies:
+            result = self.certified(scene | {"fixed": fixed}, strategy)
+            counts = result["counts"]
+            self.assertEqual((counts["convention"], counts["complex"]), ("in the given frame", count))
+            self.assertEqual(result["frame"]["fixed"], list(fixed))
+            for solution in result["solutions"]:
+                if solution["real"]:
+                    self.assert_in_place(solution, fixed)
+                    self.assert_distances(solution, scene)
+        return result
+
+    def assert_in_place(self, solution, fixed):
+        for name, place in fixed.items():
+            if isinstance(place, list):
+                self.assertLess(math.dist(solution["points"][name], place), 1e-12)
+            elif "normal" in place:
+                norm, plane = math.hypot(*place["normal"]), solution["planes"][name]
+                self.assertLess(math.dist(plane["normal"], unit(place["normal"])), 1e-12)
+                self.assertAlmostEqual(plane["offset"], place["offset"] / norm, delta=1e-12)
+            else:
+                line, along = solution["lines"][name], unit(place["direction"])
+                self.assertAlmostEqual(abs(dot(line["direction"], along)), 1, delta=1e-12)
+                foot = combined(1, place["point"], -dot(place["point"], along), along)
+                self.assertLess(math.dist(line["point"], foot), 1e-12)
+
+    def assert_distances(self, solution, scene):
+        points = solution["points"]
+        for constraint in scene["constraints"]:
+            a, b = constraint["between"]
+            if a in points and b in points:
+                self.assertAlmostEqual(math.dist(points[a], points[b]), constraint["length"], delta=1e-9)
+
+    def apart(self, result, a, b):
+        """The distances that two points have in real solutions, in order."""
+        return sorted(math.dist(s["points"][a], s["points"][b]) for s in result["solutions"] if s["real"])
+
+    def assert_twice(self, result, free, a, b):
+        """A solution and its mirror image in place of one class of the scene without positions."""
+        once, found = self.apart(free, a, b), self.apart(result, a, b)
+        self.assertEqual(len(found), 2 * len(once))
+        for twice, one in zip(found, sorted(2 * once)):
+            self.assertAlmostEqual(twice, one, delta=1e-9)
+
+    def test_a_point_of_an_octahedron(self):
+        """16 in a fixed frame (Hoffmann and Yuan), wherever the point is; far from the origin, too."""
+        scene, free = shipped("octahedron"), self.result(shipped("octahedron"))
+        for name, size in [("p3", 3), ("p6", 1000)]:
+            place = [round(x, 3) for x in self.position(size)]
+            result = self.result(scene | {"fixed": {name: place}}, "polyhedral")
+            self.assertEqual(result["counts"]["complex"], 16)
+            self.assert_twice(result, free, "p1", "p4")
+        result = self.assert_solved(scene, {"p2": self.position()}, 16)
+        self.assert_twice(result, free, "p1", "p4")
+        self.assertEqual(result["proofs"]["limit"], 16)
+
+    def test_two_points_of_an_octahedron(self):
+        """In place of the distance between them; and a third on their line in place of two."""
+        scene, start = shipped("octahedron"), self.position()
+        free = self.result(scene)
+        along = combined(length(scene, "p1", "p2") / 3, [2, -1, 2])
+        fixed = {"p1": start, "p2": combined(1, start, 1, along)}
+        result = self.assert_solved(without(scene, "p1", "p2"), fixed, 16)
+        self.assert_twice(result, free, "p1", "p4")
+        to_m = math.sqrt(0.6 * length(scene, "p1", "p3") ** 2 + 0.4 * length(scene, "p2", "p3") ** 2
+                         - 0.24 * length(scene, "p1", "p2") ** 2)  # Stewart's theorem
+        rail = without(without(scene, "p1", "p2"), "p1", "p3") | {"points": [*scene["points"], "m"]}
+        rail["constraints"] += distances(("m", "p3", to_m))
+        self.assert_solved(rail, fixed | {"m": combined(1, start, 0.4, along)}, 16, ["monodromy"])
+
+    def test_planes_of_an_octahedron(self):
+        """With four points and two planes 16 in a fixed frame likewise. The normals are not of length 1."""
+        scene = shipped("octahedral-4p2h")
+        free = self.result(scene)
+        result = self.assert_solved(scene, {"e5": self.plane()}, 16)
+        self.assert_twice(result, free, "e1", "e4")
+        plane = {"normal": [2, -1, 2], "offset": 2.1}
+        point = combined((0.7 + length(scene, "e1", "e5")) / 3, plane["normal"], 1, [0.3, 0.8, 0.1])
+        result = self.assert_solved(without(scene, "e1", "e5"), {"e1": point, "e5": plane}, 16)
+        self.assert_twice(result, free, "e1", "e4")
+
+    def test_a_line_and_a_point(self):
+        for fixed in [{"L": self.line()}, {"q": self.position()}]:
+            self.assert_solved(TANGENT, fixed, 24, ["monodromy"])
+        line = self.line()
+        on_it = combined(1, line["point"], 0.7, line["direction"])
+        self.assert_solved(THROUGH, {"p": on_it, "L": line}, 8)
+        through = THROUGH | {"constraints": THROUGH["constraints"] + [{"type": "on", "between": ["p", "L"]}]}
+        for fixed in [{"L": line}, {"s": on_it}, {"p": on_it}]:
+            self.assert_solved(through, fixed, 8)
+
+    def test_in_the_plane(self):
+        for fixed in [{"p": self.position(dimension=2)}, {"r": self.position(dimension=2)},
+                      {"L": self.line(dimension=2)}]:
+            self.assert_solved(FLAT, fixed, 8)
+
+    def test_elements_of_a_body(self):
+        """Six postures of the planar platform (Hunt 1983); of a body held to a line and a plane those without positions."""
+        self.assertEqual(self.assert_solved(PLATFORM, {"a2": [1.5, -0.25]}, 6)["frame"]["body"], "base")
+        self.assert_solved(PLATFORM, {"b1": self.position(dimension=2)}, 6, ["monodromy"])
+        free = self.certified(HELD)
+        shift = [0.4, -0.2, 0.7]
+        base = HELD["bodies"]["base"]
+        for fixed in [{"a2": self.position()}, {"K": self.line()}, {"E": self.plane()},
+                      {"a1": combined(1, base["a1"], 1, shift), "a3": combined(1, base["a3"], 1, shift)}]:
+            result = self.assert_solved(HELD, fixed, free["counts"]["complex"], ["monodromy"])
+            self.assertEqual(result["counts"]["real"], free["counts"]["real"])
+            for known, found in zip(self.apart(free, "a2", "b2"), self.apart(result, "a2", "b2"), strict=True):
+                self.assertAlmostEqual(known, found, delta=1e-9)
+
+    def assert_refused(self, scene, fixed, *words):
+        done = run("describe", self.write(scene | {"fixed": fixed}, f"{scene['id']}.json"))
+        self.assertEqual(done.returncode, BAD_INPUT, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def test_refusals(self):
+        scene = shipped("octahedron")
+        place = self.position()
+        self.assert_refused(without(scene, "p5", "p6"), {"p1": place}, "under-constrained", "1 degree of freedom")
+        more = scene | {"constraints": scene["constraints"] + distances(("p1", "p4", 2))}
+        self.assert_refused(more, {"p1": place}, "over-constrained")
+        self.assert_refused(scene, {"p1": place, "p4": place}, "the same place")
+        lines = {"K": {"point": [0, 0, 0], "direction": [1, 2, 2]}, "L": {"point": [1, 0, 0], "direction": [1, 2, 2]}}
+        self.assert_refused(TANGENT | {"lines": ["K", "L"]}, lines, "/fixed", "fix a point as well")
+        self.assert_refused(PLATFORM | {"points": ["c"]}, {"c": [1, 2]}, "too few elements that are in no body")
+        self.assert_refused(HELD | {"points": ["c"]}, {"c": place, "a1": place[::-1]}, "one body has some of them")
+
+
+if __name__ == "__main__":
+    command_line.main()

@@ -1,0 +1,201 @@
+#include "solvers/model/frame_choice.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace gcs {
+namespace {
+
+bool constrained(const std::set<std::pair<int, int>>& pairs, int a, int b) {
+  return pairs.count({std::min(a, b), std::max(a, b)}) > 0;
+}
+
+std::set<std::pair<int, int>> constrained_pairs(const ProblemStatement& problem) {
+  std::set<std::pair<int, int>> pairs;
+  for (const DistanceConstraint& c : problem.constraints)
+    pairs.insert(std::minmax(c.between[0], c.between[1]));
+  return pairs;
+}
+
+/// Origin, axis and (in space) plane: the first that are pairwise constrained, in the order of the
+/// constraints.
+Reference point_reference(const ProblemStatement& problem) {
+  const auto pairs = constrained_pairs(problem);
+  const int n = static_cast<int>(problem.points.size());
+  Reference fallback{0, n > 1 ? 1 : -1, problem.dimension == 3 && n > 2 ? 2 : -1};
+  for (const DistanceConstraint& c : problem.constraints) {
+    if (!problem.is_point(c.between[0]) || !problem.is_point(c.between[1])) continue;
+    Reference candidate{c.between[0], c.between[1]};
+    if (problem.dimension == 2) return candidate;
+    for (int p = 0; p < n; ++p)
+      if (constrained(pairs, p, candidate.origin) && constrained(pairs, p, candidate.axis)) {
+        candidate.plane = p;
+        return candidate;
+      }
+  }
+  return fallback;
+}
+
+/// Whether a constraint gives both one direction.
+bool are_aligned(const ProblemStatement& problem, int a, int b) {
+  const std::string type = problem.is_line(a) == problem.is_line(b) ? "parallel" : "perpendicular";
+  return std::ranges::any_of(problem.relations, [&](const Relation& relation) {
+    return relation.type == type && relation.of.size() == 2 &&
+           ((relation.of[0] == Operand{a} && relation.of[1] == Operand{b}) ||
+            (relation.of[0] == Operand{b} && relation.of[1] == Operand{a}));
+  });
+}
+
+/// Points but the origin, lines, and planes: those that no constraint gives the direction of a plane.
+std::vector<int> frame_directions(const ProblemStatement& problem, int origin) {
+  std::vector<int> found;
+  for (int entity = 0; entity < problem.entity_count(); ++entity) {
+    bool is_free = entity != origin;
+    for (int other = problem.line_entity(0); !problem.is_point(entity) && other < problem.entity_count();
+         ++other)
+      if (problem.is_plane(entity) || problem.is_plane(other))
+        is_free = is_free && !are_aligned(problem, entity, other);
+    if (is_free) found.push_back(entity);
+  }
+  return found;
+}
+
+/// See Reference; −1 for what the scene does not have.
+Reference element_reference(const ProblemStatement& problem) {
+  Reference reference;
+  if (!problem.points.empty()) reference.origin = 0;
+  const std::vector<int> directions = frame_directions(problem, reference.origin);
+  if (directions.empty()) return reference;
+  reference.axis = directions.front();
+  if (problem.dimension == 2 && reference.origin >= 0) return reference;
+  for (const int entity : directions) {
+    if (entity == reference.axis || are_aligned(problem, reference.axis, entity)) continue;
+    if (reference.plane < 0) {
+      reference.plane = entity;
+      continue;
+    }
+    if (reference.origin < 0 && problem.is_plane(reference.axis)) reference.height = entity;
+    break;
+  }
+  return reference;
+}
+
+/// Whether a constraint puts a point on the line that is the axis, or on that of origin and axis.
+bool is_on_axis(const ProblemStatement& problem, const Reference& reference, int point) {
+  return std::ranges::any_of(problem.relations, [&](const Relation& relation) {
+    const auto names = [&](int entity) {
+      return entity >= 0 && std::ranges::find(relation.of, Operand{entity}) != relation.of.end();
+    };
+    return names(point) && names(reference.axis) &&
+           ((relation.type == "on" && problem.is_line(reference.axis)) ||
+            (relation.type == "collinear" && names(reference.origin)));
+  });
+}
+
+/// Elements by which the motions that given ones leave can be used up, those first that a distance joins with these.
+class Completion {
+ public:
+  Completion(const ProblemStatement& problem, const GivenAxis& given)
+      : problem_(problem),
+        reference_{given.origin, given.axis},
+        free_(frame_directions(problem, given.origin)) {
+    std::erase_if(
+        free_, [&](int entity) { return problem.is_fixed(entity) || !bodies_with(problem, entity).empty(); });
+    std::ranges::stable_partition(free_, [&](int entity) { return is_near(entity); });
+  }
+
+  std::optional<Reference> run() {
+    if (reference_.axis < 0) reference_.axis = next(any);
+    if (reference_.axis < 0) return std::nullopt;
+    if (problem_.dimension == 2 && reference_.origin >= 0) return reference_;
+    const bool is_plane_alone = reference_.origin < 0 && problem_.is_plane(reference_.axis);
+    if (is_plane_alone) reference_.height = next(point);
+    reference_.plane = next(any);
+    if (is_plane_alone && reference_.height < 0 && reference_.plane >= 0 &&
+        problem_.is_plane(reference_.plane)) {
+      reference_.height = next(any);
+      if (reference_.height < 0) return std::nullopt;
+    }
+    return reference_.plane < 0 ? std::nullopt : std::optional(reference_);
+  }
+
+ private:
+  enum Kind { any, point };
+
+  bool is_near(int entity) const {
+    return std::ranges::any_of(problem_.constraints, [&](const DistanceConstraint& c) {
+      return (c.between[0] == entity && problem_.is_fixed(c.between[1])) ||
+             (c.between[1] == entity && problem_.is_fixed(c.between[0]));
+    });
+  }
+
+  int next(Kind kind) {
+    const auto found = std::ranges::find_if(free_, [&](int entity) {
+      return (kind == any || problem_.is_point(entity)) && !are_aligned(problem_, reference_.axis, entity) &&
+             !is_on_axis(problem_, reference_, entity);
+    });
+    if (found == free_.end()) return -1;
+    const int entity = *found;
+    free_.erase(found);
+    return entity;
+  }
+
+  const ProblemStatement& problem_;
+  Reference reference_;
+  std::vector<int> free_;
+};
+
+}  // namespace
+
+Reference default_reference(const ProblemStatement& problem) {
+  if (!problem.is_general())
+    return problem.lines.empty() ? point_reference(problem) : line_reference(problem);
+  return static_cast<int>(problem.points.size()) < problem.dimension ? element_reference(problem)
+                                                                     : point_reference(problem);
+}
+
+Reference line_reference(const ProblemStatement& problem) {
+  Reference reference;
+  reference.line = 0;
+  const int line = static_cast<int>(problem.points.size());
+  for (const DistanceConstraint& c : problem.constraints)
+    if (c.between[0] == line || c.between[1] == line) {
+      const int point = c.between[0] == line ? c.between[1] : c.between[0];
+      if (reference.height < 0 || c.length() > 0) reference.height = point;
+      if (c.length() > 0) break;
+    }
+  return reference;
+}
+
+GivenAxis given_axis(const ProblemStatement& problem) {
+  GivenAxis given;
+  const auto is_given = [&](int entity) { return entity != given.origin && problem.is_fixed(entity); };
+  const auto first = [&](int from, int to) {
+    for (int entity = from; entity < to; ++entity)
+      if (is_given(entity)) return entity;
+    return -1;
+  };
+  const int lines = problem.line_entity(0), planes = problem.plane_entity(0);
+  given.origin = first(0, lines);
+  for (const auto& [from, to] :
+       {std::pair(0, lines), std::pair(planes, problem.entity_count()), std::pair(lines, planes)})
+    if (given.axis < 0) given.axis = first(from, to);
+  return given;
+}
+
+std::optional<Reference> completing_reference(const ProblemStatement& problem) {
+  return Completion(problem, given_axis(problem)).run();
+}
+
+bool is_zero_in_frame(const ProblemStatement& problem, const Reference& reference, int point, int axis) {
+  if (point == reference.origin) return true;
+  if (point == reference.axis) return axis > 0;
+  if (point == reference.plane) {
+    const bool is_beside_line = reference.origin < 0 && problem.is_line(reference.axis);
+    return axis > 1 || (axis == 0 && is_beside_line);
+  }
+  return point == reference.height && axis > 0;
+}
+
+}  // namespace gcs

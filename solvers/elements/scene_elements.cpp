@@ -219,6 +219,7 @@ class Placing {
     if (!problem().file_frame || problem().reference_body >= 0) return;
     const SignMask turning = builder_.frame().axis(0);
     for (const AxialElement& given : axial_elements(builder_.scene())) {
+      if (!rests_in_frame(problem(), given.entity)) continue;
       VectorForm along;
       along[0] = constant_form(given.place);
       const VectorForm direction{constant_form(exactly(given.is_opposite ? -1 : 1)), {}, {}};
@@ -240,7 +241,7 @@ class Placing {
   void place_frame() {
     const Reference& frame = builder_.frame().reference();
     for (const int entity : {frame.axis, frame.plane, frame.height}) {
-      if (entity < 0 || problem().is_point(entity) || problem().is_fixed(entity)) continue;
+      if (entity < 0 || problem().is_point(entity) || rests_in_frame(problem(), entity)) continue;
       if (problem().is_line(entity)) {
         builder_.put_line(problem().line_of(entity), line_in_frame(entity));
         has_line_[index(problem().line_of(entity))] = true;

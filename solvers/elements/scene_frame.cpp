@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "solvers/elements/constraint_types.hpp"
+#include "solvers/model/frame_choice.hpp"
 
 namespace gcs {
 namespace {
@@ -62,7 +63,7 @@ std::vector<int> numbered(const Sets& sets, const std::vector<bool>& is_held) {
 
 /// Whether a body or a given position puts an entity where it is before the others.
 bool is_held(const ProblemStatement& problem, int entity) {
-  return problem.is_fixed(entity) || !bodies_with(problem, entity).empty();
+  return rests_in_frame(problem, entity) || !bodies_with(problem, entity).empty();
 }
 
 /// Lines and planes that relations give one direction, but for its sign; points are sets of their own.
@@ -83,7 +84,9 @@ class PlaneSides {
         has_side_(problem.planes.size()),
         normals_(problem.planes.size()) {
     for (int plane = 0; plane < planes(); ++plane)
-      if (is_held(problem, problem.plane_entity(plane))) see_side(plane);
+      if (const int entity = problem.plane_entity(plane);
+          problem.is_fixed(entity) || !bodies_with(problem, entity).empty())
+        see_side(plane);
     for (const Relation& relation : problem.relations) state(relation);
     share_normals();
   }
@@ -207,7 +210,7 @@ void SceneFrame::find_passing(const ProblemStatement& problem) {
 bool SceneFrame::is_axis_directed(const ProblemStatement& problem) const {
   const int axis = reference_.axis;
   if (axis < 0 || problem.is_line(axis)) return false;
-  if (problem.is_point(axis)) return problem.is_fixed(axis);
+  if (problem.is_point(axis)) return problem.file_frame && given_axis(problem).axis == axis;
   return Turnings(problem).of_plane(problem.plane_of(axis)) < 0;
 }
 

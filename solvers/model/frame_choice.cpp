@@ -184,6 +184,14 @@ GivenAxis given_axis(const ProblemStatement& problem) {
   return given;
 }
 
+bool rests_in_frame(const ProblemStatement& problem, int entity) {
+  if (!problem.is_fixed(entity)) return false;
+  if (!problem.file_frame || problem.reference_body >= 0) return true;
+  const GivenAxis given = given_axis(problem);
+  return problem.reference->origin == given.origin &&
+         (given.origin >= 0 || problem.reference->axis == given.axis);
+}
+
 std::optional<Reference> completing_reference(const ProblemStatement& problem) {
   return Completion(problem, given_axis(problem)).run();
 }

@@ -30,4 +30,8 @@ struct GivenAxis {
 };
 GivenAxis given_axis(const ProblemStatement& problem);
 
+/// Whether a given element stays where the frame has it. Where positions leave motions and say no more than where the
+/// whole is, `reference` may be another frame.
+bool rests_in_frame(const ProblemStatement& problem, int entity);
+
 }  // namespace gcs

@@ -43,10 +43,10 @@ def length(scene, a, b):
 # Lines at given distances from four points: 12 (Macdonald, Pach, Theobald 2001), beside a tetrahedron and its mirror image.
 SIDES = distances(("p", "q", 2.1), ("p", "r", 2.3), ("p", "s", 1.9), ("q", "r", 2.2), ("q", "s", 2.4), ("r", "s", 2.0))
 TANGENT = {"format": "gcsbench-instance/2", "id": "tangent", "dimension": 3, "points": ["p", "q", "r", "s"], "lines": ["L"],
-           "constraints": SIDES + distances(("p", "L", 0.9), ("q", "L", 1.1), ("r", "L", 1.0), ("s", "L", 0.8))}
+           "constraints": SIDES + distances(("p", "L", 0.62), ("q", "L", 0.66), ("r", "L", 0.68), ("s", "L", 0.64))}
 # Lines through a point at given distances from two others: two on each of the four pairs of half cones, which are
 # opposite to each other by twos.
-THROUGH = TANGENT | {"id": "through", "constraints": SIDES + distances(("q", "L", 1.1), ("r", "L", 1.0))}
+THROUGH = TANGENT | {"id": "through", "constraints": SIDES + distances(("q", "L", 1.3), ("r", "L", 1.2))}
 # The four tangents of two circles, beside a triangle and its mirror image.
 FLAT = {"format": "gcsbench-instance/2", "id": "flat", "dimension": 2, "points": ["p", "q", "r"], "lines": ["L"],
         "constraints": distances(("p", "q", 2.1), ("p", "r", 2.3), ("q", "r", 1.9), ("p", "L", 0.4), ("q", "L", 0.7))}
@@ -170,6 +170,56 @@ class PartlyFixed(command_line.CommandLine):
         through = THROUGH | {"constraints": THROUGH["constraints"] + [{"type": "on", "between": ["p", "L"]}]}
         for fixed in [{"L": line}, {"s": on_it}, {"p": on_it}]:
             self.assert_solved(through, fixed, 8)
+
+    def test_other_strategies(self):
+        """Real solutions from starts, sketches and scans: those of homotopies; plans have frames of their own."""
+        place = self.position()
+        octahedron = shipped("octahedron") | {"fixed": {"p4": place}}
+        sketch = json.loads((SOURCE / "instances" / "octahedron.json").read_text())["sketch"]
+        sketched = octahedron | {"sketch": {p: combined(1, x, 1, combined(1, place, -1, sketch["p4"]))
+                                            for p, x in sketch.items()} | {"p4": place}}
+        planes = shipped("octahedral-4p2h") | {"fixed": {"e6": self.plane()}}
+        flat = FLAT | {"fixed": {"L": self.line(dimension=2)}}
+        for scene, strategies in [(sketched, ["newton-multistart", "plan-scan", "explore"]), (planes, ["plan-scan"]),
+                                  (flat, ["newton-multistart", "plan-scan"])]:
+            known = [s for s in self.certified(scene)["solutions"] if s["real"]]
+            self.assertGreater(len(known), 0)
+            for strategy in strategies:
+                found = self.found_by(scene, strategy)
+                self.assertEqual(len(found), len(known))
+                for one in found:
+                    self.assertLess(min(self.off(one, other) for other in known), 1e-9)
+        for strategy in ["full-space", "rcp"]:
+            known = [s for s in self.certified(sketched)["solutions"] if s["real"]]
+            for one in self.found_by(sketched, strategy):
+                self.assertLess(min(self.off(one, other) for other in known), 1e-9)
+
+    def found_by(self, scene, strategy):
+        solutions = self.result(scene, strategy)["solutions"]
+        self.assertGreater(len(solutions), 0)
+        for solution in solutions:
+            self.assert_in_place(solution, scene["fixed"])
+        return solutions
+
+    def off(self, one, other):
+        """How much distances between points differ."""
+        names = sorted(one["points"])
+        return max(abs(math.dist(one["points"][a], one["points"][b]) - math.dist(other["points"][a], other["points"][b]))
+                   for a in names for b in names)
+
+    def test_parts_and_references(self):
+        """A point that hangs on three others has two places for each of the 16 figures; decimals are those of the result."""
+        scene = shipped("octahedron")
+        scene |= {"points": [*scene["points"], "h"],
+                  "constraints": scene["constraints"] + distances(("h", "p1", 1.5), ("h", "p2", 1.4), ("h", "p3", 1.6))}
+        for fixed in ["p5", "h"]:
+            result = self.assert_solved(scene, {fixed: self.position()}, 32, ["monodromy"])
+            done = run("--quiet", "reference", self.folder / "result.json", "--out", "-")
+            self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+            for exact, found in zip(json.loads(done.stdout)["solutions"], result["solutions"], strict=True):
+                self.assertEqual(exact["real"], found["real"])
+                for point, place in found["points"].items() if found["real"] else []:
+                    self.assertLess(math.dist([float(x) for x in exact["points"][point]], place), 1e-9)
 
     def test_in_the_plane(self):
         for fixed in [{"p": self.position(dimension=2)}, {"r": self.position(dimension=2)},

@@ -94,11 +94,14 @@ void read_entities(const JsonCursor& root, InstanceFormat format, ProblemStateme
   problem.fixed_planes.resize(problem.planes.size());
 }
 
-void read_frame(const JsonCursor& root, ProblemStatement& problem) {
+void refuse_two_frames(const JsonCursor& root, const ProblemStatement& problem) {
   const auto reference = root.optional("reference");
   if (reference && problem.has_fixed())
     reference->fail("fixed positions and a reference exclude each other", "give one of the two");
-  if (reference) {
+}
+
+void read_frame(const JsonCursor& root, ProblemStatement& problem) {
+  if (const auto reference = root.optional("reference")) {
     read_reference(*reference, problem);
   } else if (!problem.bodies.empty() && !problem.has_fixed()) {
     problem.reference_body = 0;
@@ -126,6 +129,7 @@ ProblemStatement read_problem(const JsonCursor& root, InstanceFormat format, con
     read_fixed(*fixed, problem);
     if (format == InstanceFormat::distances) require_still(*fixed, problem);
     check_fixed_bodies(*fixed, problem);
+    refuse_two_frames(root, problem);
   }
   read_constraints(root.required("constraints"), format, problem);
   if (const auto fixed = root.optional("fixed"); fixed && format == InstanceFormat::general)

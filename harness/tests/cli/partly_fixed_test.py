@@ -43,7 +43,7 @@ def length(scene, a, b):
 # Lines at given distances from four points: 12 (Macdonald, Pach, Theobald 2001), beside a tetrahedron and its mirror image.
 SIDES = distances(("p", "q", 2.1), ("p", "r", 2.3), ("p", "s", 1.9), ("q", "r", 2.2), ("q", "s", 2.4), ("r", "s", 2.0))
 TANGENT = {"format": "gcsbench-instance/2", "id": "tangent", "dimension": 3, "points": ["p", "q", "r", "s"], "lines": ["L"],
-           "constraints": SIDES + distances(("p", "L", 0.62), ("q", "L", 0.66), ("r", "L", 0.68), ("s", "L", 0.64))}
+           "constraints": SIDES + distances(("p", "L", 1.1), ("q", "L", 1.15), ("r", "L", 1.12), ("s", "L", 1.1))}
 # Lines through a point at given distances from two others: two on each of the four pairs of half cones, which are
 # opposite to each other by twos.
 THROUGH = TANGENT | {"id": "through", "constraints": SIDES + distances(("q", "L", 1.3), ("r", "L", 1.2))}
@@ -220,6 +220,34 @@ class PartlyFixed(command_line.CommandLine):
                 self.assertEqual(exact["real"], found["real"])
                 for point, place in found["points"].items() if found["real"] else []:
                     self.assertLess(math.dist([float(x) for x in exact["points"][point]], place), 1e-9)
+
+    def test_lines_and_planes_without_points(self):
+        """Planes at given angles are three unit vectors with their products, or their mirror image; a line passes another one
+        on either hand; a line across a plane is its own mirror image."""
+        turned = {"format": "gcsbench-instance/2", "id": "turned", "dimension": 3, "points": []}
+
+        def angle(a, b, degrees):
+            return {"type": "angle", "between": [a, b], "degrees": degrees}
+
+        three = turned | {"planes": ["A", "B", "C"],
+                          "constraints": [angle("A", "B", 70), angle("A", "C", 65), angle("B", "C", 80)]}
+        lines = turned | {"lines": ["K", "L"], "constraints": [angle("K", "L", 40), *distances(("K", "L", 0.7))]}
+        across = turned | {"lines": ["K"], "planes": ["A"], "constraints": [angle("K", "A", 40)]}
+        for scene, fixed, count in [(three, {"B": self.plane()}, 2), (lines, {"L": self.line()}, 2),
+                                    (across, {"A": self.plane()}, 1), (across, {"K": self.line()}, 1)]:
+            self.assert_solved(scene, fixed, count, ["monodromy"])
+
+    def test_a_plane_across_a_line(self):
+        """Its normal is the line's direction, whichever of the two is fixed; mirror images are two."""
+        scene = {"format": "gcsbench-instance/2", "id": "across", "dimension": 3, "points": ["p", "q", "r"], "lines": ["K"],
+                 "planes": ["A"], "constraints": [
+                     {"type": "perpendicular", "between": ["K", "A"]},
+                     *distances(("p", "A", 0.5), ("p", "K", 1), ("q", "A", 0.2), ("q", "K", 1.1), ("p", "q", 1.3),
+                                ("r", "p", 1), ("r", "q", 1.2), ("r", "K", 0.8))]}
+        free = self.certified(scene)
+        for fixed in [{"K": self.line()}, {"A": self.plane()}, {"r": self.position()}]:
+            result = self.assert_solved(scene, fixed, 2 * free["counts"]["complex"], ["monodromy"])
+            self.assertEqual(result["counts"]["real"], 2 * free["counts"]["real"])
 
     def test_in_the_plane(self):
         for fixed in [{"p": self.position(dimension=2)}, {"r": self.position(dimension=2)},

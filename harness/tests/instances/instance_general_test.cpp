@@ -30,7 +30,11 @@ TEST_CASE("planes are read with their positions") {
   CHECK_FALSE(problem.fixed_planes.at(1).has_value());
   CHECK(problem.is_fixed(6));
   CHECK_FALSE(problem.is_fixed(7));
-  CHECK(problem.is_anchored());
+  CHECK(problem.has_fixed());
+  CHECK_FALSE(problem.is_anchored());  // a plane and a point leave the turns about the line across it
+  REQUIRE(problem.reference);
+  CHECK(problem.reference->origin == 0);
+  CHECK(problem.reference->axis == 6);
   document["fixed"]["E"]["normal"] = {0, 0, 0};
   check_refused(document, "/fixed/E/normal", "the normal is zero");
   check_refused(with(document, "/fixed/E", {0, 0, 1}), "/fixed/E", "an object is needed");
@@ -229,9 +233,13 @@ TEST_CASE("the frame is that of a body, of the reference or of what is fixed") {
       parsed(with(bodies(), "/reference", {{"origin", "q"}, {"axis", "b1"}, {"plane", "a1"}})).problem;
   CHECK(by_points.reference_body == -1);
   CHECK(by_points.reference->axis == 4);
-  const json anchored = with(bodies(), "/fixed", {{"q", {0, 0, 0}}});
+  const json fixed = with(bodies(), "/fixed", {{"b2", {0, 0, 0}}});
+  CHECK(parsed(fixed).problem.reference_body == 1);
+  check_refused(with(fixed, "/reference", {{"body", "top"}}), "/reference", "exclude each other");
+  const json anchored = with(bodies(), "/fixed", {{"a1", {0, 0, 0}}, {"a2", {0, 3, 0}}, {"a3", {4, 0, 0}}});
   CHECK(parsed(anchored).problem.reference_body == -1);
-  check_refused(with(anchored, "/reference", {{"body", "top"}}), "/reference", "exclude each other");
+  check_refused(with(bodies(), "/fixed", {{"q", {0, 0, 0}}}), "/fixed",
+                "too few elements that are in no body");
 }
 
 TEST_CASE("fixed elements of a body are as it has them") {

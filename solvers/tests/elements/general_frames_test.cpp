@@ -347,3 +347,29 @@ TEST_CASE("in the plane, lines alone or with a point, four by their signs, up to
                    .angle("K", "M", 50),
                2);
 }
+
+// A position that leaves motions: figures that such a motion carries into each other are one, mirror images two.
+
+TEST_CASE("a triangle of which one corner is given, in the plane: itself and its mirror image") {
+  check_counts(Draft(2, 21)
+                   .points({"p", "q", "r"})
+                   .fix_point("q", x)
+                   .distance("p", "q", 1)
+                   .distance("p", "r", 1.2)
+                   .distance("q", "r", 0.9),
+               2);
+}
+
+TEST_CASE("a triangle at distances from a given plane: itself and its mirror image") {
+  check_counts(Draft(3, 22)
+                   .points({"p", "q", "r"})
+                   .planes({"E"})
+                   .fix_plane("E", z, 0.4)
+                   .distance("p", "q", 1)
+                   .distance("p", "r", 1.2)
+                   .distance("q", "r", 0.9)
+                   .distance("p", "E", 0.3)
+                   .distance("q", "E", 0.5)
+                   .distance("r", "E", -0.1),
+               2);
+}

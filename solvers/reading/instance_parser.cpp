@@ -129,9 +129,9 @@ ProblemStatement read_problem(const JsonCursor& root, InstanceFormat format, con
     read_fixed(*fixed, problem);
     if (format == InstanceFormat::distances) require_still(*fixed, problem);
     check_fixed_bodies(*fixed, problem);
-    refuse_two_frames(root, problem);
   }
   read_constraints(root.required("constraints"), format, problem);
+  refuse_two_frames(root, problem);
   if (const auto fixed = root.optional("fixed"); fixed && format == InstanceFormat::general)
     complete_frame(*fixed, problem);
   check_structure(root, format, problem, file);

@@ -18,6 +18,7 @@
 #include "solvers/homotopies/shortcomings.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/wide_reference.hpp"
+#include "solvers/motions/isolation.hpp"
 #include "solvers/motions/motion_finder.hpp"
 
 namespace gcs {
@@ -108,13 +109,15 @@ class ComplexReporter {
  private:
   void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder) {
     const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
-    const Figure figure = is_singular ? singular_figure(distinct[i]) : figure_of(distinct[i], next_to_real);
+    const Figure figure = is_singular ? singular_figure(distinct[i]) : regular_figure(distinct[i]);
     const std::optional<Collapse> loose = finder.loose_at(distinct[i], singular_uncertainty);
     const bool may_move = loose && (is_singular || jacobian_condition(scene_, figure) >= rank_lost);
     if (may_move && finder.lies_on_motion(*loose, distinct[i])) return;
-    const bool is_isolated = !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
+    const bool is_isolated =
+        is_singular ? can_be_isolated(scene_, complex_figure(system_, distinct[i]), distinct.paths(i))
+                    : !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
     missing_.too_far += loses_distances(scene_, figure);
-    missing_.lonely += is_lonely;
+    missing_.lonely += is_lonely && is_isolated;
     missing_.not_isolated += !is_isolated;
     if (!is_isolated && !loose_end_) loose_end_ = distinct[i];
     if (!is_singular)
@@ -253,6 +256,15 @@ class ComplexReporter {
   Figure figure_of(const ComplexVectorX& x, double nearby) const {
     const std::optional<Figure> real = real_figure(x, nearby);
     return real ? *real : complex_figure(system_, x);
+  }
+
+  /// Newton's method stops where the next step is small beside the square root of rounding; along isotropic directions, which
+  /// distances vary with in the first order, that leaves more than rounding.
+  Figure regular_figure(const ComplexVectorX& x) const {
+    const Figure figure = figure_of(x, next_to_real);
+    return figure.is_real() || relative_residual(scene_, figure) <= double_root_residual
+               ? figure
+               : polished(scene_, squares_, figure);
   }
 
   /// The real solution next to x, if there is one.

@@ -70,8 +70,9 @@ class GeneralReporter {
       return;
     }
     missing_.too_far += loses_distances(scene_, figure);
-    missing_.lonely += is_lonely;
-    missing_.not_isolated += is_lonely && judge_.condition(figure) >= rank_lost;
+    const bool is_isolated = !(is_lonely && judge_.condition(figure) >= rank_lost);
+    missing_.not_isolated += !is_isolated;
+    missing_.lonely += is_lonely && is_isolated;
     if (distinct.is_singular(i))
       add_meeting(distinct[i], distinct.paths(i), figure);
     else if (!judge_.is_stiff(figure) || !add(simple_solutions_near(system_, distinct[i], 1), 1))

@@ -27,10 +27,8 @@ std::string Shortcomings::in_words() const {
   if (not_isolated > 0)
     append(
         "the Jacobian loses rank at " + counted(not_isolated, "end") +
-        " without a conjugate: solutions there are not isolated to working precision, as where the scene " +
-        "flexes or nearly does");
-  if (lonely > not_isolated)
-    append("the conjugates of " + counted(lonely - not_isolated, "solution") + " are missing");
+        ": solutions there are not isolated to working precision, as where the scene flexes or nearly does");
+  if (lonely > 0) append("the conjugates of " + counted(lonely, "solution") + " are missing");
   if (too_far > 0)
     append("the coordinates of " + counted(too_far, "end") + " are " + too_large_for_doubles());
   if (in_between > 0)

@@ -15,8 +15,8 @@ struct LostPaths {
 struct Shortcomings {
   std::map<std::string, LostPaths> lost;
   int jumps = 0;         ///< regular ends at which several paths arrived
-  int lonely = 0;        ///< ends without their conjugates
-  int not_isolated = 0;  ///< those of them at which the Jacobian loses rank
+  int not_isolated = 0;  ///< ends at which the Jacobian loses more rank than so many paths explain
+  int lonely = 0;        ///< others without their conjugates
   int in_between = 0;    ///< singular ends that are no multiple solutions
   int too_far = 0;       ///< ends whose coordinates doubles do not hold finely enough
 

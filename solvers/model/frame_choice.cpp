@@ -1,41 +1,12 @@
 #include "solvers/model/frame_choice.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
+
+#include "solvers/model/point_reference.hpp"
 
 namespace gcs {
 namespace {
-
-bool constrained(const std::set<std::pair<int, int>>& pairs, int a, int b) {
-  return pairs.count({std::min(a, b), std::max(a, b)}) > 0;
-}
-
-std::set<std::pair<int, int>> constrained_pairs(const ProblemStatement& problem) {
-  std::set<std::pair<int, int>> pairs;
-  for (const DistanceConstraint& c : problem.constraints)
-    pairs.insert(std::minmax(c.between[0], c.between[1]));
-  return pairs;
-}
-
-/// Origin, axis and (in space) plane: the first that are pairwise constrained, in the order of the
-/// constraints.
-Reference point_reference(const ProblemStatement& problem) {
-  const auto pairs = constrained_pairs(problem);
-  const int n = static_cast<int>(problem.points.size());
-  Reference fallback{0, n > 1 ? 1 : -1, problem.dimension == 3 && n > 2 ? 2 : -1};
-  for (const DistanceConstraint& c : problem.constraints) {
-    if (!problem.is_point(c.between[0]) || !problem.is_point(c.between[1])) continue;
-    Reference candidate{c.between[0], c.between[1]};
-    if (problem.dimension == 2) return candidate;
-    for (int p = 0; p < n; ++p)
-      if (constrained(pairs, p, candidate.origin) && constrained(pairs, p, candidate.axis)) {
-        candidate.plane = p;
-        return candidate;
-      }
-  }
-  return fallback;
-}
 
 /// Whether a constraint gives both one direction.
 bool are_aligned(const ProblemStatement& problem, int a, int b) {

@@ -29,11 +29,17 @@ struct Quotients {
   Number largest_term_of_D, largest_term_of_V;  ///< sums of the terms without their signs
 };
 
+Complex magnitude(const Complex& x) { return std::abs(x); }
+
+Rational magnitude(const Rational& x) { return x.sign() < 0 ? Rational(0) - x : x; }
+
 template <class Number>
 Quotients<Number> in_plane(const Squares<Number>& s) {
   const Number& a = s.base[0];
   const Number X = (s.radii[0] - s.radii[1] + a) / Number(2);
-  return {a, X, Number(0), Number(1), s.radii[0] * a - X * X, s.radii[0] * a + X * X, Number(1)};
+  return {
+      a,        X, Number(0), Number(1), s.radii[0] * a - X * X, magnitude(s.radii[0] * a) + magnitude(X * X),
+      Number(1)};
 }
 
 template <class Number>
@@ -47,8 +53,8 @@ Quotients<Number> in_space(const Squares<Number>& s) {
           Y,
           V,
           s.radii[0] * a * V - X * X * V - Y * Y,
-          s.radii[0] * a * V + X * X * V + Y * Y,
-          a * b + E * E};
+          magnitude(s.radii[0] * a * V) + magnitude(X * X * V) + magnitude(Y * Y),
+          magnitude(a * b) + magnitude(E * E)};
 }
 
 template <class Number>
@@ -65,17 +71,25 @@ int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
 constexpr double stiff = 1e-8;
 
 constexpr const char* collinear = "the points that it hangs on are collinear";
-constexpr const char* coinciding = "two of the points that it hangs on coincide, to rounding";
+constexpr const char* without_distance =
+    "two of the points that it hangs on are at the distance 0, to rounding";
 constexpr const char* nearly_collinear = "the points that it hangs on are collinear, to rounding";
 /// Relative to the terms that cancel: what is smaller is undecided.
 constexpr double least_margin = 1e-9;
 
 constexpr const char* nearly_flat = "it lies, to rounding, in the plane of the points that it hangs on";
 
-HungPlace loose_place(const char* why) {
+/// What relative errors of the squares make of V, each beside the edge's norm, which may be far larger: edges of complex
+/// figures may be isotropic.
+double spread_of_V(const Squares<Complex>& squares, const std::array<double, 3>& norms) {
+  const double a = std::abs(squares.base[0]), b = std::abs(squares.base[1]);
+  return norms[0] * b + norms[1] * a +
+         (norms[0] + norms[1] + norms[2]) * std::abs(squares.base[0] + squares.base[1] - squares.base[2]) / 2;
+}
+
+HungPlace undecided_place(const char* why) {
   HungPlace place;
   place.undecided = why;
-  place.is_loose = true;
   return place;
 }
 
@@ -101,7 +115,7 @@ HungPlace exact_place(const Scene& scene, const Part& hung) {
   for (int i = 0; i < scene.dimension(); ++i)
     squares.radii[i] = rational(given_square(scene, hung.constraints[i]));
   const Quotients<Rational> q = quotients(scene.dimension(), squares);
-  if (q.V.sign() == 0) return loose_place(collinear);
+  if (q.V.sign() == 0) return undecided_place(collinear);
   HungPlace place;
   const Rational square = q.D / (q.a * (scene.dimension() == 2 ? q.a : q.V * q.V));
   place.is_real = square.sign() >= 0;
@@ -116,9 +130,11 @@ HungPlace exact_place(const Scene& scene, const Part& hung) {
 
 HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& base, double condition) {
   Squares<Complex> squares{};
+  std::array<double, 3> norms{};
   for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair) {
     const Eigen::Vector3cd edge = base.col(base_pairs[pair][1]) - base.col(base_pairs[pair][0]);
     squares.base[pair] = (edge.array() * edge.array()).sum();
+    norms[pair] = edge.squaredNorm();
   }
   for (int i = 0; i < scene.dimension(); ++i) {
     const double radius = scene.target_lengths()[hung.constraints[i]];
@@ -129,15 +145,14 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
   for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair)
     shortest = std::min(shortest, std::sqrt(std::abs(squares.base[pair])));
   // Relative errors of the base's edges, a thousand times.
-  const double margin = std::max(
-      least_margin, 1e3 * std::numeric_limits<double>::epsilon() * condition * scene.size() / shortest);
-  if (!(margin < 1)) return loose_place(coinciding);
-  if (std::abs(q.V) <= margin * std::abs(q.largest_term_of_V)) return loose_place(nearly_collinear);
+  constexpr double rounding = 1e3 * std::numeric_limits<double>::epsilon();
+  const double margin = std::max(least_margin, rounding * condition * scene.size() / shortest);
+  if (!(margin < 1) || std::abs(q.a) <= rounding * norms[0]) return undecided_place(without_distance);
+  if (std::abs(q.V) <=
+      std::max(margin * std::abs(q.largest_term_of_V), rounding * spread_of_V(squares, norms)))
+    return undecided_place(nearly_collinear);
+  if (std::abs(q.D) <= margin * std::abs(q.largest_term_of_D)) return undecided_place(nearly_flat);
   HungPlace place;
-  if (std::abs(q.D) <= margin * std::abs(q.largest_term_of_D)) {
-    place.undecided = nearly_flat;
-    return place;
-  }
   const Complex square = q.D / (q.a * (scene.dimension() == 2 ? q.a : q.V * q.V));
   place.is_real = base.imag().isZero(0) && square.real() > 0;
   place.is_stiff = std::abs(q.D) <= stiff * std::abs(q.largest_term_of_D) ||

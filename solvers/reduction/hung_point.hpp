@@ -20,7 +20,6 @@ struct HungPlace {
   bool is_flat = false;   ///< the point is its own mirror image: a double solution
   bool is_stiff = false;  ///< it is nearly flat, or its base nearly collinear
   std::string undecided;  ///< why it cannot be told where the point is, in words; else empty
-  bool is_loose = false;  ///< since its base is collinear, to rounding at least: the point may turn about it
 };
 
 /// Why nothing is placed on the part's base: its points are collinear, or so nearly that rounding decides;

@@ -14,6 +14,7 @@
 #include "solvers/reduction/part_reports.hpp"
 #include "solvers/reduction/placed_scene.hpp"
 #include "solvers/reduction/solution_product.hpp"
+#include "solvers/running/words.hpp"
 #include "solvers/structure/decomposition.hpp"
 
 namespace gcs {
@@ -238,33 +239,26 @@ class ReducedStrategy final : public Strategy {
     const std::vector<Part> parts = parts_of(request);
     if (parts.size() == 1) return strategy(0).solve(request);
     if (split_ == Split::hung_points) return solve_on_path(request, parts);
-    SolvedParts solved = solve_parts(request, parts);
-    return is_open(request.scene, solved.report) ? in_one_piece(request, std::move(solved)) : solved.report;
+    SolveReport report = solve_parts(request, parts);
+    return is_open(request.scene, report) ? in_one_piece(request, std::move(report)) : report;
   }
 
-  struct SolvedParts {
-    SolveReport report;
-    bool has_loose_points = false;  ///< as SolutionProduct says
-  };
-
-  /// Where points coincide, parts do not say whether the whole moves, and where a point is flat, not where it is. So small
-  /// scenes take no second in one piece.
+  /// Where points coincide, or a base is collinear, parts do not say whether the whole moves, and where a point is flat, not
+  /// where it is. So small scenes take no second in one piece.
   static bool is_open(const Scene& scene, const SolveReport& report) {
     constexpr int most_points = 12;
     const bool is_unsettled = report.status == SolveStatus::partial || report.status == SolveStatus::infinite;
     return is_unsettled && report.claim == Claim::all_complex && scene.point_count() <= most_points;
   }
 
-  /// The answer in one piece where that has motions, or is complete and no point may turn; otherwise that of the parts.
-  SolveReport in_one_piece(const SolveRequest& request, SolvedParts parts) {
-    if (strategies_.front()->why_unsupported(request)) return parts.report;
+  /// The answer in one piece where that has motions or is complete; otherwise that of the parts.
+  SolveReport in_one_piece(const SolveRequest& request, SolveReport parts) {
+    if (strategies_.front()->why_unsupported(request)) return parts;
     SolveRequest alone = request;
     alone.starts = &no_starts_;
     SolveReport whole = make_()->solve(alone);
-    const bool may_be_complete = parts.report.status == SolveStatus::partial && !parts.has_loose_points;
-    const bool is_settled =
-        !whole.motions.empty() || (may_be_complete && whole.status == SolveStatus::complete);
-    return is_settled ? whole : parts.report;
+    const bool is_settled = !whole.motions.empty() || whole.status == SolveStatus::complete;
+    return is_settled ? whole : parts;
   }
 
   /// Each part by a strategy of its own, which takes it apart further where it can.
@@ -322,7 +316,7 @@ class ReducedStrategy final : public Strategy {
     return with_hung_points(request.scene, parts, std::move(report));
   }
 
-  SolvedParts solve_parts(const SolveRequest& request, const std::vector<Part>& parts) {
+  SolveReport solve_parts(const SolveRequest& request, const std::vector<Part>& parts) {
     std::vector<SolveReport> reports;
     std::vector<std::vector<PartSolution>> solved;
     SolveReport whole;
@@ -348,7 +342,7 @@ class ReducedStrategy final : public Strategy {
     SolutionProduct product(request.scene, parts, std::move(solved));
     multiply(request, product, whole);
     whole.totals->generic = generic_classes(reports, parts.size());
-    return {std::move(whole), product.has_loose_points()};
+    return whole;
   }
 
   /// Counts, and lists as many as asked for.
@@ -366,10 +360,16 @@ class ReducedStrategy final : public Strategy {
       for (Candidate& candidate : product.list(false, limit - whole.candidates.size()))
         whole.candidates.push_back(std::move(candidate));
     if (!claims_all(whole.claim)) totals.real.reset();  // it is the number of those that were found
-    for (const std::string& sentence : product.undecided())
+    std::vector<std::string> undecided = product.undecided();
+    const auto lost = std::ranges::count_if(whole.candidates, [&](const Candidate& candidate) {
+      return loses_distances(request.scene, candidate.figure);
+    });
+    if (lost > 0)
+      undecided.push_back("the coordinates of " + counted(lost, "solution") + " are " +
+                          too_large_for_doubles());
+    for (const std::string& sentence : undecided)
       whole.reason += (whole.reason.empty() ? "" : "; ") + sentence;
-    if (!product.undecided().empty() && whole.status == SolveStatus::complete)
-      whole.status = SolveStatus::partial;
+    if (!undecided.empty() && whole.status == SolveStatus::complete) whole.status = SolveStatus::partial;
   }
 
   Split split_;  ///< what follows S from the sketch leaves rigid parts together

@@ -66,7 +66,6 @@ void SolutionProduct::leave_out_collinear_bases() {
     const std::string why = why_not_on_base(scene_, parts_[part]);
     if (why.empty()) continue;
     note(scene_.problem().name(parts_[part].points.front()) + " and others are not placed: " + why);
-    has_loose_points_ = true;
     solutions_[part].clear();
   }
 }
@@ -156,7 +155,6 @@ std::vector<PartSolution> SolutionProduct::placed(int part, const HungPlace& pla
     return {
         {{place.coordinates}, {}, place.is_real, place.is_flat, place.is_stiff, 1, place.is_flat ? 2 : 1}};
   note(scene_.problem().name(parts_[part].points.front()) + " is not placed: " + place.undecided);
-  has_loose_points_ = has_loose_points_ || place.is_loose;
   return {};
 }
 

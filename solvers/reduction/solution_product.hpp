@@ -45,8 +45,6 @@ class SolutionProduct {
   /// Sentences about points that could not be placed, and about what took too long, each once. What is
   /// counted and listed is without them.
   const std::vector<std::string>& undecided() const { return undecided_; }
-  /// Whether one of these points may turn about a base that is collinear.
-  bool has_loose_points() const { return has_loose_points_; }
 
  private:
   struct Choice {
@@ -92,7 +90,6 @@ class SolutionProduct {
   std::vector<Choice> choices_;
   Simplex positions_;  ///< of all points, as chosen
   std::vector<std::string> undecided_;
-  bool has_loose_points_ = false;
 
   std::int64_t visits_ = 0;
   std::size_t limit_ = 0;

@@ -282,6 +282,22 @@ TEST_CASE("the default reference is the first triple of pairwise constrained poi
   CHECK(Scene::unchecked(problem).reference().plane == 3);
 }
 
+TEST_CASE("three points in a line are no frame where others are") {
+  // 0, 1 and 2 are; 1, 2 and 3 are not.
+  const samples::Edges edges{{0, 1}, {1, 2}, {0, 2}, {1, 3}, {2, 3}};
+  const Reference triangle = Scene::unchecked(samples::problem_of(3, 4, edges, {1, 2, 3, 2, 2})).reference();
+  CHECK(triangle.origin == 1);
+  CHECK(triangle.axis == 2);
+  CHECK(triangle.plane == 3);
+  // 3 is constrained with 0 and 1 alone.
+  const Reference loose =
+      Scene::unchecked(samples::problem_of(3, 4, {{0, 1}, {1, 2}, {0, 2}, {0, 3}}, {0.1, 0.2, 0.3, 1}))
+          .reference();
+  CHECK(loose.origin == 0);
+  CHECK(loose.axis == 1);
+  CHECK(loose.plane == 3);
+}
+
 TEST_CASE("a graph without triangles is put into a frame by its first points") {
   samples::Edges edges;
   for (int a = 0; a < 4; ++a)

@@ -114,3 +114,19 @@ TEST_CASE("a point that is flat to rounding, or on a collinear base, is not plac
   line(0, 2) = 2;
   CHECK(measured_place(scene, hung, line).undecided.find("collinear") != std::string::npos);
 }
+
+TEST_CASE(
+    "a point is not placed on three whose plane has an isotropic normal in it, or two of which are at the "
+    "distance 0") {
+  const Scene scene(samples::between(3, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}},
+                                     RandomNumbers(5).points(3, 4, 1), RandomNumbers(6).points(3, 4, 1)));
+  const Part hung{{0, 1, 2}, {-1, -1, -1}, {3}, {3, 4, 5}};
+  const std::complex<double> i(0, 1);
+  Simplex base = Simplex::Zero(3, 3);
+  base.col(1) << 0.7, 0, 0;
+  base.col(2) << 0.3, 1e3, 1e3 * i;
+  CHECK(measured_place(scene, hung, base).undecided.find("collinear") != std::string::npos);
+  base.col(1) << 0, 0.5, 0.5 * i;
+  base.col(2) << 0.3, 0.2, 0.1;
+  CHECK(measured_place(scene, hung, base).undecided.find("the distance 0") != std::string::npos);
+}

@@ -208,19 +208,24 @@ class MonodromyStrategy final : public ComplexStrategy {
     const auto progress = [&](int count) {
       report_progress(request, "solutions at random lengths", most > 0 ? count / most : -1);
     };
+    MonodromyOptions options = search_;
     const auto search_in = [&](const HomotopyFamily& family, const std::optional<std::uint64_t>& all) {
-      return search_by_monodromy(family, found.tracking, {all, nullptr}, search_, found.random, stopped,
+      return search_by_monodromy(family, found.tracking, {all, nullptr}, options, found.random, stopped,
                                  progress, found.work);
     };
-    if (follows_mirror_images()) {
+    const auto all_found = [&] {
+      if (!follows_mirror_images()) return search_in(found.family(), found.limit);
       const auto all = found.limit ? std::optional(*found.limit * images) : std::nullopt;
-      found.generic = search_in(all_lengths(found.system, divided_by_none(found.axes)), all);
-      found.generic.solutions = one_of_each_class(found.generic.solutions, found.axes, found.random);
-    } else {
-      found.generic = search_in(found.family(), found.limit);
-    }
-    for (int i = 0; with_trace_ && i < most_trace_tests && !found.missing().empty(); ++i)
+      GenericSolutions generic = search_in(all_lengths(found.system, divided_by_none(found.axes)), all);
+      generic.solutions = one_of_each_class(generic.solutions, found.axes, found.random);
+      return generic;
+    };
+    found.generic = all_found();
+    for (int i = 0; with_trace_ && i < most_trace_tests && !found.missing().empty() && !stopped(); ++i) {
       found.trace = test(request, found);
+      options.arcs *= 2;
+      if (!found.missing().empty() && !stopped()) found.generic = all_found();
+    }
   }
 
   TraceTest test(const SolveRequest& request, Found& found) const {
@@ -233,7 +238,7 @@ class MonodromyStrategy final : public ComplexStrategy {
         [&](int) { report_progress(request, "points for the trace test", -1); }, found.work);
   }
 
-  /// A test may fail for want of arcs or by rounding, and another random one does not.
+  /// A test may fail for want of arcs or by rounding, and another random one does not; so may a search.
   static constexpr int most_trace_tests = 3;
   /// Its parameters have no common factor to turn by, which leaves the mixing to the arcs' bends.
   static constexpr double trace_bend = 8;

@@ -109,7 +109,7 @@ class ComplexReporter {
  private:
   void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder) {
     const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
-    const Figure figure = is_singular ? singular_figure(distinct[i]) : regular_figure(distinct[i]);
+    const Figure figure = is_singular ? singular_figure(distinct[i]) : figure_of(distinct[i], next_to_real);
     const std::optional<Collapse> loose = finder.loose_at(distinct[i], singular_uncertainty);
     const bool may_move = loose && (is_singular || jacobian_condition(scene_, figure) >= rank_lost);
     if (may_move && finder.lies_on_motion(*loose, distinct[i])) return;
@@ -256,15 +256,6 @@ class ComplexReporter {
   Figure figure_of(const ComplexVectorX& x, double nearby) const {
     const std::optional<Figure> real = real_figure(x, nearby);
     return real ? *real : complex_figure(system_, x);
-  }
-
-  /// Newton's method stops where the next step is small beside the square root of rounding; along isotropic directions, which
-  /// distances vary with in the first order, that leaves more than rounding.
-  Figure regular_figure(const ComplexVectorX& x) const {
-    const Figure figure = figure_of(x, next_to_real);
-    return figure.is_real() || relative_residual(scene_, figure) <= double_root_residual
-               ? figure
-               : polished(scene_, squares_, figure);
   }
 
   /// The real solution next to x, if there is one.

@@ -151,8 +151,9 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   WorkCounters work = start.work;
   const ComplexVectorX squares = given_squares(request.scene);
   const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(start.system, squares, x); };
-  const std::vector<PathEnd> ends = follow_to_end(start.tracking, start.solutions(), start.squares(), squares,
-                                                  is_zero, stopped, progress, work);
+  std::vector<PathEnd> ends = follow_to_end(start.tracking, start.solutions(), start.squares(), squares,
+                                            is_zero, stopped, progress, work);
+  settle(start.system, squares, ends);
   std::mt19937_64 random(request.seed);
   SolveReport report = complex_report(request.scene, start.coordinates, ends, work, random);
   add_start(start, report);

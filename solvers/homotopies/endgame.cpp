@@ -118,8 +118,10 @@ CircleReading read_circle(const std::vector<ComplexVectorX>& samples, double rad
   return reading;
 }
 
-/// The end is regular where the method settles and a pivoting factorisation is regular.
-void settle_one(const MonomialSystem& system, const ComplexVectorX& coefficients, PathEnd& end) {
+/// The end is regular where Newton's method settles and a pivoting factorisation is regular. `value_at`, `jacobian_at`:
+/// functions of x, the one with the factor that the other has.
+template <class Value, class Jacobian>
+void settle_one(const Value& value_at, const Jacobian& jacobian_at, PathEnd& end) {
   constexpr int most_iterations = 6;
   constexpr double settled = 1e-13,
                    least_rcond = 1e-10;  // relative to 1 + the largest |x_i|; reciprocal condition
@@ -127,9 +129,8 @@ void settle_one(const MonomialSystem& system, const ComplexVectorX& coefficients
   const auto n = static_cast<Eigen::Index>(end.x.size());
   ComplexVectorX x = end.x;
   for (int i = 0; i < most_iterations; ++i) {
-    const ComplexVectorX jacobian = jacobian_at(system, coefficients, x);
+    const ComplexVectorX jacobian = jacobian_at(x), value = value_at(x);
     const Eigen::PartialPivLU<Rows> factors(Eigen::Map<const Rows>(jacobian.data(), n, n));
-    const ComplexVectorX value = values_at(system, coefficients, x).value;
     const Eigen::VectorXcd change = factors.solve(Eigen::Map<const Eigen::VectorXcd>(value.data(), n));
     for (Eigen::Index v = 0; v < n; ++v) x[static_cast<std::size_t>(v)] -= change[v];
     if (!(factors.rcond() > least_rcond) || !change.allFinite()) return;
@@ -138,6 +139,10 @@ void settle_one(const MonomialSystem& system, const ComplexVectorX& coefficients
     end.x = x;
     return;
   }
+}
+
+bool may_be_regular(const PathEnd& end) {
+  return end.kind == PathEnd::Kind::singular && end.winding_number == 1;
 }
 
 struct ActivePath {
@@ -355,8 +360,23 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
 }
 
 void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, std::vector<PathEnd>& ends) {
+  const auto value = [&](const ComplexVectorX& x) { return values_at(system, coefficients, x).value; };
+  const auto jacobian = [&](const ComplexVectorX& x) { return jacobian_at(system, coefficients, x); };
   for (PathEnd& end : ends)
-    if (end.kind == PathEnd::Kind::singular && end.winding_number == 1) settle_one(system, coefficients, end);
+    if (may_be_regular(end)) settle_one(value, jacobian, end);
+}
+
+void settle(const SquareSystem& system, const ComplexVectorX& squares, std::vector<PathEnd>& ends) {
+  const auto value = [&](const ComplexVectorX& x) {
+    ComplexVectorX off = squares_at(system, x);
+    for (std::size_t e = 0; e < off.size(); ++e) off[e] = (off[e] - squares[e]) / 2.0;
+    return off;
+  };
+  const auto jacobian = [&](const ComplexVectorX& x) { return jacobian_at(system, x); };
+  for (PathEnd& end : ends) {
+    const bool is_rough = end.kind == PathEnd::Kind::regular && !is_zero_at(system, squares, end.x);
+    if (may_be_regular(end) || is_rough) settle_one(value, jacobian, end);
+  }
 }
 
 }  // namespace gcs

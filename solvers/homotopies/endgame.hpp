@@ -38,7 +38,9 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work);
 
-/// Newton's method on ends that the trackers, whose order of elimination is fixed, did not take for regular ones.
+/// Newton's method on ends that the trackers, whose order of elimination is fixed, did not take for regular ones or, where
+/// small pivots enlarge rounding, left beside them.
 void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, std::vector<PathEnd>& ends);
+void settle(const SquareSystem& system, const ComplexVectorX& squares, std::vector<PathEnd>& ends);
 
 }  // namespace gcs

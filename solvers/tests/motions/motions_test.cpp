@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "solvers/counting/laman_graphs.hpp"
 #include "solvers/model/complex_points.hpp"
@@ -217,4 +218,35 @@ TEST_CASE("no minimally rigid graph of up to six points has unexplained ends whe
     }
   CHECK(graphs == 1 + 3 + 13);  // OEIS A227117
   CHECK(infinite > 0);
+}
+
+// Bars along which steps without pivots lose digits, points that lie between two that they hang on, and loops that lead back
+// to half of the solutions.
+TEST_CASE(
+    "graphs with unit lengths are settled whose paths end beside solutions, or are found by few loops") {
+  const Edges found_by_halves{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}, {1, 2},
+                              {1, 3}, {1, 5}, {2, 4}, {3, 6}, {4, 6}};
+  const Edges twice_flat{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}, {1, 3}, {1, 6},
+                         {2, 4}, {2, 7}, {3, 5}, {3, 6}, {4, 5}, {5, 7}};
+  const Edges in_space{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}, {1, 2}, {1, 3}, {1, 4}, {1, 6},
+                       {2, 3}, {2, 5}, {2, 7}, {3, 6}, {3, 7}, {4, 5}, {4, 6}, {5, 7}, {6, 7}};
+  for (const auto& [dimension, points, edges] :
+       {std::tuple(2, 7, found_by_halves), std::tuple(2, 8, twice_flat), std::tuple(3, 8, in_space)}) {
+    const Answer answer = solve(
+        Scene(problem_of(dimension, points, edges, std::vector<double>(edges.size(), 1))), "monodromy", {});
+    INFO(answer.reason);
+    CHECK(answer.status == RunStatus::complete);
+    CHECK(answer.failed_checks.empty());
+    // At generic lengths 2^(points − 3) classes: every point after the first triangle or tetrahedron has two sides.
+    std::int64_t classes = 0;
+    for (const AssessedSolution& solution : answer.solutions) classes += solution.multiplicity;
+    CHECK(classes == (dimension == 2 ? 1 << (points - 3) : 32));
+  }
+  const Edges lost_conjugate{{0, 2}, {0, 3}, {0, 4}, {0, 5}, {1, 2}, {1, 3}, {1, 6},
+                             {1, 7}, {2, 3}, {4, 5}, {4, 6}, {5, 7}, {6, 7}};
+  const Answer moving = solve(Scene(with_unit_lengths(8, lost_conjugate)), "monodromy", {});
+  CHECK(moving.status == RunStatus::infinite);
+  CHECK_THAT(moving.reason, !Catch::Contains("missing"));
+  CHECK(moving.failed_checks.empty());
+  for (const AssessedSolution& solution : moving.solutions) CHECK(solution.is_real());
 }

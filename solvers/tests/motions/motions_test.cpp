@@ -237,7 +237,8 @@ TEST_CASE(
     INFO(answer.reason);
     CHECK(answer.status == RunStatus::complete);
     CHECK(answer.failed_checks.empty());
-    // At generic lengths 2^(points − 3) classes: every point after the first triangle or tetrahedron has two sides.
+    // As many as at generic lengths: in the plane every point after the first triangle has two sides, in space the m-Bézout
+    // bound says so.
     std::int64_t classes = 0;
     for (const AssessedSolution& solution : answer.solutions) classes += solution.multiplicity;
     CHECK(classes == (dimension == 2 ? 1 << (points - 3) : 32));

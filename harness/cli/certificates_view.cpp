@@ -12,11 +12,24 @@ std::string limit_text(const Proofs& proofs) {
                      proofs.limit->decimal());
 }
 
-/// Whether so many proven classes are all there are.
-std::string completeness(const Proofs& proofs, std::uint64_t classes) {
+/// Whether so many proven classes, and those at infinity, are all there are.
+std::string completeness(const Proofs& proofs, std::uint64_t classes, std::uint64_t at_infinity = 0) {
   if (!proofs.limit) return "found, not proven: no exact number and no upper bound is known";
-  if (proofs.meets_limit(classes)) return fmt::format("proven: {} is met", limit_text(proofs));
-  return fmt::format("found, not proven: {} certified, and {}", classes, limit_text(proofs));
+  const std::string beyond = at_infinity > 0 ? fmt::format(" and {} at infinity", at_infinity) : "";
+  if (proofs.meets_limit(classes + at_infinity))
+    return fmt::format("proven: {} is met{}", limit_text(proofs),
+                       beyond.empty() ? "" : fmt::format(" by {}{}", classes, beyond));
+  return fmt::format("found, not proven: {} certified{}, and {}", classes, beyond, limit_text(proofs));
+}
+
+/// Empty where no solution was looked for at infinity.
+std::string infinity_text(const Proofs& proofs) {
+  if (proofs.at_infinity == 0 && proofs.why_not_at_infinity.empty()) return "";
+  std::string text =
+      fmt::format("{} proven at infinity, simple there, and finite at lengths next to the given ones",
+                  proofs.at_infinity);
+  if (!proofs.why_not_at_infinity.empty()) text += "; not all: " + proofs.why_not_at_infinity;
+  return summary_line("escaped", text);
 }
 
 }  // namespace
@@ -31,8 +44,10 @@ std::string certificates_text(const Proofs& proofs, std::size_t solutions, bool 
     text += summary_line("clusters", fmt::format("{} solutions stand for {}, counted with multiplicities, "
                                                  "that are not told apart",
                                                  proofs.clusters, proofs.in_clusters));
+  text += infinity_text(proofs);
   if (lists_all_complex)
-    text += summary_line("all complex", completeness(proofs, proofs.classes + proofs.in_clusters));
+    text += summary_line("all complex",
+                         completeness(proofs, proofs.classes + proofs.in_clusters, proofs.at_infinity));
   if (proofs.generic)
     text += summary_line("all generic", fmt::format("{} classes certified; {}", *proofs.generic,
                                                     completeness(proofs, *proofs.generic)));

@@ -184,6 +184,7 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs) {
                         {"real", json_count(p.real)},
                         {"clusters", json_count(p.clusters)},
                         {"in_clusters", json_count(p.in_clusters)},
+                        {"at_infinity", json_count(p.at_infinity)},
                         {"most_bits", json_number(p.most_bits)},
                         {"generic", json_or_null(p.generic, count)},
                         {"limit", json_or_null(p.limit, count)},
@@ -214,6 +215,9 @@ void write_result(const Instance& instance, const SolveRun& run, const Environme
   document.member("failed_checks", json_array_of(run.failed_checks, failed_check_value));
   document.list("solutions", run.solutions,
                 [&](const AssessedSolution& s) { return solution_value(instance.problem, s); });
+  document.list("escaping", run.escaping, [&](const Figure& figure) {
+    return json_object({{"points", json_points(instance.problem, figure)}});
+  });
   document.member("path", path_value(run));
   document.member("graph", graph_value(instance.problem, run));
   document.member("ends", json_array_of(run.ends, ends_value));

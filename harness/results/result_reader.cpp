@@ -91,6 +91,9 @@ Answer read_answer(const JsonCursor& root, const Scene& scene) {
   read.named("claim", answer.claim, all_claims);
   for (const JsonCursor& solution : root.required("solutions").elements())
     answer.solutions.push_back(read_solution(solution, scene));
+  if (const auto escaping = root.optional("escaping"))
+    for (const JsonCursor& figure : escaping->elements())
+      answer.escaping.push_back(read_figure(figure, scene.problem(), false));
   if (const auto path = root.optional("path"))
     answer.crossings = read_crossings(*path, answer.solutions.size());
   return answer;

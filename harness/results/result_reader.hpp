@@ -12,7 +12,7 @@ namespace gcs {
 struct StoredResult {
   Instance instance;
   Scene scene;
-  Answer answer = {};  ///< strategy, status, reason, claim, solutions, crossings and counts; nothing else
+  Answer answer = {};        ///< strategy, status, reason, claim, solutions, escaping, crossings and counts
   ResultCounts stated = {};  ///< the counts in the words of the file
 };
 

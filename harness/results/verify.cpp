@@ -24,7 +24,7 @@ constexpr int precise_bits = 128;
 class Verifier {
  public:
   Verifier(const StoredResult& result, int threads, Monitor* monitor)
-      : result_(result), scene_(result.scene), equations_(scene_) {
+      : result_(result), scene_(result.scene), threads_(threads), monitor_(monitor), equations_(scene_) {
     for (const AssessedSolution& solution : result.answer.solutions) figures_.push_back(solution.figure);
     proofs_ = prove_solutions(equations_, figures_, threads, monitor);
     standings_.assign(proofs_.size(), Standing::as_stated);
@@ -223,11 +223,14 @@ class Verifier {
       proofs.most_bits = std::max(proofs.most_bits, certificate.bits);
     }
     count_clusters(proofs_, proofs);
+    prove_escaping(scene_, result_.answer.escaping, threads_, monitor_, proofs);
     set_limit(theoretical_counts(scene_.problem()), proofs);
   }
 
   const StoredResult& result_;
   const Scene& scene_;
+  int threads_;
+  Monitor* monitor_;
   const SceneEquations equations_;
   const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
   std::vector<Figure> figures_;

@@ -228,6 +228,10 @@ void Assessor::count() {
   recount(assessment_);
   counts.at_infinity = report_.at_infinity;
   assessment_.ends = ends_of(report_.paths);
+  for (const Figure& figure : report_.escaping)
+    if (!scene_.problem().is_general() && !scene_.has_lines() &&
+        figure.points.cols() == scene_.point_count() && figure.imaginary.cols() == scene_.point_count())
+      assessment_.escaping.push_back(scene_.in_file_unit(figure));
   if (report_.paths.empty()) return;
   const auto ended = [this](auto... ends) {
     return std::count_if(report_.paths.begin(), report_.paths.end(),

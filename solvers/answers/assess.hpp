@@ -67,6 +67,9 @@ struct Proofs {
   std::uint64_t clusters = 0;     ///< solutions that are proven to stand for several (ball_cluster.hpp)
   std::uint64_t in_clusters = 0;  ///< so many, with multiplicities
   int most_bits = 0;              ///< the highest precision that a proof took
+  /// Solutions proven to be at infinity here and finite at generic lengths (solutions_at_infinity.hpp).
+  std::uint64_t at_infinity = 0;
+  std::string why_not_at_infinity;  ///< of ends there that are not proven, in words; empty where all are
   /// Solutions proven in the same way at the strategy's generic lengths.
   std::optional<std::uint64_t> generic;
   std::optional<Natural> limit;  ///< no lengths have more isolated solutions; empty: not known
@@ -74,10 +77,10 @@ struct Proofs {
 
   /// So many proven solutions are all there are.
   bool meets_limit(std::uint64_t count) const;
-  /// Those that the list stands for are.
-  bool are_complete() const { return meets_limit(classes + in_clusters); }
+  /// Those that the list stands for are, with those at infinity, which lengths next to these bring back.
+  bool are_complete() const { return meets_limit(classes + in_clusters + at_infinity); }
   /// So many of them are real, and no more: of those in clusters it is not known.
-  bool decide_real() const { return meets_limit(classes) && undecided == 0; }
+  bool decide_real() const { return meets_limit(classes + at_infinity) && undecided == 0; }
 };
 
 struct Assessment {
@@ -90,6 +93,7 @@ struct Assessment {
   Counts counts;
   std::vector<PathEnds> ends;   ///< of all paths
   std::vector<Motion> motions;  ///< beside the solutions, which are isolated then; figures in the file's unit
+  std::vector<Figure> escaping;  ///< as in SolveReport, of nothing but points, in the file's unit
   std::vector<FailedCheck> failed_checks;
   std::optional<Proofs> proofs;  ///< empty unless asked for (see certify)
 

@@ -9,6 +9,7 @@
 #include "solvers/certificates/coincidences.hpp"
 #include "solvers/certificates/enclosed_point.hpp"
 #include "solvers/certificates/scene_equations.hpp"
+#include "solvers/certificates/solutions_at_infinity.hpp"
 #include "solvers/model/figure_in_frame.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
@@ -210,7 +211,20 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   if (generic)
     proofs.generic = proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions,
                                     threads, monitor, stop);
+  prove_escaping(scene, assessment.escaping, threads, monitor, proofs, stop);
   set_limit(limits, proofs);
+}
+
+void prove_escaping(const Scene& scene, const std::vector<Figure>& escaping, int threads, Monitor* monitor,
+                    Proofs& proofs, const std::stop_token& stop) {
+  if (escaping.empty()) return;
+  if (monitor != nullptr) monitor->progress("proving solutions at infinity", 0);
+  std::vector<Figure> near;
+  for (const Figure& figure : escaping) near.push_back(scene.in_scene_unit(figure));
+  ProvenAtInfinity proven = prove_at_infinity(scene, near, threads, stop);
+  proofs.at_infinity = proven.classes;
+  proofs.why_not_at_infinity = std::move(proven.why_not_all);
+  proofs.most_bits = std::max(proofs.most_bits, proven.most_bits);
 }
 
 void set_limit(const TheoreticalCounts& limits, Proofs& proofs) {

@@ -44,6 +44,10 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
 SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
                          const Figure& figure, const Certificate& certificate);
 
+/// Sets proofs.at_infinity, of Assessment::escaping. `monitor` may be null.
+void prove_escaping(const Scene& scene, const std::vector<Figure>& escaping, int threads, Monitor* monitor,
+                    Proofs& proofs, const std::stop_token& stop = {});
+
 /// Sets what no list is longer than.
 void set_limit(const TheoreticalCounts& limits, Proofs& proofs);
 

@@ -233,6 +233,7 @@ class ComplexReporter {
 
   void add_path(const PathEnd& end) {
     report_.paths.push_back(path_record(end));
+    if (end.kind == PathEnd::Kind::at_infinity) report_.escaping.push_back(complex_figure(system_, end.x));
     if (end.kind != PathEnd::Kind::failed) return;
     LostPaths& lost = missing_.lost[end.cause];
     ++lost.count;

@@ -298,7 +298,7 @@ class Endgame {
       return;
     const double change = distance(before.leading, now.leading) / largest(now.leading);
     if (now.kind == CircleReading::Kind::pole && now.is_at_infinity() && change <= agreed_pole)
-      ends_[path.number] = {PathEnd::Kind::at_infinity, {}, now.winding_number, now.pole_order, true, ""};
+      ends_[path.number] = {PathEnd::Kind::at_infinity, path.x, now.winding_number, now.pole_order, true, ""};
     if (now.kind != CircleReading::Kind::finite || change > agreed_end) return;
     if (may_lie_between(now, radius))
       path.between = now;

@@ -22,7 +22,7 @@ inline constexpr double regular_uncertainty = 1e-12;
 struct PathEnd {
   enum class Kind { regular, singular, at_infinity, failed, stopped };
   Kind kind = Kind::failed;
-  ComplexVectorX x;         ///< of a finite end
+  ComplexVectorX x;         ///< of a finite end; at infinity the path's point on the last circle
   int winding_number = 1;   ///< w
   int pole_order = 0;       ///< k: at infinity like σ^(−k/w)
   bool is_settled = false;  ///< Newton's method was tried on it

@@ -25,6 +25,7 @@ SolveReport carried_back(const ReleasedScene& released, const Scene& given, Solv
   }
   if (report.generic) *report.generic >>= released.doublings();
   report.generic_member.reset();
+  report.escaping.clear();
   return report;
 }
 

@@ -165,8 +165,10 @@ struct SolveReport {
   /// Distinct points of S or solutions; the harness groups them into classes.
   std::vector<Candidate> candidates;
   std::vector<PathRecord> paths;
-  std::vector<Motion> motions;                  ///< no candidate lies on one that is proven
-  std::vector<CurveRecord> curves;              ///< between candidates: the edges of a graph
+  std::vector<Motion> motions;      ///< no candidate lies on one that is proven
+  std::vector<CurveRecord> curves;  ///< between candidates: the edges of a graph
+  /// Of each path to a solution at infinity a figure near its end, at other lengths, as in Candidate.
+  std::vector<Figure> escaping;
   std::optional<std::uint64_t> generic;         ///< number of classes at generic lengths, where it is known
   std::optional<GenericMember> generic_member;  ///< proves `generic`, where certificates reach it
   /// How many of these have escaped; with paths, their ends say it.

@@ -14,7 +14,7 @@ namespace {
 class Fields {
  public:
   explicit Fields(const SolveReport& report) {
-    const auto& [status, reason, claim, candidates, paths, motions, curves, generic, generic_member,
+    const auto& [status, reason, claim, candidates, paths, motions, curves, escaping, generic, generic_member,
                  at_infinity, totals, work, particulars] = report;
     add("status", status);
     add("reason", reason);
@@ -34,6 +34,7 @@ class Fields {
       add(name + ".figures", curve_figures);
       for (const std::size_t place : places) add(name + ".place", place);
     }
+    add("escaping", escaping);
     add("generic", generic);
     add("generic_member", generic_member);
     add("at_infinity", at_infinity);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "solvers/elements/system_builder.hpp"
 #include "solvers/numeric/balls.hpp"
 
 namespace gcs {
@@ -108,10 +109,14 @@ DecimalVector decimals_of(const Vector& vector) {
 }
 
 /// Whether a change of the signs of these axes leaves the class of a figure as it is, in the frame of a general scene.
-bool keeps_class(const Scene& scene, unsigned mask) {
-  const bool is_mirrored = frame_convention(scene.problem()) == Convention::up_to_reflection;
-  if (scene.problem().reference_body < 0) return is_mirrored || std::popcount(mask) % 2 == 0;
-  return mask == 0 || (is_mirrored && mask == 1U << (scene.dimension() - 1));
+bool keeps_class(const SceneFrame& frame, unsigned mask) {
+  for (SignMask generators = 0; generators < first_turning; ++generators) {
+    unsigned changed = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::popcount(frame.axis(axis) & generators) % 2 != 0) changed |= 1U << axis;
+    if (changed == mask) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -120,7 +125,7 @@ std::vector<AxisSigns> mirror_images(const Scene& scene) {
   std::vector<AxisSigns> images;
   const int count = sign_patterns(scene.is_anchored(), scene.dimension());
   for (int mask = 0; mask < count; ++mask)
-    if (!scene.problem().is_general() || keeps_class(scene, static_cast<unsigned>(mask)))
+    if (!scene.problem().is_general() || keeps_class(SceneFrame(scene), static_cast<unsigned>(mask)))
       images.push_back({(mask & 1) != 0 ? -1 : 1, (mask & 2) != 0 ? -1 : 1, (mask & 4) != 0 ? -1 : 1});
   return images;
 }

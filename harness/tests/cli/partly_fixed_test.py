@@ -29,7 +29,7 @@ def shipped(name):
     scene = json.loads((SOURCE / "instances" / f"{name}.json").read_text())
     constraints = [{key: value for key, value in c.items() if key != "id"} for c in scene["constraints"]]
     return {"format": "gcsbench-instance/2", "constraints": constraints} | {
-        key: scene[key] for key in ["id", "dimension", "points", "planes"] if key in scene}
+        key: scene[key] for key in ["id", "dimension", "points", "planes", "bodies"] if key in scene}
 
 
 def without(scene, a, b):
@@ -255,17 +255,25 @@ class PartlyFixed(command_line.CommandLine):
             self.assert_solved(FLAT, fixed, 8)
 
     def test_elements_of_a_body(self):
-        """Six postures of the planar platform (Hunt 1983); of a body held to a line and a plane those without positions."""
+        """Six postures of the planar platform (Hunt 1983), 40 of the one in space; four points on a sphere, a circular
+        cylinder and a plane (Bézout) that are the body's."""
         self.assertEqual(self.assert_solved(PLATFORM, {"a2": [1.5, -0.25]}, 6)["frame"]["body"], "base")
         self.assert_solved(PLATFORM, {"b1": self.position(dimension=2)}, 6, ["monodromy"])
-        free = self.certified(HELD)
-        shift = [0.4, -0.2, 0.7]
+        platform = shipped("platform")
+        name, points = next(iter(platform["bodies"].items()))
+        first, second = sorted(points)[:2]
+        shift = self.position()
+        moved = {one: combined(1, points[one], 1, shift) for one in [first, second]}
+        self.assertEqual(self.assert_solved(platform, moved, 40, ["polyhedral"])["frame"]["body"], name)
         base = HELD["bodies"]["base"]
+        beside = HELD | {"id": "beside", "points": ["q"], "bodies": {"base": base},
+                         "constraints": distances(("q", "a1", 2), ("q", "K", 1.2), ("q", "E", 0.5))}
+        free = self.certified(beside)
+        self.assertGreater(free["counts"]["real"], 0)
         for fixed in [{"a2": self.position()}, {"K": self.line()}, {"E": self.plane()},
-                      {"a1": combined(1, base["a1"], 1, shift), "a3": combined(1, base["a3"], 1, shift)}]:
-            result = self.assert_solved(HELD, fixed, free["counts"]["complex"], ["monodromy"])
-            self.assertEqual(result["counts"]["real"], free["counts"]["real"])
-            for known, found in zip(self.apart(free, "a2", "b2"), self.apart(result, "a2", "b2"), strict=True):
+                      {one: combined(1, base[one], 1, shift) for one in ["a1", "a3"]}]:
+            result = self.assert_solved(beside, fixed, 4)
+            for known, found in zip(self.apart(free, "a2", "q"), self.apart(result, "a2", "q"), strict=True):
                 self.assertAlmostEqual(known, found, delta=1e-9)
 
     def assert_refused(self, scene, fixed, *words):

@@ -23,7 +23,7 @@ std::optional<Reference> completing_reference(const ProblemStatement& problem);
 /// Whether the frame makes that coordinate of a point 0.
 bool is_zero_in_frame(const ProblemStatement& problem, const Reference& reference, int point, int axis);
 
-/// The given elements that `completing_reference` puts the frame in, one for each part that it fixes; −1: none.
+/// The given elements that `completing_reference` puts the frame in; −1: none.
 struct GivenAxis {
   int origin = -1;  ///< a point
   int axis = -1;    ///< another point, or else a plane, or else a line

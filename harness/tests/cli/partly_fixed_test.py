@@ -40,9 +40,11 @@ def length(scene, a, b):
     return next(c["length"] for c in scene["constraints"] if c.get("between") == [a, b])
 
 
-# Lines at given distances from four points: 12 (Macdonald, Pach, Theobald 2001), beside a tetrahedron and its mirror image.
+# Lines at given distances from four points, 12 (Macdonald, Pach, Theobald 2001), beside a tetrahedron and its mirror
+# image.
 SIDES = distances(("p", "q", 2.1), ("p", "r", 2.3), ("p", "s", 1.9), ("q", "r", 2.2), ("q", "s", 2.4), ("r", "s", 2.0))
-TANGENT = {"format": "gcsbench-instance/2", "id": "tangent", "dimension": 3, "points": ["p", "q", "r", "s"], "lines": ["L"],
+TANGENT = {"format": "gcsbench-instance/2", "id": "tangent", "dimension": 3, "points": ["p", "q", "r", "s"],
+           "lines": ["L"],
            "constraints": SIDES + distances(("p", "L", 1.1), ("q", "L", 1.15), ("r", "L", 1.12), ("s", "L", 1.1))}
 # Lines through a point at given distances from two others: two on each of the four pairs of half cones, which are
 # opposite to each other by twos.
@@ -203,12 +205,11 @@ class PartlyFixed(command_line.CommandLine):
 
     def off(self, one, other):
         """How much distances between points differ."""
-        names = sorted(one["points"])
-        return max(abs(math.dist(one["points"][a], one["points"][b]) - math.dist(other["points"][a], other["points"][b]))
-                   for a in names for b in names)
+        here, there = one["points"], other["points"]
+        return max(abs(math.dist(here[a], here[b]) - math.dist(there[a], there[b])) for a in here for b in here)
 
     def test_parts_and_references(self):
-        """A point that hangs on three others has two places for each of the 16 figures; decimals are those of the result."""
+        """A point that hangs on three others has two places for each of the 16 figures; decimals as in the result."""
         scene = shipped("octahedron")
         scene |= {"points": [*scene["points"], "h"],
                   "constraints": scene["constraints"] + distances(("h", "p1", 1.5), ("h", "p2", 1.4), ("h", "p3", 1.6))}
@@ -222,8 +223,8 @@ class PartlyFixed(command_line.CommandLine):
                     self.assertLess(math.dist([float(x) for x in exact["points"][point]], place), 1e-9)
 
     def test_lines_and_planes_without_points(self):
-        """Planes at given angles are three unit vectors with their products, or their mirror image; a line passes another one
-        on either hand; a line across a plane is its own mirror image."""
+        """Planes at given angles are three unit vectors with their products, or their mirror image; a line passes another
+        one on either hand; a line across a plane is its own mirror image."""
         turned = {"format": "gcsbench-instance/2", "id": "turned", "dimension": 3, "points": []}
 
         def angle(a, b, degrees):
@@ -239,8 +240,8 @@ class PartlyFixed(command_line.CommandLine):
 
     def test_a_plane_across_a_line(self):
         """Its normal is the line's direction, whichever of the two is fixed; mirror images are two."""
-        scene = {"format": "gcsbench-instance/2", "id": "across", "dimension": 3, "points": ["p", "q", "r"], "lines": ["K"],
-                 "planes": ["A"], "constraints": [
+        scene = {"format": "gcsbench-instance/2", "id": "across", "dimension": 3, "points": ["p", "q", "r"],
+                 "lines": ["K"], "planes": ["A"], "constraints": [
                      {"type": "perpendicular", "between": ["K", "A"]},
                      *distances(("p", "A", 0.5), ("p", "K", 1), ("q", "A", 0.2), ("q", "K", 1.1), ("p", "q", 1.3),
                                 ("r", "p", 1), ("r", "q", 1.2), ("r", "K", 0.8))]}

@@ -10,6 +10,7 @@
 #include "harness/solving/solve_run.hpp"
 #include "solvers/answers/path_ends.hpp"
 #include "solvers/elements/general_structure.hpp"
+#include "solvers/motions/apparent_motion.hpp"
 #include "solvers/motions/motion_finder.hpp"
 
 namespace gcs {

@@ -18,6 +18,7 @@
 #include "solvers/homotopies/shortcomings.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/wide_reference.hpp"
+#include "solvers/motions/apparent_motion.hpp"
 #include "solvers/motions/isolation.hpp"
 #include "solvers/motions/motion_finder.hpp"
 
@@ -98,7 +99,7 @@ class ComplexReporter {
     MotionFinder finder(scene_, system_, random);
     missing_.jumps = distinct.jumps();
     for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i, finder);
-    if (loose_end_) finder.seems_to_move(*loose_end_);
+    if (loose_end_) finder.look_for_apparent_motion(*loose_end_);
     report_.motions = finder.motions();
     prove_neighbours();
     for (const PathEnd& end : ends) add_path(end);

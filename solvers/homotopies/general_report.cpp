@@ -8,6 +8,9 @@
 #include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/distinct_ends.hpp"
 #include "solvers/homotopies/shortcomings.hpp"
+#include "solvers/motions/apparent_motion.hpp"
+#include "solvers/motions/local_multiplicity.hpp"
+#include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
 namespace {
@@ -57,7 +60,9 @@ class GeneralReporter {
     for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
     for (const PathEnd& end : ends) add_path(end);
     if (without_angle_ > 0) report_.particulars.push_back({"segments_of_length_0", without_angle_});
-    conclude(ends, "", missing_.in_words(), report_);
+    look_for_motion(random);
+    const std::string missing = missing_.in_words(), apparent = apparent_in_words(report_.motions);
+    conclude(ends, "", missing + (missing.empty() || apparent.empty() ? "" : "; ") + apparent, report_);
     return std::move(report_);
   }
 
@@ -70,23 +75,51 @@ class GeneralReporter {
       return;
     }
     missing_.too_far += loses_distances(scene_, figure);
-    const bool is_isolated = !(is_lonely && judge_.condition(figure) >= rank_lost);
-    missing_.not_isolated += !is_isolated;
-    missing_.lonely += is_lonely && is_isolated;
+    const bool loses_rank = is_lonely && judge_.condition(figure) >= rank_lost;
+    if (loses_rank) add_loose(distinct[i]);
+    missing_.lonely += is_lonely && !loses_rank;
     if (distinct.is_singular(i))
-      add_meeting(distinct[i], distinct.paths(i), figure);
+      add_meeting(distinct[i], distinct.paths(i), figure, loses_rank);
     else if (!judge_.is_stiff(figure) || !add(simple_solutions_near(system_, distinct[i], 1), 1))
       report_.candidates.push_back({figure, 1});
   }
 
   /// An end at which paths met: simple solutions next to it, or a multiple one where none is proven to be simple.
-  void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure) {
+  void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure, bool is_loose) {
     const ResolvedCandidates simple = simple_solutions_near(system_, x, paths);
     if (add(simple, paths)) return;
     const bool is_multiple = simple.list.empty() && judge_.residual(figure) <= double_root_residual &&
                              judge_.condition(figure) >= regular;
     missing_.in_between += !is_multiple;
+    if (is_multiple && !is_loose && !can_be_isolated(x, paths)) add_loose(x);
     report_.candidates.push_back({figure, paths, std::numeric_limits<double>::infinity()});
+  }
+
+  /// Each of so many classes at values nearby has next to x as many solutions as there are changes of signs that leave x
+  /// where it is.
+  bool can_be_isolated(const ComplexVectorX& x, int paths) const {
+    std::vector<SignMask> changing;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      changing.push_back(std::abs(x[i]) <= singular_uncertainty * (1 + largest(x)) ? 0 : equations_.signs[i]);
+    const int most = paths << (equations_.signs.rank() - SignMasks(std::move(changing)).rank());
+    const auto multiplicity = local_multiplicity(equations_.exact, x, most);
+    return multiplicity && *multiplicity <= most;
+  }
+
+  void add_loose(const ComplexVectorX& x) {
+    ++missing_.not_isolated;
+    if (!loose_end_) loose_end_ = x;
+  }
+
+  void look_for_motion(std::mt19937_64& random) {
+    if (!loose_end_) return;
+    auto motion = apparent_motion(
+        scene_, real_equations(equations_.exact), real_parts(*loose_end_),
+        [this](const Eigen::VectorXd& x) {
+          return system_.figure({x.begin(), x.end()}, true);
+        },
+        random);
+    if (motion) report_.motions.push_back(*std::move(motion));
   }
 
   /// Where these are so many, which doubles tell apart.
@@ -116,7 +149,8 @@ class GeneralReporter {
   const GeneralEquations& equations_;
   const FigureJudge judge_{scene_};
   Shortcomings missing_;
-  int without_angle_ = 0;  ///< ends
+  int without_angle_ = 0;                    ///< ends
+  std::optional<ComplexVectorX> loose_end_;  ///< the first one that is not isolated
   SolveReport report_;
 };
 

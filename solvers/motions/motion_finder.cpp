@@ -2,19 +2,17 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/elements/dense_equations.hpp"
 #include "solvers/figures/complex_distances.hpp"
+#include "solvers/motions/apparent_motion.hpp"
 #include "solvers/motions/figure_motion.hpp"
 #include "solvers/running/words.hpp"
 
@@ -61,20 +59,6 @@ bool is_proven_regular(const Eigen::MatrixXcd& a, double radius) {
                               rounding * (size * a.cwiseAbs()) +
                               size * Eigen::MatrixXd::Constant(n, n, radius);
   return off.rowwise().sum().maxCoeff() < 0.5;
-}
-
-/// All equations but the one that depends most on the others, where just one dependence is told at x.
-std::optional<RealEquations> without_dependent(const RealEquations& equations, const Eigen::VectorXd& x) {
-  constexpr double dependent = 1e-9, independent = 1e-6;
-  Eigen::MatrixXd jacobian(equations.count(), equations.unknowns);
-  equations.jacobian(x, jacobian);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullU);
-  const Eigen::VectorXd sizes = svd.singularValues() / svd.singularValues()[0];
-  const Eigen::Index last = sizes.size() - 1;
-  if (sizes[last] > dependent || (last > 0 && sizes[last - 1] < independent)) return std::nullopt;
-  Eigen::Index left_out = 0;
-  svd.matrixU().col(last).cwiseAbs().maxCoeff(&left_out);
-  return without(left_out, equations);
 }
 
 /// Pairs that share something, together.
@@ -194,43 +178,20 @@ void MotionFinder::add_motion(const Collapse& collapse, const LoosePoint& near) 
     const Eigen::VectorXd x = real_parts_of(shown.enclosure.mid);
     figure = system_.figure(x);
     const RealEquations held = real_equations(held_at(collapse.equations, as_complex(x), 1));
-    curve = followed(held, held, x, most_motion_steps);
+    curve = motion_from(
+        scene_, held, held, x, [this](const Eigen::VectorXd& at) { return system_.figure(at); },
+        most_motion_steps);
   }
   motions_.push_back({collapse.coincident, collapse.parallel, dimension, has_corank(shown, dimension), true,
                       std::move(figure), std::move(curve)});
 }
 
-FigureCurve MotionFinder::followed(const RealEquations& equations, const RealEquations& met,
-                                   const Eigen::VectorXd& x, int most_steps) const {
-  const auto figure_of = [this](const Eigen::VectorXd& at) { return system_.figure(at); };
-  return motion_from(scene_, equations, met, x, figure_of, most_steps);
-}
-
-/// A real zero next to x, or one from a start at random, at which the equations leave one direction.
-bool MotionFinder::seems_to_move(const Point& x) {
-  if (!search_) return false;
-  constexpr int tries = 20;
-  const RealEquations equations = real_equations(search_->distances());
-  std::normal_distribution<double> normal(0, scene_.size());
-  Eigen::VectorXd start = real_parts_of(x);
-  for (int i = 0; i < tries; ++i) {
-    const std::optional<Eigen::VectorXd> zero = real_zero_near(equations, start);
-    if (zero && take_apparent_motion(equations, *zero)) return true;
-    for (double& entry : start) entry = normal(random_);
-  }
-  return false;
-}
-
-/// Whether an equation stays met along the curve of the others: next to each of its points there is a figure that meets all.
-bool MotionFinder::take_apparent_motion(const RealEquations& equations, const Eigen::VectorXd& x) {
-  constexpr int first_steps = 4;
-  constexpr double rounding = 1e-12;  // of a few thousand units in the last place
-  const std::optional<RealEquations> others = without_dependent(equations, x);
-  if (!others || !(followed(*others, equations, x, first_steps).residual <= rounding)) return false;
-  FigureCurve curve = followed(*others, equations, x, most_motion_steps);
-  if (!(curve.residual <= rounding) || curve.figures.size() < 8 * first_steps) return false;
-  motions_.push_back({{}, {}, 1, false, false, system_.figure(x), std::move(curve)});
-  return true;
+void MotionFinder::look_for_apparent_motion(const Point& x) {
+  if (!search_) return;
+  auto motion = apparent_motion(
+      scene_, real_equations(search_->distances()), real_parts_of(x),
+      [this](const Eigen::VectorXd& at) { return system_.figure(at); }, random_);
+  if (motion) motions_.push_back(*std::move(motion));
 }
 
 std::string place_in_words(const ProblemStatement& problem, const Motion& motion) {
@@ -244,17 +205,6 @@ std::string place_in_words(const ProblemStatement& problem, const Motion& motion
     text += (text.empty() ? "" : ", ") + problem.constraints[static_cast<std::size_t>(one)].id + " ∥ " +
             problem.constraints[static_cast<std::size_t>(other)].id;
   return text;
-}
-
-std::string apparent_in_words(const std::vector<Motion>& motions) {
-  const auto apparent = std::ranges::find(motions, false, &Motion::is_proven);
-  if (apparent == motions.end()) return "";
-  const FigureCurve& curve = apparent->curve;
-  std::ostringstream text;
-  text << seems_to_move_words << ": along a " << (curve.end == PathRecord::End::closed ? "closed " : "")
-       << "curve of " << curve.figures.size() << " real figures no distance is off by more than "
-       << std::setprecision(1) << curve.residual << " of itself, which proves nothing";
-  return text.str();
 }
 
 std::string in_words(const ProblemStatement& problem, const std::vector<Motion>& all) {

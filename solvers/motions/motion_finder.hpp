@@ -7,19 +7,16 @@
 /// (figure_motion.hpp). The dimension is exact where a minor of the scene's own Jacobian of the complementary order is proven
 /// not to vanish.
 ///
-/// Scenes move for other reasons too, such as Bricard's octahedra. There one equation depends on the others at a real
-/// solution; where it stays met along the curve that the others leave, to rounding, the scene seems to move.
+/// Scenes move for other reasons too: apparent_motion.hpp.
 
 #include <optional>
 #include <random>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "solvers/certificates/certificate.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/motions/collapse.hpp"
-#include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
 
@@ -35,8 +32,8 @@ class MotionFinder {
   /// Whether the solution next to x is proven to lie on the motion that is loose there; a new one is remembered.
   bool lies_on_motion(const Collapse& loose, const std::vector<std::complex<double>>& x);
 
-  /// Whether it does, from the real solution next to x or, if there is none, from others; the motion is remembered then.
-  bool seems_to_move(const std::vector<std::complex<double>>& x);
+  /// From the real solution next to x or, if there is none, from others; one that is found is remembered.
+  void look_for_apparent_motion(const std::vector<std::complex<double>>& x);
 
   const std::vector<Motion>& motions() const { return motions_; }
 
@@ -55,9 +52,6 @@ class MotionFinder {
   std::optional<LoosePoint> proven_real(const QuadraticSystem& loose);
   bool has_corank(const LoosePoint& point, int dimension) const;
   void add_motion(const Collapse& collapse, const LoosePoint& near);
-  FigureCurve followed(const RealEquations& equations, const RealEquations& met, const Eigen::VectorXd& x,
-                       int most_steps) const;
-  bool take_apparent_motion(const RealEquations& equations, const Eigen::VectorXd& x);
 
   const Scene& scene_;
   const DistanceSystem& system_;
@@ -66,14 +60,8 @@ class MotionFinder {
   std::vector<Motion> motions_;
 };
 
-/// What tells a scene that seems to move in words.
-inline constexpr std::string_view seems_to_move_words = "it seems to move";
-
 /// Which points coincide and which bars are parallel: "p1 = p2, a3 ∥ a5".
 std::string place_in_words(const ProblemStatement& problem, const Motion& motion);
-
-/// What seems to move, in words of a person; empty when nothing does.
-std::string apparent_in_words(const std::vector<Motion>& motions);
 
 /// What is proven to move and why, likewise.
 std::string in_words(const ProblemStatement& problem, const std::vector<Motion>& motions);

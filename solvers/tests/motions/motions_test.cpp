@@ -251,3 +251,31 @@ TEST_CASE(
   CHECK(moving.failed_checks.empty());
   for (const AssessedSolution& solution : moving.solutions) CHECK(solution.is_real());
 }
+
+TEST_CASE(
+    "a platform on equal legs seems to move along a circle where it is like its base, and not beside that") {
+  for (const double height : {2.0, 2.5}) {
+    Problem p(2);
+    p.body("base", {{"a1", {0, 0}}, {"a2", {3, 0}}, {"a3", {1, 2}}});
+    p.body("platform", {{"b1", {0, 0}}, {"b2", {3, 0}}, {"b3", {1, height}}});
+    p.distance("a1", "b1", 2).distance("a2", "b2", 2).distance("a3", "b3", 2);
+    const Answer answer = solve(Scene(p), "monodromy", {});
+    INFO(answer.reason);
+    if (height != 2) {
+      CHECK(answer.status == RunStatus::complete);
+      CHECK(answer.motions.empty());
+      CHECK(answer.solutions.size() == 6);  // Hunt 1983
+      continue;
+    }
+    CHECK(answer.status == RunStatus::partial);
+    CHECK_THAT(answer.reason, Catch::Contains("it seems to move"));
+    REQUIRE(answer.motions.size() == 1);
+    CHECK_FALSE(answer.motions[0].is_proven);
+    CHECK(answer.motions[0].curve.figures.size() > 32);
+    for (const Figure& figure : answer.motions[0].curve.figures) {
+      const Eigen::Matrix3Xd legs = figure.points.rightCols(3) - figure.points.leftCols(3);
+      CHECK(legs.col(0).norm() == Approx(2));
+      CHECK((legs.colwise() - legs.col(0)).norm() < 1e-9);  // a translation
+    }
+  }
+}

@@ -121,6 +121,24 @@ TEST_CASE("touching spheres have clusters of four tangents, which are all there 
   }
 }
 
+TEST_CASE("a solution at infinity is proven anew from a file, and counted once") {
+  // An equator of the octahedron sums to 0, 1.8 + 1.8 = 1.9 + 1.7: one class of 8 is at infinity.
+  const Json result = result_of({"escaping@0", "monodromy"});
+  CHECK(result["proofs"]["at_infinity"] == 1);
+  CHECK(result["proofs"]["complete"] == true);
+  CHECK(verify(parse_result(result.dump(), "result.json"), 1).proofs.are_complete());
+
+  Json twice = result;
+  twice["escaping"].push_back(result["escaping"][0]);
+  CHECK(verify(parse_result(twice.dump(), "result.json"), 1).proofs.at_infinity == 1);
+
+  Json without = result;
+  without["escaping"].clear();
+  const Proofs proofs = verify(parse_result(without.dump(), "result.json"), 1).proofs;
+  CHECK(proofs.at_infinity == 0);
+  CHECK(!proofs.are_complete());
+}
+
 TEST_CASE("proofs that are stopped leave a list without objections") {
   const Scene scene(load_instance("octahedron").problem);
   SolveRun run = run_strategy(find_strategy("cayley-menger"), {}, scene, {});

@@ -27,7 +27,7 @@ using Point = std::vector<std::complex<double>>;
 constexpr std::size_t most_guesses = 32, most_tries = 8, most_frames = 32;
 
 /// Another frame is chosen by so many solutions that are not proven in the first one.
-constexpr std::size_t sample_size = 32;
+constexpr std::size_t sample_size = 8;
 
 /// Newton's method in doubles, until rounding keeps it from coming nearer. Nothing where it does not settle, or moves an
 /// unknown by many times their size.

@@ -10,7 +10,7 @@ namespace gcs {
 
 namespace {
 
-/// One line of text: no character of it is taken for a request or changed when set.
+/// One line of text: no character of it is taken for a request or changed when set, and a long list is broken at a comma.
 std::string escaped(std::string_view line) {
   std::string text;
   if (line.starts_with('.') || line.starts_with('\'')) text += "\\&";
@@ -21,6 +21,8 @@ std::string escaped(std::string_view line) {
       text += "\\-";
     } else if (c == '`') {
       text += "\\(ga";
+    } else if (c == ',') {
+      text += ",\\:";
     } else {
       text += c;
     }

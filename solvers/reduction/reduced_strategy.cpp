@@ -251,13 +251,16 @@ class ReducedStrategy final : public Strategy {
     return is_unsettled && report.claim == Claim::all_complex && scene.point_count() <= most_points;
   }
 
-  /// The answer in one piece where that has motions or is complete; otherwise that of the parts.
+  /// The answer in one piece where that has motions, or is complete without ends at infinity, from which ends that are far
+  /// away, as where points next to each other carry another, are not told; otherwise that of the parts.
   SolveReport in_one_piece(const SolveRequest& request, SolveReport parts) {
     if (strategies_.front()->why_unsupported(request)) return parts;
     SolveRequest alone = request;
     alone.starts = &no_starts_;
     SolveReport whole = make_()->solve(alone);
-    const bool is_settled = !whole.motions.empty() || whole.status == SolveStatus::complete;
+    const bool is_finite = std::ranges::none_of(
+        whole.paths, [](const PathRecord& path) { return path.end == PathRecord::End::at_infinity; });
+    const bool is_settled = !whole.motions.empty() || (whole.status == SolveStatus::complete && is_finite);
     return is_settled ? whole : parts;
   }
 

@@ -45,10 +45,10 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("a result has every field of its format") {
   const Json result = parsed(toy_run());
-  CHECK(keys(result) == Names{"claim",    "counts", "ends",     "environment", "failed_checks", "format",
-                              "frame",    "graph",  "instance", "motions",     "options",       "path",
-                              "proofs",   "reason", "seed",     "solutions",   "statistics",    "status",
-                              "strategy", "timing", "totals"});
+  CHECK(keys(result) == Names{"claim",  "counts",   "ends",   "environment", "escaping",  "failed_checks",
+                              "format", "frame",    "graph",  "instance",    "motions",   "options",
+                              "path",   "proofs",   "reason", "seed",        "solutions", "statistics",
+                              "status", "strategy", "timing", "totals"});
   CHECK(result["format"] == "gcsbench-result/1");
   CHECK(result["strategy"] == "toy");
   CHECK(result["options"] == Json{{"step", "0.1"}});
@@ -290,5 +290,5 @@ TEST_CASE("failed checks are in the result") {
 TEST_CASE("each solution has a line of its own") {
   const std::string text = text_of(toy_run());
   CHECK(text.back() == '\n');
-  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 21 + 2 + 1 + 1);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 1 + 22 + 2 + 1 + 1);
 }

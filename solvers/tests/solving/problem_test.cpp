@@ -22,7 +22,7 @@ TEST_CASE("elements of all kinds are stated in C++") {
   Problem problem(3);
   problem.points("p").lines("L").planes("E");
   problem.body("b", {{"q", {1, "2.5", 3}}, {"M", {0, 0, 1}, {0, 1, 0}}, {"F", {0, 0, 2}, -3}});
-  problem.fix("E", {0, 3, 4}, 10).fix("L", {0, 0, 0}, {1, 0, 0});
+  problem.fix("p", {0, 0, 0}).fix("E", {0, 3, 4}, 10).fix("L", {0, 0, 0}, {1, 0, 0});
   const ProblemStatement statement = problem.instance().problem;
   CHECK(statement.points == std::vector<std::string>{"p", "q"});
   CHECK(statement.lines == std::vector<std::string>{"L", "M"});

@@ -65,7 +65,7 @@ std::string command_text(const CLI::App& command) {
 }  // namespace
 
 std::string manual_page(const CLI::App& program, const std::string& version) {
-  std::string text = fmt::format(".TH GCSBENCH 1 \"\" \"gcsbench {}\" \"User Commands\"\n", version);
+  std::string text = fmt::format(".TH GCSBENCH 1 \"\" \"gcsbench {}\" \"User Commands\"\n.ad l\n", version);
   text += fmt::format(".SH NAME\ngcsbench \\- {}\n", escaped(program.get_description()));
   text += ".SH SYNOPSIS\n.B gcsbench\n.I COMMAND\n[\\fIOPTION\\fR]...\n.SH OPTIONS\n" + options_of(program);
   text += ".SH COMMANDS\n";

@@ -110,8 +110,9 @@ class WalkSearch {
   }
 
   void go_on_to(int last) {
-    for (const auto& [next, edge] : neighbours(walk_.back())) {
+    for (const auto& [neighbour, edge] : neighbours(walk_.back())) {
       if (is_enough()) return;
+      const int next = neighbour;
       const bool is_joined = std::any_of(walk_.begin(), walk_.end() - 1, [&](int corner) {
         return corner == next || neighbours(corner).contains(next);
       });

@@ -73,7 +73,7 @@ class Completion {
         free_(frame_directions(problem, given.origin)) {
     std::erase_if(
         free_, [&](int entity) { return problem.is_fixed(entity) || !bodies_with(problem, entity).empty(); });
-    std::ranges::stable_partition(free_, [&](int entity) { return is_near(entity); });
+    std::stable_partition(free_.begin(), free_.end(), [&](int entity) { return is_near(entity); });
   }
 
   std::optional<Reference> run() {

@@ -14,7 +14,8 @@
 
 namespace gcs {
 
-/// What a file calls the entities of a scene, its unit of length, and its frame where that is not the scene's; shared by the scene's solutions.
+/// What a file calls the entities of a scene, its unit of length, and its frame where that is not the scene's; shared by
+/// the scene's solutions.
 struct FileTerms {
   int dimension = 3;
   std::vector<std::string> points;

@@ -101,6 +101,7 @@ EquationsAtInfinity::EquationsAtInfinity(const Scene& scene, const Reference& fr
                                          std::vector<Escape> escapes)
     : scene_(scene),
       frame_(scene, frame),
+      joined_(neighbours_of(scene)),
       escapes_(std::move(escapes)),
       place_(3 * static_cast<std::size_t>(scene.point_count()), -1),
       escaping_(static_cast<std::size_t>(scene.point_count())) {
@@ -227,9 +228,7 @@ QuadraticEquation EquationsAtInfinity::summed_distances(int escape) const {
 }
 
 bool EquationsAtInfinity::is_given(int a, int b) const {
-  return std::ranges::any_of(scene_.problem().constraints, [&](const DistanceConstraint& c) {
-    return c.between == std::array{a, b} || c.between == std::array{b, a};
-  });
+  return joined_[static_cast<std::size_t>(a)].contains(b);
 }
 
 QuadraticSystem EquationsAtInfinity::system(bool is_around) const {

@@ -77,6 +77,7 @@ class EquationsAtInfinity {
 
   const Scene& scene_;
   DistanceSystem frame_;
+  Neighbours joined_;
   std::vector<Escape> escapes_;
   std::vector<int> left_out_;  ///< an edge of each walk
   std::vector<int> place_;     ///< of each coordinate of a point that stays its unknown, −1: 0

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -24,19 +23,6 @@ constexpr double rounding = 1e-13;
 
 /// Of the pieces into which a walk cuts a scene, all unions are tried if they are not more.
 constexpr std::size_t most_pieces = 4;
-
-/// Of each point: its neighbours, and the constraints that join them.
-using Neighbours = std::vector<std::map<int, int>>;
-
-Neighbours neighbours_of(const Scene& scene) {
-  Neighbours joined(static_cast<std::size_t>(scene.point_count()));
-  for (int e = 0; e < scene.constraint_count(); ++e) {
-    const auto [a, b] = scene.problem().constraints[static_cast<std::size_t>(e)].between;
-    joined[static_cast<std::size_t>(a)][b] = e;
-    joined[static_cast<std::size_t>(b)][a] = e;
-  }
-  return joined;
-}
 
 /// Whether Σ signs·√squares = 0, exactly. Square roots of rational numbers are linearly dependent over the rational ones
 /// only where the quotient of two of the numbers is a square (Besicovitch 1940).
@@ -244,6 +230,16 @@ std::vector<std::set<int>> pieces_without(const Neighbours& joined, const std::v
 }
 
 }  // namespace
+
+Neighbours neighbours_of(const Scene& scene) {
+  Neighbours joined(static_cast<std::size_t>(scene.point_count()));
+  for (int e = 0; e < scene.constraint_count(); ++e) {
+    const auto [a, b] = scene.problem().constraints[static_cast<std::size_t>(e)].between;
+    joined[static_cast<std::size_t>(a)][b] = e;
+    joined[static_cast<std::size_t>(b)][a] = e;
+  }
+  return joined;
+}
 
 std::vector<ClosedWalk> closed_walks(const Scene& scene) { return WalkSearch(scene).run(); }
 

@@ -7,11 +7,18 @@
 /// |x − y|² = (ℓ(x) − ℓ(y))². So given distances along a closed walk in it sum to 0 with some signs. Where they do, one of
 /// them follows from the others, which makes room for the one condition too many that points are in such a plane.
 
+#include <map>
 #include <vector>
 
 #include "solvers/model/scene.hpp"
 
 namespace gcs {
+
+/// Of each point: its neighbours, and the constraints that join them.
+using Neighbours = std::vector<std::map<int, int>>;
+
+/// Precondition: points and distances between them, nothing else.
+Neighbours neighbours_of(const Scene& scene);
 
 /// A closed walk of distances that sum to 0 with these signs: 3.9 + 4.3 = 3 + 2.7 + 2.5. No others of its corners are at a
 /// given distance. Where points escape on both sides of a walk, its corners lie in two planes, and another walk may go

@@ -209,13 +209,15 @@ class FrameOfInfinity {
 /// That of the scene, and all of three points at given distances.
 std::vector<Reference> frames_of(const Scene& scene) {
   std::vector<Reference> frames{scene.reference()};
-  std::set<std::pair<int, int>> joined;
-  for (const DistanceConstraint& c : scene.problem().constraints)
-    joined.emplace(std::min(c.between[0], c.between[1]), std::max(c.between[0], c.between[1]));
-  for (const auto& [a, b] : joined)
-    for (int c = b + 1; c < scene.point_count(); ++c)
-      if (joined.contains({a, c}) && joined.contains({b, c}) && frames.size() < most_frames)
-        frames.push_back(Reference{a, b, c});
+  const Neighbours joined = neighbours_of(scene);
+  const auto of = [&](int point) -> const std::map<int, int>& {
+    return joined[static_cast<std::size_t>(point)];
+  };
+  for (int a = 0; a < scene.point_count(); ++a)
+    for (auto b = of(a).upper_bound(a); b != of(a).end(); ++b)
+      for (auto c = of(a).upper_bound(b->first); c != of(a).end(); ++c)
+        if (of(b->first).contains(c->first) && frames.size() < most_frames)
+          frames.push_back(Reference{a, b->first, c->first});
   return frames;
 }
 

@@ -130,16 +130,16 @@ TEST_CASE("points that hang on an escaping one escape with it") {
 
 TEST_CASE("of two octahedra one may be at infinity, or both") {
   RandomNumbers random(34);
-  const Equators one = random_equators(1, random);
+  const Equators first = random_equators(1, random);
   Equators other = random_equators(1, random);
   // They have the triangle of the even points in common: the first edge of each equator.
   for (std::size_t i = 0; i < 3; ++i) {
-    const int longer = one.around[i][0] - other.around[i][0];
+    const int longer = first.around[i][0] - other.around[i][0];
     other.around[i][0] += longer;
     other.around[i][1] += longer;
   }
   REQUIRE(other.escaping() == 1);
-  EdgeLengths edges = edges_of(one, first_points);
+  EdgeLengths edges = edges_of(first, first_points);
   for (const auto& edge : edges_of(other, {0, 6, 2, 7, 4, 8}))
     if (edge.first[0] > 4 || edge.first[1] > 4) edges.push_back(edge);
   check_proven(certified(shuffled(edges, in_hundredths, false, random), {{"reduce", "off"}}), 98, 30);

@@ -43,7 +43,6 @@ std::vector<Certificate> certificates(const Certifier& certifier, const std::vec
   CertificateProgress progress(monitor, points.size());
   share_on_threads(points.size(), threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
-    const ThreadReserves reserves;
     results[i] = certifier.certify(points[i]);
     progress.one_more();
   });

@@ -8,7 +8,6 @@
 
 #include "solvers/answers/settled_figure.hpp"
 #include "solvers/figures/solution_classes.hpp"
-#include "solvers/numeric/balls.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
@@ -110,7 +109,6 @@ class CandidateJudge {
     const bool is_ill = judged.condition > ill_condition && judged.condition < singular_condition;
     if (!is_ill || judged.multiplicity > 1 || std::isfinite(judged.error)) return;
     if (!scene_.problem().is_general()) return;
-    const ThreadReserves reserves;
     std::call_once(is_set_up_, [&] { settler_.emplace(scene_); });
     judged.figure = settler_->settled(judged.figure);
     judged.representative = scene_.representative(judged.figure);

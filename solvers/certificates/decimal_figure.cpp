@@ -184,7 +184,6 @@ std::vector<std::optional<DecimalFigure>> decimal_figures(const SceneEquations& 
                                                           int threads, const std::stop_token& stop) {
   std::vector<std::optional<DecimalFigure>> figures(near.size());
   share_on_threads(near.size(), threads, [&](std::size_t i) {
-    const ThreadReserves reserves;
     if (!stop.stop_requested()) figures[i] = decimal_figure(equations, scene, near[i], digits);
   });
   return figures;

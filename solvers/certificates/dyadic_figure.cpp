@@ -105,7 +105,6 @@ std::vector<std::optional<DyadicFigure>> dyadic_figures(const SceneEquations& eq
   const DyadicWriter writer(equations, scene);
   std::vector<std::optional<DyadicFigure>> figures(near.size());
   share_on_threads(near.size(), threads, [&](std::size_t i) {
-    const ThreadReserves reserves;
     figures[i] = writer.figure(near[i]);
   });
   return figures;

@@ -235,7 +235,6 @@ struct FrameProofs {
       : frame(scene, reference, walks), all(near.size()) {
     share_on_threads(near.size(), threads, [&](std::size_t i) {
       if (stop.stop_requested()) return;
-      const ThreadReserves reserves;
       all[i] = frame.prove(near[i]);
     });
   }

@@ -6,7 +6,6 @@
 
 #include "solvers/exploring/random_starts.hpp"
 #include "solvers/exploring/unseen_classes.hpp"
-#include "solvers/numeric/balls.hpp"
 #include "solvers/running/run_on_threads.hpp"
 #include "solvers/running/words.hpp"
 #include "solvers/tracking/scene_path.hpp"
@@ -93,14 +92,10 @@ std::vector<Exploration::Walk> Exploration::next_round() {
 
 void Exploration::walk(const std::vector<Walk>& round) {
   std::vector<SolveReport> reports(round.size());
-  run_on_threads(request_.threads, [&](int thread) {
-    const ThreadReserves reserves;
-    for (auto i = static_cast<std::size_t>(thread); i < round.size();
-         i += static_cast<std::size_t>(request_.threads)) {
-      const Figure& start = graph_.solutions()[static_cast<std::size_t>(round[i].start)].figure;
-      reports[i] = walk_curve(request_.scene, *explored_, releasable_[round[i].value],
-                              explored_->unknowns(start), walks_, context_);
-    }
+  share_on_threads(round.size(), request_.threads, [&](std::size_t i) {
+    const Figure& start = graph_.solutions()[static_cast<std::size_t>(round[i].start)].figure;
+    reports[i] = walk_curve(request_.scene, *explored_, releasable_[round[i].value],
+                            explored_->unknowns(start), walks_, context_);
   });
   take(round, std::move(reports));
 }

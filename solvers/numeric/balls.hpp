@@ -49,16 +49,6 @@ class BallMatrix {
   acb_mat_t value_;
 };
 
-/// Frees at its end what Arb keeps in reserve for the thread that it lives on, which would be lost with the
-/// thread.
-class ThreadReserves {
- public:
-  ThreadReserves() = default;
-  ~ThreadReserves() { flint_cleanup(); }
-  ThreadReserves(const ThreadReserves&) = delete;
-  ThreadReserves& operator=(const ThreadReserves&) = delete;
-};
-
 /// A ball that holds the number, as small as `bits` allow.
 void enclose(acb_ptr ball, const ExactNumber& number, slong bits);
 

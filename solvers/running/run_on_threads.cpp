@@ -1,5 +1,7 @@
 #include "solvers/running/run_on_threads.hpp"
 
+#include <flint/flint.h>
+
 #include <algorithm>
 
 #ifdef GCS_TBB
@@ -13,6 +15,24 @@
 #endif
 
 namespace gcs {
+namespace {
+
+/// Frees at its end what FLINT keeps in reserve for the thread, which would be lost with the thread.
+struct ThreadReserves {
+  ThreadReserves() = default;
+  ~ThreadReserves() { flint_cleanup(); }
+  ThreadReserves(const ThreadReserves&) = delete;
+  ThreadReserves& operator=(const ThreadReserves&) = delete;
+};
+
+auto leaving_nothing(const std::function<void(int)>& function) {
+  return [&function](int i) {
+    const ThreadReserves reserves;
+    function(i);
+  };
+}
+
+}  // namespace
 
 #ifdef GCS_TBB
 
@@ -20,15 +40,16 @@ void run_on_threads(int count, const std::function<void(int)>& function) {
   if (count <= 0) return;
   // Beyond the cores TBB has no threads, and says so on standard error when it is asked for them.
   tbb::task_arena arena(std::min(count, tbb::info::default_concurrency()));
-  arena.execute([&] { tbb::parallel_for(0, count, function, tbb::simple_partitioner()); });
+  arena.execute([&] { tbb::parallel_for(0, count, leaving_nothing(function), tbb::simple_partitioner()); });
 }
 
 #else
 
 void run_on_threads(int count, const std::function<void(int)>& function) {
+  const auto call = leaving_nothing(function);
   std::vector<std::jthread> others;
-  for (int i = 1; i < count; ++i) others.emplace_back(function, i);
-  if (count > 0) function(0);
+  for (int i = 1; i < count; ++i) others.emplace_back(call, i);
+  if (count > 0) call(0);
 }
 
 #endif

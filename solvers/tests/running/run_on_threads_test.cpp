@@ -1,5 +1,7 @@
 #include "solvers/running/run_on_threads.hpp"
 
+#include <arb.h>
+
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <vector>
@@ -27,4 +29,17 @@ TEST_CASE("parallel loops may be started within one another") {
   std::atomic<int> calls = 0;
   run_on_threads(3, [&](int) { run_on_threads(4, [&](int) { ++calls; }); });
   CHECK(calls == 12);
+}
+
+TEST_CASE("what Arb keeps for a thread is freed before the thread ends, or the address sanitizer tells") {
+  std::atomic<int> precise = 0;
+  run_on_threads(4, [&](int) {
+    constexpr slong bits = 1000;
+    arb_t pi;
+    arb_init(pi);
+    arb_const_pi(pi, bits);
+    if (arb_rel_accuracy_bits(pi) > bits - 10) ++precise;
+    arb_clear(pi);
+  });
+  CHECK(precise == 4);
 }

@@ -7,11 +7,10 @@
 
 #include "harness/results/median_interval.hpp"
 #include "solvers/certificates/scene_equations.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 /// What is further than this of the scene's size from every solution is none.
 constexpr double farthest = 1e-3;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -12,12 +11,11 @@
 #include "solvers/answers/judged_candidates.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 
 namespace {
-
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 /// Two different solutions closer together than the coarsest merging tolerance lie on both sides of a fold,
 /// where the condition number is at least of the order of one over their distance. Below this one they are

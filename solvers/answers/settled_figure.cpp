@@ -2,15 +2,14 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 
 #include "solvers/elements/dense_equations.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
 
 constexpr slong bits = 128;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Eigen::VectorXcd midpoints(const BallMatrix& column) {
   Eigen::VectorXcd result(column.rows());

@@ -2,12 +2,11 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <limits>
+
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Narrowing to less than this is worth another look at the same part before halving it.
 constexpr double worth_a_pass = 0.5;

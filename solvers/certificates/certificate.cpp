@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "solvers/certificates/ball_cluster.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Newton's method that still moves, but by less than this of the solution's size, is closing in on a
 /// solution as slowly as it does on multiple ones: by a bit a step.

@@ -3,15 +3,14 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "solvers/numeric/rounding.hpp"
+
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Eigen::VectorXd constant(Eigen::Index size, double value) { return Eigen::VectorXd::Constant(size, value); }
 

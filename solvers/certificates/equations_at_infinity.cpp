@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
@@ -287,7 +287,6 @@ std::vector<Complex> EquationsAtInfinity::unknowns_near(const ComplexPoints& poi
 /// from the enclosure. The step that was left out is minus the sum of the others, and has the right square if the signed
 /// sum vanishes.
 bool EquationsAtInfinity::holds_solution(const Enclosure& solution) const {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   struct Step {
     std::array<Complex, 3> mid{};
     std::array<double, 3> radius{};

@@ -27,19 +27,19 @@ double length(const Differences& differences) {
 
 // ---- doubles
 
-/// Real and imaginary parts of a vector; null: it is real.
-struct Vector {
+/// Of a vector.
+struct ComplexParts {
   const Eigen::Vector3d re;
   const Eigen::Vector3d im;
 };
 
-Vector point_of(const Figure& figure, Eigen::Index point) {
+ComplexParts point_of(const Figure& figure, Eigen::Index point) {
   return {figure.points.col(point), figure.imaginary.cols() == 0
                                         ? Eigen::Vector3d::Zero()
                                         : Eigen::Vector3d(figure.imaginary.col(point))};
 }
 
-double distance(const Vector& a, const Vector& b, const AxisSigns& signs, int sign = 1) {
+double distance(const ComplexParts& a, const ComplexParts& b, const AxisSigns& signs, int sign = 1) {
   Differences differences;
   for (int axis = 0; axis < 3; ++axis) {
     const double s = sign * signs[static_cast<std::size_t>(axis)];
@@ -48,12 +48,12 @@ double distance(const Vector& a, const Vector& b, const AxisSigns& signs, int si
   return length(differences);
 }
 
-Vector line_part(const Figure& figure, std::size_t line, Eigen::Vector3d LinePosition::*part) {
+ComplexParts line_part(const Figure& figure, std::size_t line, Eigen::Vector3d LinePosition::*part) {
   return {figure.lines[line].*part,
           figure.is_real() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(figure.imaginary_lines[line].*part)};
 }
 
-Vector normal_of(const Figure& figure, std::size_t plane) {
+ComplexParts normal_of(const Figure& figure, std::size_t plane) {
   return {figure.planes[plane].normal, figure.is_real()
                                            ? Eigen::Vector3d::Zero()
                                            : Eigen::Vector3d(figure.imaginary_planes[plane].normal)};
@@ -101,7 +101,7 @@ double distance(const DecimalVector& a, const DecimalVector& b, const AxisSigns&
 
 std::string decimal(double value) { return fmt::format("{:.40g}", value); }
 
-DecimalVector decimals_of(const Vector& vector) {
+DecimalVector decimals_of(const ComplexParts& vector) {
   DecimalVector decimals;
   for (int axis = 0; axis < 3; ++axis)
     decimals[static_cast<std::size_t>(axis)] = {decimal(vector.re[axis]), decimal(vector.im[axis])};

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 
 #include "solvers/model/given_numbers.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double underflow = 0x1p-1000;  ///< above all that products lose below the smallest normal number
 
 /// Of double-doubles: products and sums of a hundred terms are right to this, relative to the terms.
 constexpr double fine_rounding = 0x1p-92;

@@ -1,13 +1,11 @@
 #include "solvers/certificates/krawczyk.hpp"
 
 #include <Eigen/LU>
-#include <limits>
+
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double underflow = 0x1p-1000;  ///< above all that products lose below the smallest normal number
 
 /// How far |p − q|²/2 moves when given coordinates move from their doubles to the file's decimals.
 double error_of_given(const DistanceSystem& system, const Eigen::Matrix3Xd& points, int e) {

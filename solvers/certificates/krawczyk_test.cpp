@@ -3,10 +3,10 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "solvers/numeric/rounding.hpp"
+
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Of the unknowns' size: a box around a solution needs room for what rounding leaves open of it.
 constexpr double room = 0x1p-40;

@@ -12,7 +12,7 @@ namespace {
 
 using Point = std::vector<std::complex<double>>;
 
-constexpr slong bits = 256;
+constexpr slong search_bits = 256;
 /// Relative to the squared size of the unknowns. Newton's method has left less after its 120 steps, from a
 /// solution that doubles found: a fourth of the residual is left after each step towards a double one, 1/e
 /// towards one of high multiplicity.
@@ -76,7 +76,7 @@ struct Visit {
 
 class Search {
  public:
-  explicit Search(const QuadraticSystem& system) : system_(system, bits), mirror_(system.mirror) {}
+  explicit Search(const QuadraticSystem& system) : system_(system, search_bits), mirror_(system.mirror) {}
 
   /// Adds what is next to a point, up to `wanted` solutions.
   void visit(const NearlySingular& point, int wanted, NearSolutions& settled) const {
@@ -111,7 +111,7 @@ class Search {
     }
     Certificate certificate;
     certificate.is_proven = true;
-    certificate.bits = static_cast<int>(bits);
+    certificate.bits = static_cast<int>(search_bits);
     certificate.enclosure = enclosure_of(*proof);
     certificate.realness = realness(certificate.enclosure);
     if (certificate.realness != Certificate::Realness::undecided) visit.simple = std::move(certificate);

@@ -13,12 +13,11 @@
 #include "solvers/certificates/coincidences.hpp"
 #include "solvers/certificates/equations_at_infinity.hpp"
 #include "solvers/elements/dense_equations.hpp"
+#include "solvers/numeric/rounding.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 using Point = std::vector<std::complex<double>>;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <unsupported/Eigen/NonLinearOptimization>
 
@@ -12,6 +11,7 @@
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/numeric/digest.hpp"
+#include "solvers/numeric/rounding.hpp"
 #include "solvers/running/run_on_threads.hpp"
 #include "solvers/tracking/real_equations.hpp"
 
@@ -26,7 +26,6 @@ constexpr double tolerance = 1e-8;
 
 /// In roundings: Newton's method settles at a regular solution to a few times condition · unit roundoff.
 constexpr double settled_correction = 64;
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 /// The equations between points and a line as Eigen's Levenberg-Marquardt method asks for them.
 class DistanceEquations {

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solvers/figures/general_figures.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 /// The condition that decides which solutions can be told apart. Complex ones are told apart by squared
 /// distances or products of coordinates, whose rounding grows with the square of the coordinates, however

@@ -7,11 +7,10 @@
 #include <limits>
 
 #include "solvers/numeric/positive_polynomial.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Below every decimal whose nearest double this is.
 Rational below(double nearest) {

@@ -1,9 +1,9 @@
 #include "solvers/model/given_numbers.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "solvers/numeric/balls.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
@@ -70,7 +70,6 @@ double coordinate_error(const Scene& scene, int point, int axis) {
   const auto position = scene.fixed_point(point);
   if (!position) return 0;
   const DoubleDouble exact = nearest_double_double(given_coordinate(scene, point, axis));
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   return std::abs((exact - DoubleDouble{(*position)[axis], 0}).value()) * (1 + 4 * epsilon) +
          epsilon * std::abs(exact.lo);
 }

@@ -11,7 +11,7 @@
 namespace gcs {
 namespace {
 
-constexpr slong bits = 128;
+constexpr slong path_bits = 128;
 
 /// Columns that span what is normal to the rows of the equations' Jacobian at x.
 Eigen::MatrixXd directions_along(const QuadraticSystem& system, const std::vector<int>& equations,
@@ -43,7 +43,7 @@ std::optional<BallMatrix> exact_start(const QuadraticSystem& system, const std::
   const Eigen::MatrixXd directions = directions_along(system, met, sketched);
   for (Eigen::Index i = 0; i < directions.cols(); ++i)
     start.equations.push_back(plane_through(sketched, directions.col(i)));
-  const BallKrawczyk krawczyk(start, bits);
+  const BallKrawczyk krawczyk(start, path_bits);
   const BallKrawczyk::Newton newton = krawczyk.refined(near);
   if (!newton.converged) return std::nullopt;
   auto proof = krawczyk.prove(newton.x);
@@ -55,7 +55,7 @@ std::optional<BallMatrix> exact_start(const QuadraticSystem& system, const std::
 double error_of(acb_srcptr number, double rounded) {
   Ball difference;
   acb_set_d(difference, rounded);
-  acb_sub(difference, number, difference, bits);
+  acb_sub(difference, number, difference, path_bits);
   return magnitude(difference);
 }
 
@@ -67,7 +67,7 @@ BallMatrix sums_at(const SceneSystem& system, const std::vector<TravellingValue>
     sums.equations[e].given = {};
     if (values[e].root_sign != 0) sums.equations[e].products[0].right = {{}, exactly(values[e].root_sign)};
   }
-  return BallKrawczyk(sums, bits).value(x);
+  return BallKrawczyk(sums, path_bits).value(x);
 }
 
 void enclose_start(const BallMatrix& start, const Eigen::VectorXd& near, PointBox& box) {
@@ -98,7 +98,7 @@ struct HalfNumber {
 double error_of_root(acb_srcptr number, double rounded) {
   if (!arb_is_positive(acb_realref(number))) return std::numeric_limits<double>::infinity();
   Ball root;
-  acb_sqrt(root, number, bits);
+  acb_sqrt(root, number, path_bits);
   return error_of(root, rounded);
 }
 
@@ -119,7 +119,7 @@ PathData enclose_path_data(const Scene& scene, const SceneSystem& system,
     EnclosedLength& length = data.lengths[e];
     const auto& [path, is_plain, root_sign] = values[e];
     const acb_srcptr sum = sums(static_cast<slong>(e), 0);
-    enclose(given, system.equations().equations[e].given, bits);
+    enclose(given, system.equations().equations[e].given, path_bits);
     length.path = path;
     length.is_plain = is_plain;
     length.sketch_error = is_plain ? error_of(sum, path.at_sketch) : error_of_root(sum, path.at_sketch);
@@ -142,11 +142,11 @@ PathData enclose_released_data(const QuadraticSystem& equations, Eigen::Index re
   enclose_start(*exact, start, data.start);
   QuadraticSystem sums = equations;
   for (QuadraticEquation& equation : sums.equations) equation.given = {};
-  const BallMatrix at_start = BallKrawczyk(sums, bits).value(*exact);
+  const BallMatrix at_start = BallKrawczyk(sums, path_bits).value(*exact);
   Ball given;
   for (std::size_t e = 0; e < equations.equations.size(); ++e) {
     EnclosedLength& value = data.lengths[e];
-    enclose(given, equations.equations[e].given, bits);
+    enclose(given, equations.equations[e].given, path_bits);
     const HalfNumber target(given);
     const HalfNumber first(static_cast<Eigen::Index>(e) == released ? at_start(static_cast<slong>(e), 0)
                                                                     : static_cast<acb_srcptr>(given));

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/numeric/rounding.hpp"
+
 namespace gcs {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 /// Of a sum of few floating-point products, relative to their sizes.
-constexpr double few_roundings = 16 * epsilon;
+constexpr double of_few_roundings = 16 * epsilon;
 
 /// A wider tube is proven as easily, as long as its width changes J little, and the next point of the chain
 /// is well inside.
@@ -187,7 +187,7 @@ void PathTube::set_progress() {
     rest += static_cast<double>(n) * std::abs(along[n]) * power;
   const double rounding = static_cast<double>(along.size() + section_.normal.size()) * epsilon *
                           section_.normal.cwiseAbs().dot(coordinate_speed_);
-  progress_ = (along[1] - rest * round_up) * (1 - few_roundings) - rounding;
+  progress_ = (along[1] - rest * round_up) * (1 - of_few_roundings) - rounding;
 }
 
 /// r = (I − |I − J P|)⁻¹ b for a right side b that is the same part of every equation's terms: then

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 LengthPath of_errors(const EnclosedLength& length) {
   return {length.sketch_error, length.target_error, length.bend_error, length.higher_errors};

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// The part of the wanted radius that chords of an arc may take before corners are dropped: the more corners
 /// there are to choose from, the more of the radius serves to drop them.

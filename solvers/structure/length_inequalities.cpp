@@ -7,10 +7,10 @@
 #include <queue>
 #include <utility>
 
+#include "solvers/numeric/rounding.hpp"
+
 namespace gcs {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A length with a bound on its distance to the exact one. Sums that overflow become infinite, which is no
 /// shorter than anything, so that lengths of any size need no scaling.

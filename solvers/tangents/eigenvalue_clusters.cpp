@@ -2,13 +2,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <limits>
+
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 using ComplexMatrix = Eigen::Matrix<Complex, tangent_count, tangent_count>;
 

@@ -21,14 +21,6 @@ constexpr std::array<double, 3> weights{1, 0.6875, -0.4375};
 
 LinearForm unknown_form(int unknown) { return unknown < 0 ? LinearForm() : LinearForm{{{unknown}}, {}}; }
 
-/// Precondition: one of them has no constant.
-LinearForm difference(LinearForm a, const LinearForm& b) {
-  const LinearForm minus = negated(b);
-  a.terms.insert(a.terms.end(), minus.terms.begin(), minus.terms.end());
-  if (!b.constant.is_zero()) a.constant = minus.constant;
-  return a;
-}
-
 LinearForm scaled(LinearForm form, double factor) {
   for (ScaledUnknown& term : form.terms)
     term.coefficient = exactly(factor * rounded_to_double(term.coefficient));

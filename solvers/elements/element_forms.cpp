@@ -26,6 +26,13 @@ VectorForm negated(VectorForm forms) {
   return forms;
 }
 
+LinearForm difference(LinearForm left, const LinearForm& right) {
+  const LinearForm opposite = negated(right);
+  left.terms.insert(left.terms.end(), opposite.terms.begin(), opposite.terms.end());
+  if (left.constant.is_zero()) left.constant = opposite.constant;
+  return left;
+}
+
 VectorForm scaled(VectorForm forms, int exponent) {
   for (LinearForm& form : forms) {
     for (ScaledUnknown& term : form.terms) term.coefficient = times_power_of_two(term.coefficient, exponent);
@@ -51,11 +58,8 @@ Equation& Equation::plus_square_of_difference(const VectorForm& left, const Vect
       minus(scaled(left, 1)[axis], right[axis]);
       continue;
     }
-    LinearForm difference = left[axis];
-    const LinearForm opposite = negated(right[axis]);
-    difference.terms.insert(difference.terms.end(), opposite.terms.begin(), opposite.terms.end());
-    if (difference.constant.is_zero()) difference.constant = opposite.constant;
-    plus(difference, difference);
+    const LinearForm apart = difference(left[axis], right[axis]);
+    plus(apart, apart);
   }
   return *this;
 }

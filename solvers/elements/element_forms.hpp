@@ -17,6 +17,8 @@ inline bool is_zero(const LinearForm& form) { return form.terms.empty() && form.
 LinearForm constant_form(const ExactNumber& number);
 LinearForm negated(LinearForm form);
 VectorForm negated(VectorForm forms);
+/// Precondition: one of them has no constant.
+LinearForm difference(LinearForm left, const LinearForm& right);
 
 /// Times 2^exponent.
 VectorForm scaled(VectorForm forms, int exponent);

@@ -33,14 +33,16 @@ std::optional<Message> next_message(const MessagePassing& passing) {
   return message;
 }
 
-/// Whoever waits leaves the core to others: MPI's own waiting takes all of it.
+/// Whoever waits leaves the core to others: MPI's own waiting takes all of it. A large message takes several looks of both
+/// sides, so that these are not to be further apart than a small part of the time that was waited.
 Message wait_for_message(const MessagePassing& passing) {
-  constexpr std::chrono::microseconds shortest{20}, longest{500};
-  auto pause = shortest;
+  using Clock = std::chrono::steady_clock;
+  constexpr Clock::duration shortest = std::chrono::microseconds(10),
+                            longest = std::chrono::microseconds(500);
+  const Clock::time_point start = Clock::now();
   while (true) {
     if (auto message = next_message(passing)) return *std::move(message);
-    std::this_thread::sleep_for(pause);
-    pause = std::min(2 * pause, longest);
+    std::this_thread::sleep_for(std::clamp((Clock::now() - start) / 64, shortest, longest));
   }
 }
 
@@ -63,6 +65,16 @@ std::pair<std::uint64_t, std::string> number_and_bytes(const std::string& messag
 }
 
 }  // namespace
+
+std::optional<int> next_receiver(const std::vector<int>& queued, std::size_t left) {
+  const auto first_with = [&](int number) -> std::optional<int> {
+    const auto found = std::find(queued.begin() + 1, queued.end(), number);
+    return found != queued.end() ? std::optional(static_cast<int>(found - queued.begin())) : std::nullopt;
+  };
+  if (left == 0) return std::nullopt;
+  if (const auto idle = first_with(0)) return idle;
+  return left >= queued.size() ? first_with(1) : std::nullopt;
+}
 
 RankCrew::RankCrew(const MessagePassing& passing, const std::string& build)
     : passing_(passing), told_(static_cast<std::size_t>(passing.size)) {
@@ -91,12 +103,8 @@ class RankCrew::Hand {
   bool is_all_given() const { return next_ == items_.size(); }
   bool has_failed() const { return !failure_.empty(); }
 
-  /// Two items for each rank: one to do, and one for when that is done.
   void hand_out() {
-    constexpr int most_queued = 2;
-    for (int length = 0; length < most_queued; ++length)
-      for (int rank = 1; rank < crew_.members() && !is_all_given(); ++rank)
-        if (queued_[static_cast<std::size_t>(rank)] == length) give(rank);
+    while (const auto rank = next_receiver(queued_, items_.size() - next_)) give(*rank);
   }
 
   void do_one(const std::function<std::string(std::size_t)>& here) {

@@ -1,12 +1,21 @@
 #pragma once
 /// A crew of the ranks of one run: the first one hands out, the others do what they get.
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "harness/ranks/message_passing.hpp"
 #include "solvers/running/crew.hpp"
 
 namespace gcs {
+
+/// The rank that gets the next of the `left` items that nobody has, where `queued` are those that each rank has and has
+/// not done: one to do, and one for when that is done while enough are left that nobody ends with two of them and others
+/// with none. Nullopt: the next one is left to the first rank, which never gets any.
+std::optional<int> next_receiver(const std::vector<int>& queued, std::size_t left);
 
 /// Of the first rank. It works too, between messages.
 class RankCrew final : public Crew {

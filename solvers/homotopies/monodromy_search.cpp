@@ -52,7 +52,7 @@ class Search {
                        const std::function<bool()>& stopped, const std::function<void(int)>& progress,
                        WorkCounters& work) {
     while (!is_over(completeness) && !stopped()) {
-      const std::vector<Task> tasks = next_tasks();
+      const std::vector<Task> tasks = next_tasks(legs_at_once());
       if (tasks.empty()) {
         if (is_quiet_and_done(completeness)) break;
         add_arc();
@@ -90,13 +90,19 @@ class Search {
     return found_;
   }
 
-  /// The next legs to follow, at most `legs_at_once`: first what the first arcs have not been tried on.
-  std::vector<Task> next_tasks() {
+  /// The more are known, the more, so that threads and processes seldom wait for each other's last legs. On average half of
+  /// the last ones are followed in vain: of some four for each solution.
+  std::size_t legs_at_once() const {
+    return std::max<std::size_t>(size() / 16, static_cast<std::size_t>(options_.fewest_at_once));
+  }
+
+  /// The next legs to follow, at most `most`: first what the first arcs have not been tried on.
+  std::vector<Task> next_tasks(std::size_t most) {
     std::vector<Task> tasks;
     for (int arc = 0; arc < static_cast<int>(gammas_.size()); ++arc) {
       const std::size_t before = tasks.size();
-      take_tasks(0, arc, tasks);
-      if (!options_.is_one_way || tasks.size() == before) take_tasks(1, arc, tasks);
+      take_tasks(0, arc, most, tasks);
+      if (!options_.is_one_way || tasks.size() == before) take_tasks(1, arc, most, tasks);
     }
     return tasks;
   }
@@ -177,10 +183,9 @@ class Search {
     return number;
   }
 
-  void take_tasks(int node, int arc, std::vector<Task>& tasks) {
+  void take_tasks(int node, int arc, std::size_t most, std::vector<Task>& tasks) {
     int& next = nodes_[node].next[arc];
-    for (; static_cast<int>(tasks.size()) < options_.legs_at_once && next < nodes_[node].solutions.size();
-         ++next) {
+    for (; tasks.size() < most && next < nodes_[node].solutions.size(); ++next) {
       int& image = nodes_[node].images[arc][next];
       if (image != Node::open) continue;
       image = Node::followed;

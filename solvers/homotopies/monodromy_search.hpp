@@ -49,10 +49,11 @@ HomotopyFamily square_family(const SquareSystem& system, SignMasks signs, std::v
 HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs);
 
 struct MonodromyOptions {
-  int first_arcs = 4;      ///< between the nodes; one more whenever the others find nothing new
-  int arcs = 12;           ///< at most
-  int legs_at_once = 256;  ///< followed before their ends are sorted in; part of the result's definition
-  double bend = 2;         ///< |B| over |A|
+  int first_arcs = 4;  ///< between the nodes; one more whenever the others find nothing new
+  int arcs = 12;       ///< at most
+  /// Legs followed before their ends are sorted in: at least so many, and part of the result's definition.
+  int fewest_at_once = 256;
+  double bend = 2;  ///< |B| over |A|
   bool has_two_bends = false;
   /// Whether an arc is tried from a node's solutions only when its other end has none left: half the legs, and batches that
   /// are half as large.

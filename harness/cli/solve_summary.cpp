@@ -13,6 +13,7 @@
 #include "harness/cli/summary_line.hpp"
 #include "harness/results/exec_strategy.hpp"
 #include "harness/solving/counts_view.hpp"
+#include "solvers/running/words.hpp"
 
 namespace gcs {
 
@@ -156,6 +157,15 @@ std::string range(const std::vector<AssessedSolution>& solutions, Member member)
   return fmt::format("{:.2g} to {:.2g}", low, high);
 }
 
+/// Those that doubles do not hold.
+std::string far_ones(const std::vector<AssessedSolution>& solutions) {
+  const auto count = static_cast<std::uint64_t>(
+      std::ranges::count_if(solutions, [](const AssessedSolution& one) { return one.decimals != nullptr; }));
+  if (count == 0) return "";
+  return summary_line("far", fmt::format("{} with coordinates {}: a result has them as decimals too",
+                                         amount(count, "solution", "solutions"), too_large_for_doubles()));
+}
+
 std::string condition_and_residual(const std::vector<AssessedSolution>& solutions) {
   if (solutions.empty()) return "";
   const bool certified = std::all_of(solutions.begin(), solutions.end(),
@@ -164,7 +174,7 @@ std::string condition_and_residual(const std::vector<AssessedSolution>& solution
   if (certified)
     text = summary_line("error", range(solutions, [](const AssessedSolution& s) { return *s.error(); }) +
                                      ", proven, in the file's unit of length");
-  return text +
+  return text + far_ones(solutions) +
          summary_line("residual",
                       range(solutions, &AssessedSolution::residual) + ", relative to the lengths") +
          summary_line("condition",

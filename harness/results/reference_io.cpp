@@ -2,48 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <span>
+#include <utility>
 
 #include "harness/base/document_text.hpp"
+#include "harness/results/decimal_json.hpp"
 #include "harness/results/result_io.hpp"
 #include "harness/results/verify.hpp"
 #include "solvers/answers/certify.hpp"
 #include "solvers/certificates/decimal_figure.hpp"
-#include "solvers/reading/figure_json.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {
 
 constexpr std::string_view format_name = "gcsbench-reference/1";
 
-JsonValue decimal_value(const DecimalNumber& number, bool is_real) {
-  return is_real ? json_text(number.re) : json_texts({number.re, number.im});
-}
-
-JsonValue vector_value(const DecimalVector& vector, int dimension, bool is_real) {
-  const auto number_value = [&](const DecimalNumber& number) { return decimal_value(number, is_real); };
-  return json_array_of(std::span(vector).first(static_cast<std::size_t>(dimension)), number_value);
-}
-
 JsonValue solution_value(const ProblemStatement& problem, const DecimalFigure& figure, bool is_real) {
-  const auto point_value = [&](const DecimalVector& point) {
-    return vector_value(point, problem.dimension, is_real);
-  };
-  const auto line_value = [&](const DecimalFigure::Line& line) {
-    return json_line(vector_value(line.point, problem.dimension, is_real),
-                     vector_value(line.direction, problem.dimension, is_real));
-  };
-  const auto plane_value = [&](const DecimalFigure::Plane& plane) {
-    return json_plane(vector_value(plane.normal, 3, is_real), decimal_value(plane.offset, is_real));
-  };
-  JsonMembers members{{"real", json_boolean(is_real)},
-                      {"points", json_object_of(problem.points, figure.points, point_value)},
-                      {"lines", json_object_of(problem.lines, figure.lines, line_value)}};
-  if (!problem.planes.empty())
-    members.emplace_back("planes", json_object_of(problem.planes, figure.planes, plane_value));
-  members.emplace_back("error_bound", json_number(figure.error));
-  members.emplace_back("unique_within", json_number(figure.unique));
-  members.emplace_back("bits", json_number(figure.bits));
+  JsonMembers members = decimal_members(problem, figure, is_real);
+  members.emplace(members.begin(), "real", json_boolean(is_real));
   return json_object(std::move(members));
 }
 

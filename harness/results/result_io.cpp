@@ -5,6 +5,7 @@
 #include "harness/base/document_text.hpp"
 #include "harness/base/record_fields.hpp"
 #include "harness/base/record_json.hpp"
+#include "harness/results/decimal_json.hpp"
 #include "harness/results/result_counts.hpp"
 #include "harness/solving/frame_view.hpp"
 #include "solvers/elements/general_structure.hpp"
@@ -36,6 +37,9 @@ JsonValue solution_value(const ProblemStatement& problem, const AssessedSolution
   write("condition", solution.condition);
   write("error_bound", solution.error());
   write("certified", solution.certified);
+  if (solution.decimals)
+    members.emplace_back("decimals",
+                         json_object(decimal_members(problem, *solution.decimals, solution.is_real())));
   if (!stated_signs(problem).empty()) write_signs(problem, solution, write);
   return json_object(std::move(members));
 }

@@ -14,6 +14,8 @@
 
 namespace gcs {
 
+struct DecimalFigure;
+
 /// What a file calls the entities of a scene, its unit of length, and its frame where that is not the scene's; shared by
 /// the scene's solutions.
 struct FileTerms {
@@ -35,6 +37,8 @@ struct AssessedSolution {
   double condition = 0;               ///< jacobian_condition; infinity at a singular solution
   std::optional<double> error_bound;  ///< rigorous; empty: not certified
   bool certified = false;
+  /// Of a certified one whose coordinates are so large that doubles do not hold the distances: with as many digits as do.
+  std::shared_ptr<const DecimalFigure> decimals;
   /// Of a real solution of the equations; of a certified one by its enclosure.
   SignVerdict signs;
   std::shared_ptr<const FileTerms> terms = std::make_shared<const FileTerms>();

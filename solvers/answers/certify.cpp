@@ -4,12 +4,16 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <mutex>
+#include <utility>
 
 #include "solvers/certificates/coincidences.hpp"
+#include "solvers/certificates/decimal_figure.hpp"
 #include "solvers/certificates/enclosed_point.hpp"
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/certificates/solutions_at_infinity.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/figure_in_frame.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
@@ -102,6 +106,18 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
   return "";
 }
 
+/// Of proven solutions that doubles do not hold. Where stop is asked for none for those that are left.
+void find_decimals(const SceneEquations& equations, const Scene& scene, int threads,
+                   std::vector<AssessedSolution>& solutions, const std::stop_token& stop) {
+  share_on_threads(solutions.size(), threads, [&](std::size_t i) {
+    AssessedSolution& solution = solutions[i];
+    if (!solution.certified || !loses_distances(scene, solution.figure) || stop.stop_requested()) return;
+    const int digits = digits_that_hold(scene, solution.figure);
+    if (auto decimals = decimal_figure(equations, scene, solution.figure, digits))
+      solution.decimals = std::make_shared<const DecimalFigure>(*std::move(decimals));
+  });
+}
+
 bool proves_real(const Certificate& certificate) {
   return certificate.is_proven && certificate.realness == Certificate::Realness::real;
 }
@@ -146,6 +162,18 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
     if (proof.same_as < 0) proof.cluster = proof.least;
   }
   return proofs;
+}
+
+void prove_errors(const Scene& scene, int threads, std::vector<Candidate>& candidates,
+                  const std::stop_token& stop) {
+  if (why_not_certified(scene)) return;
+  std::vector<Figure> figures;
+  for (const Candidate& candidate : candidates) figures.push_back(scene.in_frame(candidate.figure));
+  const std::vector<SolutionProof> proofs =
+      prove_solutions(SceneEquations(scene), figures, threads, nullptr, stop);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (proofs[i].certificate.is_proven)
+      candidates[i].error = std::min(candidates[i].error, proofs[i].distance);
 }
 
 SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
@@ -202,6 +230,7 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
     proofs.classes += solution.certified ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
   }
+  find_decimals(equations, scene, threads, assessment.solutions, stop);
   count_clusters(all, proofs);
   proofs.real = proven_real(assessment);
   proofs.undecided = proven_undecided(assessment);

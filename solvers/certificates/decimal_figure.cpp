@@ -179,6 +179,17 @@ std::optional<DecimalFigure> decimal_figure(const SceneEquations& equations, con
   return std::nullopt;
 }
 
+int digits_that_hold(const Scene& scene, const Figure& figure) {
+  constexpr int of_doubles = 17;
+  double shortest = scene.size();
+  if (!scene.problem().is_general())
+    for (const double length : scene.target_lengths())
+      if (length > 0) shortest = std::min(shortest, length);
+  // A squared length ℓ² is the difference of squares of coordinates X: it takes (X/ℓ)² as fine ones.
+  const double reach = std::max(0.0, std::log10(extent(figure)) - std::log10(shortest));
+  return of_doubles + static_cast<int>(std::ceil(2 * reach));
+}
+
 std::vector<std::optional<DecimalFigure>> decimal_figures(const SceneEquations& equations, const Scene& scene,
                                                           const std::vector<Figure>& near, int digits,
                                                           int threads, const std::stop_token& stop) {

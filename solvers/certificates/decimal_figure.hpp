@@ -40,6 +40,11 @@ struct DecimalFigure {
 std::optional<DecimalFigure> decimal_figure(const SceneEquations& equations, const Scene& scene,
                                             const Figure& near, int digits);
 
+/// So many significant digits of a figure's numbers that rounding to them moves no given distance by more than a double's
+/// rounding of it would; where constraints are of other kinds, no distance of the scene's size. Precondition: the figure is
+/// finite.
+int digits_that_hold(const Scene& scene, const Figure& figure);
+
 /// One for each figure, on so many threads; the same for any number of them. After a request to stop nothing
 /// for those that are left.
 std::vector<std::optional<DecimalFigure>> decimal_figures(const SceneEquations& equations, const Scene& scene,

@@ -142,8 +142,19 @@ class Solve {
     set_status(report);
     answer_.claim = report.claim;
     static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
+    if (settings_.certify && lists_product_as_fewer(report)) {
+      prove_errors(scene_, settings_.threads, report.candidates, surroundings_.stop);
+      static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
+    }
     answer_.work = report.work;
     answer_.particulars = std::move(report.particulars);
+  }
+
+  /// Whether all solutions of a product are candidates, which are different, and doubles take some for the same.
+  bool lists_product_as_fewer(const SolveReport& report) const {
+    if (!report.totals || answer_.solutions.size() >= report.candidates.size()) return false;
+    const std::optional<Natural>& all = report.totals->complex ? report.totals->complex : report.totals->real;
+    return all && *all == Natural(report.candidates.size());
   }
 
   void hold_against_counts(const SolveReport& report) {
@@ -181,9 +192,19 @@ class Solve {
         was_stopped ? std::stop_token() : surroundings_.stop_proofs.value_or(surroundings_.stop);
     certify(scene_, counts, report.generic_member, settings_.threads, was_stopped ? nullptr : monitor_,
             answer_, stop);
-    if (!stop.stop_requested()) return;
+    if (!stop.stop_requested()) return believe_proofs();
     set_stopped(SolveStage::proving);
     answer_.reason += " while solutions were proven";
+  }
+
+  /// Where as many solutions are proven as there can be, none is missing, whatever the strategy doubts.
+  void believe_proofs() {
+    const Proofs& proofs = *answer_.proofs;
+    const bool are_proven = proofs.classes + proofs.clusters == answer_.solutions.size();
+    if (answer_.status != RunStatus::partial || answer_.claim != Claim::all_complex) return;
+    if (!are_proven || !proofs.are_complete()) return;
+    answer_.status = RunStatus::complete;
+    answer_.reason.clear();
   }
 
   void list(std::size_t candidates) {

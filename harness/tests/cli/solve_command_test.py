@@ -9,6 +9,7 @@ import os
 import signal
 import subprocess
 import time
+from fractions import Fraction
 from pathlib import Path
 
 import command_line
@@ -153,6 +154,44 @@ class Solve(command_line.CommandLine):
         done = run("verify", out)
         self.assertEqual(done.returncode, CHECK_FAILED)
         self.assertIn("solution 0 is 1e-09 away", done.stderr)
+
+    def test_coordinates_beyond_doubles_come_with_their_digits(self):
+        """Without a proof doubles cannot tell. With one the list is complete, by the bound of 8 for six points (16 in a frame)."""
+        out = self.folder / "result.json"
+        for scene in ["escaping@1e-8", "escaping@1e-10", "short-edge@1e-8", "short-edge@1e-10"]:
+            done = run("solve", scene, "--strategy", "monodromy", "--out", out)
+            self.assertIn("doubles do not hold the distances", done.stderr)
+            self.assertEqual(json.loads(out.read_text())["status"], "partial")
+            done = run("solve", scene, "--strategy", "monodromy", "--certify", "--out", out)
+            self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+            self.assertRegex(done.stdout, r"far +\d solutions? with coordinates so large")
+            result = json.loads(out.read_text(), parse_float=Fraction)
+            self.assertEqual((result["status"], result["reason"], len(result["solutions"])), ("complete", "", 8))
+            far = [one for one in result["solutions"] if "decimals" in one]
+            self.assertGreater(len(far), 0)
+            for solution in far:
+                for constraint in result["instance"]["constraints"]:
+                    square = Fraction(constraint["squared"] if "squared" in constraint else constraint["length"] ** 2)
+                    self.assertLess(abs(self.exact_square(solution, constraint["between"]) / square - 1), 1e-14)
+            self.assertEqual(run("verify", out).returncode, DONE)
+
+    def test_solutions_of_a_product_that_doubles_take_for_the_same_are_told_apart_by_proofs(self):
+        out = self.folder / "result.json"
+        for scene in ["mixed-lengths@1e-10", "mixed-lengths@1e-12"]:
+            done = run("solve", scene, "--strategy", "monodromy", "--certify", "--out", out)
+            self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+            result = json.loads(out.read_text())
+            self.assertEqual((result["status"], result["counts"]["certified"]), ("complete", 32))
+            self.assertTrue(result["proofs"]["complete"])
+
+    @staticmethod
+    def exact_square(solution, between):
+        """Of the distance in decimals; where it is complex, how far it is from the real axis added."""
+        ends = [solution["decimals"]["points"][point] for point in between]
+        if solution["real"]:
+            return sum((Fraction(a) - Fraction(b)) ** 2 for a, b in zip(*ends))
+        apart = [[Fraction(a[part]) - Fraction(b[part]) for part in (0, 1)] for a, b in zip(*ends)]
+        return sum(re * re - im * im for re, im in apart) + abs(sum(2 * re * im for re, im in apart))
 
     def test_what_is_not_proven_fails_a_check(self):
         done = run("solve", "tangents-fourfold", "--strategy", "sphere-tangents", "--certify")

@@ -10,6 +10,7 @@
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/reduction/simplex_coordinates.hpp"
+#include "solvers/solving/problem.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/structure/decomposition.hpp"
 #include "solvers/tests/grown_graphs.hpp"
@@ -309,4 +310,17 @@ TEST_CASE("lines at four distances from given points are solved apart, and their
     }
     CHECK(both.proofs->real == real);
   }
+}
+
+TEST_CASE("an undecided double solution of a part fails no check") {
+  // p0, p1 and p3 are on one line, so that p5 is a double place, of which a scan in doubles keeps the halves.
+  Problem problem(2);
+  problem.points("p0", "p1", "p2", "p3", "p4", "p5");
+  problem.distance("p0", "p1", 2).distance("p2", "p3", 1).distance("p0", "p3", 2).distance("p0", "p4", 2);
+  problem.distance("p2", "p4", 1).distance("p3", "p4", 2).distance("p1", "p5", 1).distance("p3", "p5", 1);
+  problem.distance("p0", "p5", 1);
+  const Answer answer = gcs::solve(problem, "plan-scan");
+  CHECK(answer.status == RunStatus::partial);
+  CHECK(answer.reason.find("undecided") != std::string::npos);
+  CHECK(answer.failed_checks.empty());
 }

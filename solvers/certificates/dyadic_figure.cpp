@@ -50,6 +50,29 @@ std::string whole_number(const arb_t number, int exponent) {
   return text;
 }
 
+/// The exponent of a unit in which place and rounding are off by less than 4, half the radius; `size`: of the unknowns.
+/// Nothing where the box would be too large: Newton's method contracts balls of about the size of `unique`.
+std::optional<int> exponent_for(const Place& place, double size) {
+  const int exponent = std::ilogb(std::max(place.spread, std::ldexp(size, -place.bits)));
+  if (place.unique < std::ldexp(4 * DyadicFigure::radius, exponent)) return std::nullopt;
+  return exponent;
+}
+
+DecimalNumber whole_numbers(acb_srcptr value, int exponent) {
+  return {whole_number(acb_realref(value), exponent), whole_number(acb_imagref(value), exponent)};
+}
+
+std::optional<DyadicBox> box_of(const Place& place, double unique_of_outer) {
+  Place both = place;
+  both.unique = std::min(place.unique, unique_of_outer);
+  const std::optional<int> exponent = exponent_for(both, 1);
+  if (!exponent) return std::nullopt;
+  DyadicBox box{{}, *exponent};
+  for (slong i = 0; i < place.middle.rows(); ++i)
+    box.numbers.push_back(whole_numbers(place.middle(i, 0), *exponent));
+  return box;
+}
+
 bool is_real_within(const BallMatrix& middle, double reach) {
   for (slong i = 0; i < middle.rows(); ++i)
     if (std::abs(rounded_midpoint(middle(i, 0)).imag()) > reach) return false;
@@ -72,22 +95,18 @@ class DyadicWriter {
   }
 
  private:
-  /// In a unit in which place and rounding are off by less than 4, half the radius. Nothing where the box would be too large:
-  /// Newton's method contracts balls of about the size of `unique`.
   std::optional<DyadicFigure> figure(const Place& place, bool is_real) const {
-    const int exponent = std::ilogb(std::max(place.spread, std::ldexp(scene_.size(), -place.bits)));
-    const double radius = std::ldexp(DyadicFigure::radius, exponent);
-    if (place.unique < 4 * radius || (!is_real && is_real_within(place.middle, 2 * radius)))
+    const std::optional<int> exponent = exponent_for(place, scene_.size());
+    if (!exponent ||
+        (!is_real && is_real_within(place.middle, std::ldexp(2 * DyadicFigure::radius, *exponent))))
       return std::nullopt;
-    DyadicFigure figure{{}, exponent + scene_.unit_exponent()};
+    DyadicFigure figure{{}, *exponent + scene_.unit_exponent()};
     for (int point = 0; point < scene_.point_count(); ++point) {
       DecimalVector& numbers = figure.points.emplace_back();
       for (int axis = 0; axis < scene_.dimension(); ++axis) {
         const int unknown = equations_.point_unknown(point, axis);
         if (unknown < 0) continue;
-        const acb_srcptr value = place.middle(unknown, 0);
-        numbers[static_cast<std::size_t>(axis)] = {whole_number(acb_realref(value), exponent),
-                                                   whole_number(acb_imagref(value), exponent)};
+        numbers[static_cast<std::size_t>(axis)] = whole_numbers(place.middle(unknown, 0), *exponent);
       }
     }
     return figure;
@@ -100,13 +119,26 @@ class DyadicWriter {
 
 }  // namespace
 
+std::optional<DyadicBox> dyadic_box(const Certifier& inner, const Certifier& outer,
+                                    const std::vector<std::complex<double>>& x) {
+  std::vector<std::complex<double>> with_zeros = x;
+  with_zeros.resize(static_cast<std::size_t>(outer.system().unknowns));
+  const Certificate at = inner.certify(x), around = outer.certify(with_zeros);
+  if (at.is_proven && around.is_proven)
+    if (auto box = box_of(place_of(at.enclosure), around.enclosure.unique)) return box;
+  for (const slong bits : ball_precisions) {
+    const auto inner_proof = inner.prove(x, bits), outer_proof = outer.prove(with_zeros, bits);
+    if (!inner_proof || !outer_proof) continue;
+    if (auto box = box_of(place_of(*inner_proof, bits), outer_proof->unique)) return box;
+  }
+  return std::nullopt;
+}
+
 std::vector<std::optional<DyadicFigure>> dyadic_figures(const SceneEquations& equations, const Scene& scene,
                                                         const std::vector<Figure>& near, int threads) {
   const DyadicWriter writer(equations, scene);
   std::vector<std::optional<DyadicFigure>> figures(near.size());
-  share_on_threads(near.size(), threads, [&](std::size_t i) {
-    figures[i] = writer.figure(near[i]);
-  });
+  share_on_threads(near.size(), threads, [&](std::size_t i) { figures[i] = writer.figure(near[i]); });
   return figures;
 }
 

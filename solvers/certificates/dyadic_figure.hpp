@@ -1,9 +1,11 @@
 #pragma once
 /// Proven solutions in exact dyadic numbers, for checkers that somebody else has written.
 
+#include <complex>
 #include <optional>
 #include <vector>
 
+#include "solvers/certificates/certificate.hpp"
 #include "solvers/certificates/decimal_figure.hpp"
 
 namespace gcs {
@@ -18,6 +20,18 @@ struct DyadicFigure {
   std::vector<DecimalVector> points;  ///< the whole numbers
   int exponent = 0;
 };
+
+/// Likewise all unknowns of a system.
+struct DyadicBox {
+  std::vector<DecimalNumber> numbers;
+  int exponent = 0;
+};
+
+/// The zero of `inner` next to x. `outer` has the same unknowns, then others, and a zero where these are 0: it is the one of
+/// `outer` in the box that has 0 ± radius·2^exponent for them, and a regular one. Nothing where no precision up to 1024 bits
+/// proves them so well.
+std::optional<DyadicBox> dyadic_box(const Certifier& inner, const Certifier& outer,
+                                    const std::vector<std::complex<double>>& x);
 
 /// The solutions next to figures in the scene's unit and frame, on so many threads; the same for any number of them. Nothing
 /// for one that no precision up to 1024 bits proves so well. Precondition: the scene is of points, none with a given

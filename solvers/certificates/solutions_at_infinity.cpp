@@ -52,6 +52,7 @@ std::optional<Point> settled(const QuadraticSystem& system, const Point& start) 
 /// One solution, of a guess.
 struct AtInfinity {
   std::size_t guess = 0;
+  Point place;
   Enclosure marks;  ///< of the unknowns that tell solutions apart
   int bits = 0;
 };
@@ -141,18 +142,34 @@ class FrameOfInfinity {
   }
 
   /// Of those that are not proven to be different one counts. In one frame they differ where their points at infinity do.
-  std::uint64_t different(const std::vector<std::optional<AtInfinity>>& all) const {
+  std::vector<const AtInfinity*> different(const std::vector<std::optional<AtInfinity>>& all) const {
     std::map<std::set<int>, std::vector<const AtInfinity*>> alike;
     for (const auto& one : all)
       if (one) alike[guesses_[one->guess]->points].push_back(&*one);
-    std::uint64_t count = 0;
-    for (const auto& [points, solutions] : alike) count += different(solutions);
-    return count;
+    std::vector<const AtInfinity*> result;
+    for (const auto& [points, solutions] : alike) append_different(solutions, result);
+    return result;
+  }
+
+  const Reference& frame() const { return frame_; }
+  const std::vector<Escape>& way(const AtInfinity& solution) const {
+    return guesses_[solution.guess]->equations.escapes();
+  }
+
+  std::optional<DyadicBox> box(const AtInfinity& solution) const {
+    const Guess& guess = *guesses_[solution.guess];
+    std::optional<DyadicBox> box = dyadic_box(guess.at_infinity, guess.around, solution.place);
+    if (!box) return std::nullopt;
+    // The sums of squared distances say nothing new.
+    const auto marks = box->numbers.begin() + std::ssize(guess.equations.mirror());
+    box->numbers.erase(marks - std::ssize(guess.equations.escapes()), marks);
+    return box;
   }
 
  private:
   /// Of the same points at infinity. Where these escape together in other ways, the marks of those that stay have to tell.
-  std::uint64_t different(const std::vector<const AtInfinity*>& solutions) const {
+  void append_different(const std::vector<const AtInfinity*>& solutions,
+                        std::vector<const AtInfinity*>& result) const {
     const EquationsAtInfinity& first = guesses_[solutions.front()->guess]->equations;
     const bool is_one_way = std::ranges::all_of(solutions, [&](const AtInfinity* solution) {
       return guesses_[solution->guess]->equations.is_escape_of_same_points(first);
@@ -169,7 +186,8 @@ class FrameOfInfinity {
     }
     std::set<int> same;
     for (const Coincidence& pair : coincidences(places, mirror)) same.insert(pair.second);
-    return places.size() - same.size();
+    for (std::size_t i = 0; i < solutions.size(); ++i)
+      if (!same.contains(static_cast<int>(i))) result.push_back(solutions[i]);
   }
 
   std::optional<AtInfinity> prove(std::size_t number, const ComplexPoints& points) const {
@@ -181,7 +199,8 @@ class FrameOfInfinity {
     if (!at_infinity.is_proven || !guess.equations.holds_solution(at_infinity.enclosure)) return std::nullopt;
     const std::optional<int> bits = regular_in_bits(guess, at_infinity.enclosure);
     if (!bits) return std::nullopt;
-    AtInfinity result{number, at_infinity.enclosure, std::max(at_infinity.bits, *bits)};
+    AtInfinity result{number, at_infinity.enclosure.mid, at_infinity.enclosure,
+                      std::max(at_infinity.bits, *bits)};
     result.marks.mid.resize(guess.equations.mirror().size());
     result.marks.radius.resize(guess.equations.mirror().size());
     return result;
@@ -246,19 +265,18 @@ struct FrameProofs {
   std::vector<std::optional<AtInfinity>> all;
 };
 
-}  // namespace
+/// In the first frame in which the most are proven.
+struct BestProofs {
+  std::string why_none;  ///< in words; empty where there are proofs
+  std::optional<FrameProofs> proofs{};
+};
 
-ProvenAtInfinity prove_at_infinity(const Scene& scene, const std::vector<Figure>& near, int threads,
-                                   const std::stop_token& stop) {
-  ProvenAtInfinity result;
-  if (near.empty()) return result;
-  result.why_not_all = why_not_known(scene);
-  if (!result.why_not_all.empty()) return result;
+/// `near` is not empty.
+BestProofs best_proofs(const Scene& scene, const std::vector<Figure>& near, int threads,
+                       const std::stop_token& stop) {
+  if (std::string why = why_not_known(scene); !why.empty()) return {std::move(why)};
   const std::vector<ClosedWalk> walks = closed_walks(scene);
-  if (walks.empty()) {
-    result.why_not_all = "no closed walk of given distances sums to 0 with any signs";
-    return result;
-  }
+  if (walks.empty()) return {"no closed walk of given distances sums to 0 with any signs"};
   const std::vector<Reference> frames = frames_of(scene);
   const auto proofs_in = [&](const Reference& frame, const std::vector<Figure>& figures) {
     return FrameProofs(scene, frame, walks, figures, threads, stop);
@@ -278,12 +296,43 @@ ProvenAtInfinity prove_at_infinity(const Scene& scene, const std::vector<Figure>
     FrameProofs there = proofs_in(*other, near);
     if (there.count() > best.count()) best = std::move(there);
   }
-  result.classes = best.frame.different(best.all);
-  for (const auto& one : best.all)
+  return {"", std::move(best)};
+}
+
+}  // namespace
+
+ProvenAtInfinity prove_at_infinity(const Scene& scene, const std::vector<Figure>& near, int threads,
+                                   const std::stop_token& stop) {
+  ProvenAtInfinity result;
+  if (near.empty()) return result;
+  const BestProofs best = best_proofs(scene, near, threads, stop);
+  result.why_not_all = best.why_none;
+  if (!best.proofs) return result;
+  result.classes = best.proofs->frame.different(best.proofs->all).size();
+  for (const auto& one : best.proofs->all)
     if (one) result.most_bits = std::max(result.most_bits, one->bits);
   if (result.classes < near.size())
     result.why_not_all =
         "in no frame is each found to be a simple solution with points next to others in isotropic planes";
+  return result;
+}
+
+DyadicAtInfinity dyadic_at_infinity(const Scene& scene, const std::vector<Figure>& near, int threads) {
+  DyadicAtInfinity result;
+  const BestProofs best = near.empty() ? BestProofs() : best_proofs(scene, near, threads, {});
+  if (!best.proofs) return result;
+  const FrameOfInfinity& frame = best.proofs->frame;
+  result.frame = frame.frame();
+  const std::vector<const AtInfinity*> different = frame.different(best.proofs->all);
+  std::vector<std::optional<DyadicBox>> boxes(different.size());
+  share_on_threads(different.size(), threads, [&](std::size_t i) { boxes[i] = frame.box(*different[i]); });
+  std::map<std::size_t, std::size_t> way_of;  // by guess
+  for (std::size_t i = 0; i < different.size(); ++i) {
+    if (!boxes[i]) continue;
+    const auto [way, is_new] = way_of.emplace(different[i]->guess, result.ways.size());
+    if (is_new) result.ways.push_back(frame.way(*different[i]));
+    result.solutions.push_back({way->second, *std::move(boxes[i])});
+  }
   return result;
 }
 

@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+#include "solvers/certificates/dyadic_figure.hpp"
+#include "solvers/certificates/escapes.hpp"
 #include "solvers/model/scene.hpp"
 
 namespace gcs {
@@ -39,5 +41,21 @@ struct ProvenAtInfinity {
 /// same for any number of threads, unless stopped: then fewer are proven.
 ProvenAtInfinity prove_at_infinity(const Scene& scene, const std::vector<Figure>& near, int threads,
                                    const std::stop_token& stop = {});
+
+/// The same for checkers that somebody else has written.
+struct DyadicAtInfinity {
+  struct Solution {
+    std::size_t way = 0;
+    /// In the scene's unit: coordinates of the points that stay, as far as the frame leaves them open; then for each escape n,
+    /// q, u (but of the first) and t of its points, and t of the walk's corners from the third on (equations_at_infinity.hpp).
+    DyadicBox box;
+  };
+  Reference frame;
+  std::vector<std::vector<Escape>> ways;  ///< to go to infinity
+  std::vector<Solution> solutions;        ///< different up to reflections
+};
+
+/// Those that prove_at_infinity proves, but for such as take more than 1024 bits.
+DyadicAtInfinity dyadic_at_infinity(const Scene& scene, const std::vector<Figure>& near, int threads);
 
 }  // namespace gcs

@@ -10,13 +10,16 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "harness/base/atomic_file.hpp"
 #include "harness/base/record_json.hpp"
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/python/answer_arrays.hpp"
 #include "harness/python/watched_solve.hpp"
+#include "harness/results/certificate_io.hpp"
 #include "harness/results/result_counts.hpp"
 #include "harness/results/result_io.hpp"
 #include "harness/solving/counts_view.hpp"
@@ -278,13 +281,29 @@ py::object point_of(const py::object& solved, const std::string& name) {
       "solutions")[py::make_tuple(py::slice(py::none(), py::none(), py::none()), found - points.begin())];
 }
 
+std::size_t write_certificate_of(const SolvedInstance& s, const std::string& file) {
+  require_certifiable(s.instance);
+  if (s.answer.counts.certified.value_or(0) == 0)
+    throw UserError("nothing is proven of this answer; solve with certify=True");
+  AtomicFile out(file);
+  const py::gil_scoped_release unlocked;
+  const std::size_t proven = write_certificate(s.instance, Scene(s.instance.problem), s.answer,
+                                               [&](std::string_view piece) { out.write(piece); });
+  out.commit();
+  return proven;
+}
+
 void bind_answer(py::module_& module) {
   BoundAnswer bound(module, "Answer", "What a strategy found: k solutions.");
   bind_texts(bound);
   bind_arrays(bound);
   bound.def("__len__", [](const SolvedInstance& s) { return s.answer.solutions.size(); })
       .def("__repr__", &described)
-      .def("point", &point_of, py::arg("name"), "Where the point is in each solution, k × d.");
+      .def("point", &point_of, py::arg("name"), "Where the point is in each solution, k × d.")
+      .def("write_certificate", &write_certificate_of, py::arg("file"),
+           "Writes the proofs for scripts/check-certificate, and returns how many solutions it has. Of an "
+           "answer by "
+           "certify=True to points and distances between them.");
 }
 
 // ---- figures that are followed

@@ -9,6 +9,8 @@
 #include <mutex>
 #include <utility>
 
+#include "harness/solving/start_file.hpp"
+
 namespace py = pybind11;
 
 namespace gcs {
@@ -126,7 +128,9 @@ Answer watched_solve(const Scene& scene, const std::string& strategy, const Opti
                      const SolveSettings& settings, std::optional<double> time_limit_s,
                      const py::object& progress) {
   Watch watch(time_limit_s, progress);
-  const SolveSurroundings surroundings = watch.surroundings();
+  SolveSurroundings surroundings = watch.surroundings();
+  StartFiles starts;
+  surroundings.starts = &starts;
   return watch.wait_for(std::async(std::launch::async,
                                    [&] { return solve(scene, strategy, options, settings, surroundings); }));
 }

@@ -11,6 +11,7 @@ import re
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -107,6 +108,41 @@ class Solving(unittest.TestCase):
         problem = gcsbench.Problem.read("k33")
         one = gcsbench.solve(problem, seed=3, threads=1)
         np.testing.assert_array_equal(one.solutions, gcsbench.solve(problem, seed=3, threads=3).solutions)
+
+    def test_a_start_system_serves_other_lengths(self):
+        def prism(*lengths):
+            problem = gcsbench.Problem(dimension=2).points(*"abcdef")
+            for (a, b), length in zip(("ab", "bc", "ca", "de", "ef", "fd", "ad", "be", "cf"), lengths):
+                problem.distance(a, b, length)
+            return problem
+
+        other = prism(6, 5, 4, 6, 5, 7, 3, 4, 5)
+        searched = gcsbench.solve(other, "monodromy")
+        self.assertEqual(len(searched), 12)  # 24 realisations, two mirror images each
+        self.assertGreater(searched.particulars["loop_paths"], 0)
+        with tempfile.TemporaryDirectory() as folder:
+            file = f"{folder}/prism.json"
+            gcsbench.solve(prism(5, 6, 4, 5, 6, 7, 4, 3, 5), "monodromy", save_start=file)
+            answer = gcsbench.solve(other, "monodromy", start=file, certify=True)
+            self.assertRaisesRegex(gcsbench.Error, "prism.json", gcsbench.solve,
+                                   gcsbench.Problem.read(SOURCE / "instances" / "k33.json"), "monodromy", start=file)
+            self.assertRaisesRegex(gcsbench.Error, "none.json", gcsbench.solve, other, "monodromy",
+                                   start=f"{folder}/none.json")
+        self.assertEqual(answer.status, "complete")
+        self.assertTrue(answer.certified.all())
+        np.testing.assert_allclose(answer.solutions, searched.solutions, rtol=0, atol=1e-8)
+
+    def test_a_certificate_is_written_and_checked_by_another_program(self):
+        octahedron = gcsbench.Problem.read(SOURCE / "instances" / "octahedron.json")
+        answer = gcsbench.solve(octahedron, "monodromy", certify=True)
+        with tempfile.TemporaryDirectory() as folder:
+            file = f"{folder}/proof.json"
+            self.assertEqual(answer.write_certificate(file), 8)  # half of the bound of 16 for six points
+            checked = subprocess.run([SOURCE / "scripts" / "check-certificate", file], capture_output=True, text=True, check=True)
+            self.assertRegex(checked.stdout, "^octahedron: exactly 8 complex solutions .*: proven")
+            unproven = gcsbench.solve(octahedron, "monodromy")
+            self.assertRaisesRegex(gcsbench.Error, "certify=True", unproven.write_certificate, file)
+            self.assertRaisesRegex(gcsbench.Error, "none", answer.write_certificate, f"{folder}/none/proof.json")
 
     def test_options_are_keywords_and_listed(self):
         answer = gcsbench.solve(gcsbench.Problem.read("octahedron"), "rcp", mode="paper", reduce=False)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "harness/instances/families_graphs.hpp"
 #include "harness/results/exec_strategy.hpp"
 #include "harness/tables/table_entries.hpp"
 
@@ -225,6 +226,7 @@ Table verdict_table(const RunFile& run, const std::map<std::string, StoredScene>
                           "of themselves solutions up to motion.",
                           measured_with(run)}};
   for (const InstanceSummary& instance : run.instances) {
+    if (graph_member(instance.id)) continue;  // hundreds, of which a table of their own tells
     const auto scene = scenes.find(instance.id);
     for (const Verdict& one :
          verdicts(run, instance, scene == scenes.end() ? nullptr : &scene->second, publications)) {

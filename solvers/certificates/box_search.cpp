@@ -12,7 +12,7 @@ namespace {
 constexpr double worth_a_pass = 0.5;
 
 /// Of the coordinates' rounding: a shorter part is not told from its neighbours.
-constexpr double shortest = 16 * epsilon;
+constexpr double narrowest = 16 * epsilon;
 
 class BoxSearch {
  public:
@@ -60,7 +60,7 @@ class BoxSearch {
     const auto image = krawczyk_image(system_, squares_, axes_, part);
     if (image && image->misses(part.radius)) return true;
     if (image && is_one_at_most(*image, part) && is_taken(part)) return true;
-    if (!(part.radius.maxCoeff() > shortest * size_of(part.mid))) return false;
+    if (!(part.radius.maxCoeff() > narrowest * size_of(part.mid))) return false;
     SkewBox left = image ? narrowed(*image, part) : part;
     if (left.radius.sum() < worth_a_pass * part.radius.sum())
       pending_.push_back(std::move(left));

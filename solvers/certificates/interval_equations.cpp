@@ -13,7 +13,7 @@ namespace {
 /// Of double-doubles: products and sums of a hundred terms are right to this, relative to the terms.
 constexpr double fine_rounding = 0x1p-92;
 /// And so are those of doubles.
-constexpr double rounding = 0x1p-44;
+constexpr double coarse_rounding = 0x1p-44;
 
 EnclosedNumber enclosed(const ExactNumber& number) {
   const DoubleDouble value = nearest_double_double(number);
@@ -152,20 +152,20 @@ Eigen::MatrixXd jacobian_radius(const IntervalEquations& system,
       move += c * radius[unknown];
       size += c * size_of(x[unknown]);
     }
-    moves.push_back(move * (1 + rounding) + rounding * size + underflow);
+    moves.push_back(move * (1 + coarse_rounding) + coarse_rounding * size + underflow);
   }
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(radius.size(), radius.size());
   const auto add = [&](Eigen::Index e, int form, int other) {
     for (const auto& [unknown, coefficient] : system.forms[static_cast<std::size_t>(form)].terms)
       result(e, unknown) +=
-          std::abs(coefficient.value.hi) * moves[static_cast<std::size_t>(other)] * (1 + rounding);
+          std::abs(coefficient.value.hi) * moves[static_cast<std::size_t>(other)] * (1 + coarse_rounding);
   };
   for (Eigen::Index e = 0; e < radius.size(); ++e)
     for (const auto& [left, right] : system.equations[static_cast<std::size_t>(e)].products) {
       add(e, left, right);
       add(e, right, left);
     }
-  return result * (1 + rounding);
+  return result * (1 + coarse_rounding);
 }
 
 template LinearisedSystem<double> linearised(const IntervalEquations&, const Eigen::VectorXd&);

@@ -4,16 +4,12 @@
 Usage: bends_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
-import importlib.machinery
-import importlib.util
 import unittest
 
 import command_line
 from command_line import PROGRAM, SOURCE
 
-loader = importlib.machinery.SourceFileLoader("sweep_bends", str(SOURCE / "scripts" / "sweep-bends"))
-sweep_bends = importlib.util.module_from_spec(importlib.util.spec_from_loader("sweep_bends", loader))
-loader.exec_module(sweep_bends)
+sweep_bends = command_line.load_script("sweep-bends")
 
 INSTANCES = {instance["id"]: instance for instance in sweep_bends.with_sketch()}
 

@@ -6,8 +6,6 @@ Usage: certificate_test.py PROGRAM SOURCE_DIR [unittest arguments]
 
 import copy
 import functools
-import importlib.machinery
-import importlib.util
 import json
 import random
 import subprocess
@@ -29,14 +27,7 @@ KNOWN = {"k33": (8, 2), "prism": (12, 12), "octahedron": (8, 4), "disulfide": (3
 RECORDS = {7916: 24, 1269995: 56, 170989214: 136}
 
 
-def loaded(script):
-    loader = importlib.machinery.SourceFileLoader("check_certificate", str(script))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
-    loader.exec_module(module)
-    return module
-
-
-checker = loaded(SCRIPT)
+checker = command_line.load_script(SCRIPT.name)
 
 
 def sentence(name, found, real, quantity="exactly"):

@@ -1,5 +1,7 @@
 """The program as a process, and what every test of a command checks."""
 
+import importlib.machinery
+import importlib.util
 import json
 import os
 import re
@@ -34,6 +36,14 @@ def sources():
         for path in sorted((SOURCE / house).rglob("*.[ch]pp")):
             if not {"tests", "fuzz", "benchmarks"} & set(path.relative_to(SOURCE).parts):
                 yield str(path.relative_to(SOURCE)), path.read_text(encoding="utf-8")
+
+
+def load_script(name):
+    """A program of scripts/ as a module."""
+    loader = importlib.machinery.SourceFileLoader(name.replace("-", "_"), str(SOURCE / "scripts" / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
 
 
 def argv(*arguments):

@@ -4,17 +4,13 @@
 Usage: readings_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
-import importlib.machinery
-import importlib.util
 import json
 import unittest
 
 import command_line
 from command_line import PROGRAM, SOURCE
 
-loader = importlib.machinery.SourceFileLoader("sweep_readings", str(SOURCE / "scripts" / "sweep-readings"))
-sweep_readings = importlib.util.module_from_spec(importlib.util.spec_from_loader("sweep_readings", loader))
-loader.exec_module(sweep_readings)
+sweep_readings = command_line.load_script("sweep-readings")
 
 
 class Readings(unittest.TestCase):

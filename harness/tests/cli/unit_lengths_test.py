@@ -4,17 +4,13 @@
 Usage: unit_lengths_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
-import importlib.machinery
-import importlib.util
 import random
 import unittest
 
 import command_line
 from command_line import PROGRAM, SOURCE
 
-loader = importlib.machinery.SourceFileLoader("sweep_unit_lengths", str(SOURCE / "scripts" / "sweep-unit-lengths"))
-sweep_unit_lengths = importlib.util.module_from_spec(importlib.util.spec_from_loader("sweep_unit_lengths", loader))
-loader.exec_module(sweep_unit_lengths)
+sweep_unit_lengths = command_line.load_script("sweep-unit-lengths")
 
 K33 = [(a, b) for a in range(3) for b in range(3, 6)]
 PRISM = [(0, 1), (1, 2), (0, 2), (3, 4), (4, 5), (3, 5), (0, 3), (1, 4), (2, 5)]

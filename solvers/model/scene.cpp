@@ -212,16 +212,25 @@ Figure half_turned(Figure figure, const Reference& reference, int dimension) {
   return figure;
 }
 
-/// Mirrors the figure along `axis` unless the first point that is off the mirror has a positive coordinate.
-/// Of a complex coordinate the real part decides, or the imaginary part where that vanishes.
-void make_first_positive(Figure& figure, int axis, double threshold) {
-  for (Eigen::Index i = 0; i < figure.points.cols(); ++i) {
-    double deciding = figure.points(axis, i);
-    if (!figure.is_real() && std::abs(deciding) <= threshold) deciding = figure.imaginary(axis, i);
-    if (std::abs(deciding) <= threshold) continue;
+/// Mirrors the figure along `axis` unless the first point that is off the mirror has a positive coordinate, or where all are
+/// in it the first line's point, or the first normal of a plane. Of a complex coordinate the real part decides, or the
+/// imaginary part where that vanishes. `threshold`: relative to the scene's size.
+void make_first_positive(Figure& figure, int axis, double size, double threshold) {
+  const auto decides = [&](double re, double im, double unit) {
+    const double deciding = std::abs(re) <= threshold * unit ? im : re;
+    if (std::abs(deciding) <= threshold * unit) return false;
     if (deciding < 0) mirror(figure, axis);
-    return;
-  }
+    return true;
+  };
+  const bool is_real = figure.is_real();
+  for (Eigen::Index i = 0; i < figure.points.cols(); ++i)
+    if (decides(figure.points(axis, i), is_real ? 0 : figure.imaginary(axis, i), size)) return;
+  for (std::size_t i = 0; i < figure.lines.size(); ++i)
+    if (decides(figure.lines[i].point[axis], is_real ? 0 : figure.imaginary_lines[i].point[axis], size))
+      return;
+  for (std::size_t i = 0; i < figure.planes.size(); ++i)
+    if (decides(figure.planes[i].normal[axis], is_real ? 0 : figure.imaginary_planes[i].normal[axis], 1))
+      return;
 }
 
 }  // namespace
@@ -302,10 +311,10 @@ Figure Scene::in_frame(const Figure& figure, const Reference& reference) const {
 
 Figure Scene::representative(const Figure& figure) const {
   Figure result = in_frame(figure);
-  const double threshold = 1e-9 * size_;
+  constexpr double threshold = 1e-9;
   if (!anchored_ && convention_of(problem_) == Convention::up_to_reflection) {
-    if (reference_.line >= 0) make_first_positive(result, 0, threshold);
-    make_first_positive(result, reference_.line >= 0 || dimension() == 2 ? 1 : 2, threshold);
+    if (reference_.line >= 0) make_first_positive(result, 0, size_, threshold);
+    make_first_positive(result, reference_.line >= 0 || dimension() == 2 ? 1 : 2, size_, threshold);
   }
   return with_normalised_lines(std::move(result));
 }

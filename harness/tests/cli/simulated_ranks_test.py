@@ -1,0 +1,48 @@
+#!/usr/bin/python3
+"""scripts/simulate-ranks: what is simulated is what the program does.
+
+Usage: simulated_ranks_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+
+import json
+from unittest import mock
+
+import command_line
+from command_line import PROGRAM, SOURCE, run
+
+simulate_ranks = command_line.load_script("simulate-ranks")
+
+
+class SimulatedRanks(command_line.WithFolder):
+    def test_the_journal_has_all_paths_with_their_steps(self):
+        journal, out = self.folder / "journal", self.folder / "result.json"
+        run("--quiet", "solve", "disulfide", "--strategy", "monodromy", "--resume", journal, "--out", out)
+        result = json.loads(out.read_text())
+        blocks, unknowns = simulate_ranks.steps_of(journal)
+        work, counts = result["statistics"], result["counts"]
+        self.assertEqual(unknowns, 3 * 8 - 6)
+        self.assertGreaterEqual(sum(map(len, blocks)), work["loop_paths"] + counts["paths"])  # a path is followed in legs
+        steps, all_steps = sum(map(sum, blocks)), work["iterations"] + work["rejected_steps"]
+        self.assertLessEqual(steps, all_steps)
+        self.assertGreater(steps, 0.97 * all_steps)  # the others are of paths that were followed again
+
+    def test_lanes_take_the_next_path_when_theirs_ends(self):
+        self.assertEqual(simulate_ranks.rounds([5, 1, 1, 1], 2), 5)
+        self.assertEqual(simulate_ranks.rounds([1, 1, 1, 5], 2), 6)
+        self.assertEqual(simulate_ranks.rounds([3] * 10, 1), 30)
+
+    def test_paths_go_out_once_and_equal_ranks_share_them(self):
+        steps = list(range(1, 1001))
+        self.assertEqual([one for batch in simulate_ranks.batches(steps, 3) for one in batch], steps)
+        with mock.patch.multiple(simulate_ranks, LATENCY_S=0, HANDLING_S=0):
+            machine = simulate_ranks.Machine(1, 0, 0, 1)
+            self.assertEqual(machine.solve_s([[10] * 64], 4), 640)  # too few to send
+            for ranks in (2, 3, 4):
+                whole = machine.solve_s([[10] * 6400], ranks)
+                self.assertGreaterEqual(whole, 64000 / ranks)
+                self.assertLess(whole, 64000 / ranks + 640)  # but for a last batch
+            self.assertEqual(machine.solve_s([[10] * 6400], 1), 64000)
+
+
+if __name__ == "__main__":
+    command_line.main()

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "harness/results/decimal_json.hpp"
 #include "harness/solving/frame_view.hpp"
 #include "solvers/certificates/dyadic_figure.hpp"
 #include "solvers/certificates/solutions_at_infinity.hpp"
@@ -23,14 +23,9 @@ struct ProvenFigure {
   bool is_real;
 };
 
-JsonValue number_value(const DecimalNumber& number, bool is_real) {
-  return is_real ? json_text(number.re) : json_texts({number.re, number.im});
-}
-
 JsonValue solution_value(const ProvenFigure& proven, int dimension) {
   const auto point_value = [&](const DecimalVector& point) {
-    return json_array_of(std::span(point).first(static_cast<std::size_t>(dimension)),
-                         [&](const DecimalNumber& number) { return number_value(number, proven.is_real); });
+    return json_decimals(point, dimension, proven.is_real);
   };
   return json_object({{"real", json_boolean(proven.is_real)},
                       {"exponent", json_number(proven.figure.exponent)},
@@ -55,7 +50,7 @@ JsonValue escape_value(const ProblemStatement& problem, const std::vector<Escape
 }
 
 JsonValue box_value(const DyadicAtInfinity::Solution& solution) {
-  const auto number = [](const DecimalNumber& one) { return number_value(one, false); };
+  const auto number = [](const DecimalNumber& one) { return json_decimal(one, false); };
   return json_object({{"way", json_count(solution.way)},
                       {"exponent", json_number(solution.box.exponent)},
                       {"radius", json_text(std::to_string(DyadicFigure::radius))},

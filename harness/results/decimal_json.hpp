@@ -7,8 +7,12 @@
 
 namespace gcs {
 
-/// The members "points", "lines" and, where there are any, "planes", with a text for each number and two for a complex one;
-/// "error_bound", "unique_within" and "bits".
+/// A text, of a complex number two.
+JsonValue json_decimal(const DecimalNumber& number, bool is_real);
+/// The first `dimension` coordinates.
+JsonValue json_decimals(const DecimalVector& vector, int dimension, bool is_real);
+
+/// The members "points", "lines" and, where there are any, "planes"; "error_bound", "unique_within" and "bits".
 JsonMembers decimal_members(const ProblemStatement& problem, const DecimalFigure& figure, bool is_real);
 
 }  // namespace gcs

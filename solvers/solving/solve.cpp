@@ -26,6 +26,11 @@ class ProgressCall final : public Monitor {
   const std::function<void(std::string_view, double)>& call_;
 };
 
+/// Of complex solutions where these are counted, else of real ones.
+const std::optional<Natural>& largest_total(const SolutionTotals& totals) {
+  return totals.complex ? totals.complex : totals.real;
+}
+
 class Solve {
  public:
   Solve(const Scene& scene, const SolveSettings& settings, const SolveSurroundings& surroundings)
@@ -153,7 +158,7 @@ class Solve {
   /// Whether all solutions of a product are candidates, which are different, and doubles take some for the same.
   bool lists_product_as_fewer(const SolveReport& report) const {
     if (!report.totals || answer_.solutions.size() >= report.candidates.size()) return false;
-    const std::optional<Natural>& all = report.totals->complex ? report.totals->complex : report.totals->real;
+    const std::optional<Natural>& all = largest_total(*report.totals);
     return all && *all == Natural(report.candidates.size());
   }
 
@@ -233,7 +238,7 @@ class Solve {
   void note_unlisted(bool are_distinct) {
     const std::optional<SolutionTotals>& totals = answer_.totals;
     if (!totals || answer_.status != RunStatus::complete) return;
-    const std::optional<Natural>& all = totals->complex ? totals->complex : totals->real;
+    const std::optional<Natural>& all = largest_total(*totals);
     const std::size_t listed = answer_.solutions.size();
     if (!all || *all == Natural(listed)) return;
     answer_.status = RunStatus::partial;

@@ -38,12 +38,12 @@ double figure_distance(const Figure& a, const Figure& b, double size) {
 /// by up to 2·√3·u·extent, divided by the shortest length as relative_residual does. A hundred such roundings
 /// are allowed; a corrector that stopped early leaves far more. Between complex points a short distance may
 /// be the difference of large squares: its error is larger by the extent over the length once more.
-double residual_limit(const Scene& scene, const Judged& judged) {
-  const double reach = std::max(scene.size(), extent(judged.representative));
+double residual_limit(const Scene& scene, const Figure& representative) {
+  const double reach = std::max(scene.size(), extent(representative));
   double shortest = scene.size();
   for (const double length : scene.target_lengths()) shortest = std::min(shortest, length);
   const double stretch = reach / std::max(shortest, 1e-3 * scene.size());
-  return 100 * 2 * std::sqrt(3.0) * unit_roundoff * stretch * (judged.figure.is_real() ? 1 : stretch);
+  return 100 * 2 * std::sqrt(3.0) * unit_roundoff * stretch * (representative.is_real() ? 1 : stretch);
 }
 
 class Assessor {
@@ -87,7 +87,7 @@ class Assessor {
     for (std::size_t i = 0; i < judged_.size(); ++i) {
       const AssessedSolution& solution = assessment_.solutions[solution_of_[i]];
       if (!listed_.insert(solution_of_[i]).second) continue;
-      const double limit = residual_limit(scene_, judged_[i]);
+      const double limit = residual_limit(scene_, solution.figure);
       if (solution.residual <= limit) continue;
       fail("residual", fmt::format("solution {} has a residual of {:.2g}, above {:.2g}", solution_of_[i],
                                    solution.residual, limit));
@@ -159,7 +159,10 @@ class Assessor {
 
   bool same_point(const Judged& a, const Judged& b) const {
     const double tolerance = merging_tolerance(std::max(a.condition, b.condition));
-    return figure_distance(a.figure, b.figure, scene_.size()) <= tolerance * scene_.size();
+    const auto placed = [&](const Judged& judged) {
+      return scene_.in_frame(report_.candidates[judged.candidate].figure);
+    };
+    return figure_distance(placed(a), placed(b), scene_.size()) <= tolerance * scene_.size();
   }
 
   /// A regular curve passes each of its points once in a round; its mirror image is another point.
@@ -202,7 +205,7 @@ class Assessor {
   int threads_;
   const FigureJudge judge_{scene_};
   Assessment assessment_;
-  std::vector<Judged> judged_;
+  std::vector<Judged> judged_;     // their representatives are those of the list
   std::vector<int> judged_index_;  // by candidate: index in judged_, or −1
   std::vector<int> solution_of_;   // by judged candidate
   std::set<int> listed_;           // solutions whose residual has been checked

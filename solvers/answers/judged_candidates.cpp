@@ -39,50 +39,84 @@ bool is_usable(const Scene& scene, const Candidate& candidate) {
          (figure.is_real() || is_usable_as_complex(scene, figure)) && candidate.multiplicity >= 1;
 }
 
-std::vector<Figure> representatives(const std::vector<Judged>& judged) {
+std::vector<Figure> take_representatives(std::vector<Judged>& judged) {
   std::vector<Figure> figures;
-  for (const Judged& j : judged) figures.push_back(j.representative);
+  figures.reserve(judged.size());
+  for (Judged& j : judged) figures.push_back(std::move(j.representative));
   return figures;
 }
 
-std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged) {
+std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged,
+                          const std::vector<Figure>& figures) {
   std::vector<SolutionAccuracy> accuracies;
   for (const Judged& candidate : judged) accuracies.push_back({candidate.condition, candidate.error});
-  return solution_classes(scene, representatives(judged), accuracies).class_of;
+  return solution_classes(scene, figures, accuracies).class_of;
 }
 
-/// Appends the coordinates in units of `grain` of the scene's size, cut to integers so that rounding does not
-/// decide an order. The offset keeps the cuts away from round numbers such as the frame's zeros.
-void append_cut(const Scene& scene, const Figure& figure, double grain, std::vector<double>& key) {
-  const auto append = [&](const Eigen::Vector3d& v, double unit) {
-    for (const double x : v) key.push_back(std::floor(x / unit + 0.6180339887));
-  };
-  for (Eigen::Index i = 0; i < figure.points.cols(); ++i) append(figure.points.col(i), grain * scene.size());
-  for (Eigen::Index i = 0; i < figure.imaginary.cols(); ++i)
-    append(figure.imaginary.col(i), grain * scene.size());
-  for (const auto* lines : {&figure.lines, &figure.imaginary_lines})
-    for (const LinePosition& line : *lines) {
-      append(line.point, grain * scene.size());
-      append(line.direction, grain);
-    }
-  for (const auto* planes : {&figure.planes, &figure.imaginary_planes})
-    for (const PlanePosition& plane : *planes) {
-      append(plane.normal, grain);
-      append(Eigen::Vector3d(plane.offset, 0, 0), grain * scene.size());
-    }
-}
+/// How two figures with as many elements stand to each other by their coordinates in units of `grain` of the scene's
+/// size, cut to integers so that rounding does not decide an order: < 0, 0 or > 0 for the first that differs. The offset
+/// keeps the cuts away from round numbers such as the frame's zeros.
+class CutOrder {
+ public:
+  CutOrder(double size, double grain) : length_(grain * size), direction_(grain) {}
 
-/// What solutions are sorted by, real ones first, as they stand to what is stated; the finer cut tells neighbours apart.
-std::vector<double> order_key(const Scene& scene, const Judged& judged) {
-  const Figure& figure = judged.representative;
-  std::vector<double> key{figure.is_real() ? 0.0 : 1.0, static_cast<double>(judged.signs.standing)};
-  for (const double grain : {1e-7, 1e-10}) append_cut(scene, figure, grain, key);
-  return key;
+  int of(const Figure& a, const Figure& b) const {
+    if (const int order = of_columns(a.points, b.points)) return order;
+    if (const int order = of_columns(a.imaginary, b.imaginary)) return order;
+    if (const int order = of_each(a.lines, b.lines)) return order;
+    if (const int order = of_each(a.imaginary_lines, b.imaginary_lines)) return order;
+    if (const int order = of_each(a.planes, b.planes)) return order;
+    return of_each(a.imaginary_planes, b.imaginary_planes);
+  }
+
+ private:
+  static int of_number(double a, double b, double unit) {
+    constexpr double offset = 0.6180339887;
+    const double cut_a = std::floor(a / unit + offset), cut_b = std::floor(b / unit + offset);
+    return (cut_a > cut_b) - (cut_a < cut_b);
+  }
+  static int of_vector(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double unit) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (const int order = of_number(a[axis], b[axis], unit)) return order;
+    return 0;
+  }
+  int of_columns(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) const {
+    for (Eigen::Index i = 0; i < a.cols(); ++i)
+      if (const int order = of_vector(a.col(i), b.col(i), length_)) return order;
+    return 0;
+  }
+  int of_one(const LinePosition& a, const LinePosition& b) const {
+    const int order = of_vector(a.point, b.point, length_);
+    return order != 0 ? order : of_vector(a.direction, b.direction, direction_);
+  }
+  int of_one(const PlanePosition& a, const PlanePosition& b) const {
+    const int order = of_vector(a.normal, b.normal, direction_);
+    return order != 0 ? order : of_number(a.offset, b.offset, length_);
+  }
+  template <class Elements>
+  int of_each(const Elements& a, const Elements& b) const {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (const int order = of_one(a[i], b[i])) return order;
+    return 0;
+  }
+
+  double length_, direction_;
+};
+
+/// Whether a solution comes first: real ones do, then by how they stand to what is stated; the finer cut tells neighbours
+/// apart.
+bool comes_first(double size, const Figure& a, const SignVerdict& signs_of_a, const Figure& b,
+                 const SignVerdict& signs_of_b) {
+  if (a.is_real() != b.is_real()) return a.is_real();
+  if (signs_of_a.standing != signs_of_b.standing) return signs_of_a.standing < signs_of_b.standing;
+  for (const double grain : {1e-7, 1e-10})
+    if (const int order = CutOrder(size, grain).of(a, b)) return order < 0;
+  return false;
 }
 
 /// Of a real figure, whose coordinates are as good as merging takes them to be, or as is proven.
 SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, const Judged& judged) {
-  if (signs.empty() || !judged.figure.is_real()) return {};
+  if (signs.empty() || !judged.representative.is_real()) return {};
   const double reach = std::max(scene.size(), extent(judged.representative));
   const double error = std::min(judged.error, merging_tolerance(judged.condition) * reach);
   return verdict_on(signs, judged.representative, error);
@@ -93,25 +127,24 @@ class CandidateJudge {
  public:
   CandidateJudge(const Scene& scene, const FigureJudge& judge) : scene_(scene), judge_(judge) {}
 
-  std::optional<Judged> judged(const Candidate& candidate) const {
+  std::optional<Judged> judged(const Candidate& candidate, std::size_t number) const {
     if (!is_usable(scene_, candidate)) return std::nullopt;
-    Judged judged{scene_.in_frame(candidate.figure), scene_.representative(candidate.figure), 0,
-                  candidate.multiplicity, candidate.error};
+    Judged judged{number, scene_.representative(candidate.figure), 0, candidate.multiplicity,
+                  candidate.error};
     judged.condition = judge_.condition(judged.representative);
-    settle(judged);
+    settle(judged, candidate.figure);
     judged.signs = signs_of(scene_, signs_, judged);
     return judged;
   }
 
  private:
   /// Of general scenes: their strategies take residuals in doubles.
-  void settle(Judged& judged) const {
+  void settle(Judged& judged, const Figure& figure) const {
     const bool is_ill = judged.condition > ill_condition && judged.condition < singular_condition;
     if (!is_ill || judged.multiplicity > 1 || std::isfinite(judged.error)) return;
     if (!scene_.problem().is_general()) return;
     std::call_once(is_set_up_, [&] { settler_.emplace(scene_); });
-    judged.figure = settler_->settled(judged.figure);
-    judged.representative = scene_.representative(judged.figure);
+    judged.representative = scene_.representative(settler_->settled(scene_.in_frame(figure)));
   }
 
   const Scene& scene_;
@@ -122,13 +155,13 @@ class CandidateJudge {
 };
 
 /// Multiplicity of a class: the largest that was reported for a member.
-AssessedSolution solution_of_class(const FigureJudge& judge, const Judged& first, int multiplicity,
-                                   const std::shared_ptr<const FileTerms>& terms) {
+AssessedSolution solution_of_class(const FigureJudge& judge, const Judged& first, Figure representative,
+                                   int multiplicity, const std::shared_ptr<const FileTerms>& terms) {
   AssessedSolution solution;
   solution.terms = terms;
-  solution.figure = first.representative;
+  solution.figure = std::move(representative);
   solution.multiplicity = multiplicity;
-  solution.residual = judge.residual(first.representative);
+  solution.residual = judge.residual(solution.figure);
   solution.condition = first.condition;
   solution.signs = first.signs;
   return solution;
@@ -141,35 +174,35 @@ std::vector<std::optional<Judged>> judged_candidates(const Scene& scene, const F
   const CandidateJudge of_candidates(scene, judge);
   std::vector<std::optional<Judged>> judged(candidates.size());
   share_on_threads(candidates.size(), threads,
-                   [&](std::size_t i) { judged[i] = of_candidates.judged(candidates[i]); });
+                   [&](std::size_t i) { judged[i] = of_candidates.judged(candidates[i], i); });
   return judged;
 }
 
-ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge,
-                               const std::vector<Judged>& judged, int threads) {
-  const std::vector<int> class_of = classify(scene, judged);
-  std::vector<int> first;
+ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge, std::vector<Judged>& judged,
+                               int threads) {
+  std::vector<Figure> figures = take_representatives(judged);
+  const std::vector<int> class_of = classify(scene, judged, figures);
+  std::vector<int> order;                           // the first candidate of each class
   std::vector<int> multiplicity(judged.size(), 0);  // by class
   for (int i = 0; i < static_cast<int>(judged.size()); ++i) {
-    if (multiplicity[class_of[i]] == 0) first.push_back(i);
+    if (multiplicity[class_of[i]] == 0) order.push_back(i);
     multiplicity[class_of[i]] = std::max(multiplicity[class_of[i]], judged[i].multiplicity);
   }
-  std::vector<std::pair<std::vector<double>, int>> order(first.size());
-  share_on_threads(first.size(), threads, [&](std::size_t i) {
-    order[i] = {order_key(scene, judged[first[i]]), first[i]};
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return comes_first(scene.size(), figures[a], judged[a].signs, figures[b], judged[b].signs);
   });
-  std::sort(order.begin(), order.end());
 
   const auto terms = file_terms(scene);
   ListedSolutions listed;
   listed.solutions.resize(order.size());
   share_on_threads(order.size(), threads, [&](std::size_t i) {
-    const int of = order[i].second;
-    listed.solutions[i] = solution_of_class(judge, judged[of], multiplicity[class_of[of]], terms);
+    const int of = order[i];
+    listed.solutions[i] =
+        solution_of_class(judge, judged[of], std::move(figures[of]), multiplicity[class_of[of]], terms);
   });
   std::vector<int> solution_of_class_index(judged.size(), -1);
   for (std::size_t i = 0; i < order.size(); ++i)
-    solution_of_class_index[class_of[order[i].second]] = static_cast<int>(i);
+    solution_of_class_index[class_of[order[i]]] = static_cast<int>(i);
   for (const int c : class_of) listed.solution_of.push_back(solution_of_class_index[c]);
   return listed;
 }

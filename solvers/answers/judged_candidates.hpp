@@ -1,6 +1,7 @@
 #pragma once
 /// The candidates of a report, each judged for itself, and the list of the solutions that they are.
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -15,11 +16,11 @@ inline constexpr double singular_condition = 1e12;
 
 /// A candidate that can be judged, with everything that does not depend on the others.
 struct Judged {
-  Figure figure;          ///< in the frame, not mirrored
-  Figure representative;  ///< in the scene's unit
+  std::size_t candidate = 0;  ///< which one
+  Figure representative;      ///< in the scene's unit
   double condition = 0;
   int multiplicity = 1;
-  double error = 0;  ///< that of the candidate
+  double error = 0;  ///< the candidate's
   SignVerdict signs{};
 };
 
@@ -34,8 +35,8 @@ struct ListedSolutions {
 };
 
 /// Real solutions first, those as stated before the others; with the largest multiplicity that was reported for a member
-/// of the class. The same for any number of threads ≥ 1.
-ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge,
-                               const std::vector<Judged>& judged, int threads);
+/// of the class. Takes the representatives of `judged`, as long lists are large. The same for any number of threads ≥ 1.
+ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge, std::vector<Judged>& judged,
+                               int threads);
 
 }  // namespace gcs

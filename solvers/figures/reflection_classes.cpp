@@ -85,10 +85,12 @@ ComplexPoints complex_points_and_feet(const Figure& figure) {
 Signature squared_distances(const Figure& figure, double size) {
   Signature signature;
   const ComplexPoints points = complex_points_and_feet(figure);
+  signature.reserve(static_cast<std::size_t>(points.cols() * (points.cols() - 1)));
   for (int a = 0; a < static_cast<int>(points.cols()); ++a) {
     for (int b = 0; b < a; ++b) {
       const std::complex<double> square = squared_distance(points, a, b) / size;
-      signature.insert(signature.end(), {square.real(), square.imag()});
+      signature.push_back(square.real());
+      signature.push_back(square.imag());
     }
   }
   return signature;
@@ -137,48 +139,41 @@ double magnitude(const Signature& signature) {
                          [](double sum, double value) { return sum + std::abs(value); });
 }
 
+double total(const Signature& signature) { return std::accumulate(signature.begin(), signature.end(), 0.0); }
+
 /// The classes found so far, ordered by the sum of the first figure's signature: equal figures have close
 /// sums. Classes of different tolerance, to a factor of ten, are kept apart, so that coarse ones do not widen
-/// the search for all.
+/// the search for all. Signatures are many times as long as figures, so they are made again where sums are close.
 class ClassIndex {
  public:
-  /// The first class that the signature equals and that may be the figure's, or −1.
-  template <typename MayBe>
-  int find(const Signature& signature, double tolerance, MayBe may_be) const {
+  struct Member {
+    int number = 0;  ///< of the class
+    double tolerance = 0;
+  };
+
+  /// The first class for which `equals` holds, of those whose sums may be equal, or −1.
+  template <typename Equals>
+  int find(const Signature& signature, double tolerance, Equals equals) const {
     const double sum = total(signature);
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * magnitude(signature);
     int found = -1;
     for (const auto& [bound, classes] : by_tolerance_) {
       const double window = static_cast<double>(signature.size()) * (std::max(tolerance, bound) + rounding);
       const auto end = classes.upper_bound(sum + window);
-      for (auto entry = classes.lower_bound(sum - window); entry != end; ++entry) {
-        const Member& first = entry->second;
-        if ((found < 0 || first.number < found) &&
-            equal(signature, first.signature, std::max(tolerance, first.tolerance)) && may_be(first.number))
-          found = first.number;
-      }
+      for (auto entry = classes.lower_bound(sum - window); entry != end; ++entry)
+        if ((found < 0 || entry->second.number < found) && equals(entry->second))
+          found = entry->second.number;
     }
     return found;
   }
 
-  void add(int number, Signature signature, double tolerance) {
-    const double sum = total(signature);
-    by_tolerance_[next_power_of_ten(tolerance)].emplace(sum, Member{number, tolerance, std::move(signature)});
+  void add(const Signature& signature, const Member& member) {
+    by_tolerance_[next_power_of_ten(member.tolerance)].emplace(total(signature), member);
   }
 
  private:
-  struct Member {
-    int number = 0;
-    double tolerance = 0;
-    Signature signature{};
-  };
-
   static double next_power_of_ten(double tolerance) {
     return tolerance > 0 ? std::max(tolerance, std::pow(10, std::ceil(std::log10(tolerance)))) : 0;
-  }
-
-  static double total(const Signature& signature) {
-    return std::accumulate(signature.begin(), signature.end(), 0.0);
   }
 
   std::map<double, std::multimap<double, Member>> by_tolerance_;
@@ -196,19 +191,21 @@ ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure>
   ClassIndex index;
   for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
     const double tolerance = tolerances[i].distances * scene.size();
-    Signature signature = signature_of(scene, figures[i]);
-    const auto may_be = [&](int number) {
-      const int first = classes.first[number];
+    const Signature signature = signature_of(scene, figures[i]);
+    const auto equals = [&](const ClassIndex::Member& member) {
+      const int first = classes.first[member.number];
+      if (!equal(signature, signature_of(scene, figures[first]), std::max(tolerance, member.tolerance)))
+        return false;
       const double places = std::max(tolerances[i].places, tolerances[first].places) * scene.size();
       return scene.is_anchored() || !std::isfinite(places) ||
              may_be_congruent(points_to_place(figures[i]), points_to_place(figures[first]), places);
     };
     const bool finite = std::isfinite(magnitude(signature));  // else its sum has no place in an order
-    int found = finite ? index.find(signature, tolerance, may_be) : -1;
+    int found = finite ? index.find(signature, tolerance, equals) : -1;
     if (found < 0) {
       found = classes.count();
       classes.first.push_back(i);
-      if (finite) index.add(found, std::move(signature), tolerance);
+      if (finite) index.add(signature, {found, tolerance});
     }
     classes.class_of.push_back(found);
   }

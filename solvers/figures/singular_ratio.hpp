@@ -9,7 +9,7 @@ namespace gcs {
 double singular_ratio(const Eigen::MatrixXd& matrix);
 double singular_ratio(const Eigen::MatrixXcd& matrix);
 
-/// The same to seven digits, several times faster where it is not large.
+/// The same to seven digits, or to the roundings that a large one magnifies, several times faster.
 double rounded_singular_ratio(const Eigen::MatrixXd& matrix);
 double rounded_singular_ratio(const Eigen::MatrixXcd& matrix);
 

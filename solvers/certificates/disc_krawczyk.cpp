@@ -48,7 +48,7 @@ std::optional<Enclosure> proven(const System& system, const Vector<Scalar>& x) {
   const auto image_of = [&](const Eigen::VectorXd& box) { return krawczyk.image(moves_in(box), box); };
   // In a box of this radius the Jacobian moves by half of what the test could bear.
   const Eigen::VectorXd moves = moves_in(constant(x.size(), 1)) * constant(x.size(), 1);
-  const double radius = 1 / (2 * (inverse.cwiseAbs() * moves).maxCoeff());
+  const double radius = 1 / (2 * krawczyk.sizes_times(moves).maxCoeff());
   KrawczykImage<Scalar> image = image_of(constant(x.size(), radius));
   if (!(image.reach().array() < radius).all()) return std::nullopt;
   // The box shrinks about as fast as its square, down to what rounding leaves.

@@ -6,8 +6,21 @@
 #include <Eigen/Core>
 #include <complex>
 #include <limits>
+#include <type_traits>
 
 namespace gcs {
+
+/// |x| of each entry, to a relative epsilon. Complex ones without the care of std::abs, which takes several times as long:
+/// infinite where a square overflows, and larger by what squares that underflow may lack.
+template <typename Derived>
+Eigen::MatrixXd magnitudes(const Eigen::MatrixBase<Derived>& matrix) {
+  if constexpr (std::is_same_v<typename Derived::Scalar, double>) {
+    return matrix.cwiseAbs();
+  } else {
+    constexpr double underflow_of_root = 0x1p-536;
+    return (matrix.array().abs2().sqrt() + underflow_of_root).matrix();
+  }
+}
 
 /// f at the middle of a box and its Jacobian there and over the box. Scalar: double or std::complex<double>.
 template <typename Scalar>
@@ -45,25 +58,26 @@ class KrawczykOperator {
 
   KrawczykOperator(const Matrix& inverse, const LinearisedSystem<Scalar>& f)
       : rounding_(4 * static_cast<double>(f.value.size() + 4) * epsilon),
-        size_(inverse.cwiseAbs()),
-        defect_((Matrix::Identity(f.value.size(), f.value.size()) - inverse * f.jacobian).cwiseAbs()),
-        jacobian_rounding_(rounding_ * f.jacobian.cwiseAbs()),
+        size_(magnitudes(inverse)),
+        defect_(magnitudes(Matrix(Matrix::Identity(f.value.size(), f.value.size()) - inverse * f.jacobian))),
+        jacobian_rounding_(rounding_ * magnitudes(f.jacobian)),
         move_(inverse * f.value),
         value_error_(size_ * (f.value_error + rounding_ * f.value.cwiseAbs())) {}
 
+  /// |C| v.
+  Eigen::VectorXd sizes_times(const Eigen::VectorXd& v) const { return size_ * v; }
+
   /// `jacobian_radius`: how far the entries of J move within the box.
   KrawczykImage<Scalar> image(const Eigen::MatrixXd& jacobian_radius, const Eigen::VectorXd& radius) const {
-    const Eigen::Index m = radius.size();
-    const Eigen::MatrixXd defect = defect_ +
-                                   size_ * (jacobian_rounding_ + (1 + rounding_) * jacobian_radius) +
-                                   epsilon * Eigen::MatrixXd::Identity(m, m);
-    return {move_, (1 + rounding_) * (defect * radius + value_error_)};
+    const Eigen::VectorXd moved = jacobian_rounding_ * radius + (1 + rounding_) * (jacobian_radius * radius);
+    return {move_, (1 + rounding_) * (defect_ * radius + size_ * moved + epsilon * radius + value_error_)};
   }
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-  double rounding_;  ///< of a scalar product of length m, complex ones included, relative to its terms
+  /// Of one or two nested scalar products of length m, complex ones included, relative to their terms.
+  double rounding_;
   Eigen::MatrixXd size_;
   Eigen::MatrixXd defect_;
   Eigen::MatrixXd jacobian_rounding_;

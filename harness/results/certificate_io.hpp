@@ -9,7 +9,8 @@
 
 namespace gcs {
 
-/// Throws InputError unless the instance is of points, none with a given position, and distances between them.
+/// Throws InputError unless the instance is of points, lines and planes with distances from points, and cosines between
+/// planes, in a frame of points, of a line and a point, or of points with given positions that leave no motion.
 void require_certifiable(const Instance& instance);
 
 /// The certified solutions of an answer, piece by piece, and how many there can be. Returns how many it has; those that

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/certificates/enclosed_point.hpp"
 #include "solvers/certificates/file_frame.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/complex_lines.hpp"
@@ -36,12 +37,7 @@ class Decimals {
 
   /// A form in the unknowns that is a length, or one without a unit.
   void enclose_form(acb_ptr sum, const LinearForm& form, bool is_length) const {
-    Ball coefficient;
-    enclose(sum, form.constant, bits_);
-    for (const ScaledUnknown& term : form.terms) {
-      enclose(coefficient, term.coefficient, bits_);
-      acb_addmul(sum, coefficient, proof_.solution(term.unknown, 0), bits_);
-    }
+    enclose(sum, form, proof_.solution, bits_);
     acb_mul_2exp_si(sum, sum, is_length ? exponent_ : 0);
   }
   BallMatrix vector(const VectorForm& forms, bool is_length) const {

@@ -5,37 +5,37 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
+#include <iterator>
+#include <span>
 #include <string>
 
+#include "solvers/certificates/enclosed_point.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
 
-/// Exactly one solution is within `spread` of the middle in every unknown, and no other within `unique`.
+/// Each number is in its ball, and no other solution has all of them within `unique` of the middles.
 struct Place {
-  BallMatrix middle;
-  double spread = 0;
+  BallMatrix numbers;
   double unique = 0;
   int bits = bits_of_doubles;
 };
 
-Place place_of(const Enclosure& enclosure) {
-  Place place{BallKrawczyk::vector(enclosure.mid), 0, enclosure.unique};
-  for (const std::complex<double>& radius : enclosure.radius)
-    place.spread = std::max(place.spread, std::hypot(radius.real(), radius.imag()));
-  place.spread *= 1 + 4 * std::numeric_limits<double>::epsilon();
-  return place;
-}
+Place place_of(const Enclosure& enclosure) { return {balls_of(enclosure), enclosure.unique}; }
 
 Place place_of(const BallKrawczyk::Proof& proof, slong bits) {
-  Place place{proof.solution, 0, proof.unique, static_cast<int>(bits)};
-  acb_mat_get_mid(place.middle.get(), place.middle.get());
-  BallMatrix rest(proof.solution.rows(), 1);
-  acb_mat_sub(rest.get(), proof.solution.get(), place.middle.get(), bits);
-  for (slong i = 0; i < rest.rows(); ++i) place.spread = std::max(place.spread, magnitude(rest(i, 0)));
-  return place;
+  return {proof.solution, proof.unique, static_cast<int>(bits)};
+}
+
+/// At most so far are numbers from their middles.
+double spread(const BallMatrix& numbers, slong bits) {
+  BallMatrix rest = numbers;
+  acb_mat_get_mid(rest.get(), rest.get());
+  acb_mat_sub(rest.get(), numbers.get(), rest.get(), bits);
+  double largest = 0;
+  for (slong i = 0; i < rest.rows(); ++i) largest = std::max(largest, magnitude(rest(i, 0)));
+  return largest;
 }
 
 /// In units of 2^exponent, rounded towards 0.
@@ -53,8 +53,9 @@ std::string whole_number(const arb_t number, int exponent) {
 /// The exponent of a unit in which place and rounding are off by less than 4, half the radius; `size`: of the unknowns.
 /// Nothing where the box would be too large: Newton's method contracts balls of about the size of `unique`.
 std::optional<int> exponent_for(const Place& place, double size) {
-  const int exponent = std::ilogb(std::max(place.spread, std::ldexp(size, -place.bits)));
-  if (place.unique < std::ldexp(4 * DyadicFigure::radius, exponent)) return std::nullopt;
+  const double rounding = std::ldexp(size, -place.bits);
+  const int exponent = std::ilogb(std::max(spread(place.numbers, place.bits), rounding));
+  if (exponent > 0 || place.unique < std::ldexp(4 * DyadicBox::radius, exponent)) return std::nullopt;
   return exponent;
 }
 
@@ -62,58 +63,144 @@ DecimalNumber whole_numbers(acb_srcptr value, int exponent) {
   return {whole_number(acb_realref(value), exponent), whole_number(acb_imagref(value), exponent)};
 }
 
-std::optional<DyadicBox> box_of(const Place& place, double unique_of_outer) {
-  Place both = place;
-  both.unique = std::min(place.unique, unique_of_outer);
-  const std::optional<int> exponent = exponent_for(both, 1);
-  if (!exponent) return std::nullopt;
-  DyadicBox box{{}, *exponent};
-  for (slong i = 0; i < place.middle.rows(); ++i)
-    box.numbers.push_back(whole_numbers(place.middle(i, 0), *exponent));
+DyadicBox box_of(const BallMatrix& numbers, int exponent) {
+  DyadicBox box{{}, exponent};
+  for (slong i = 0; i < numbers.rows(); ++i) box.numbers.push_back(whole_numbers(numbers(i, 0), exponent));
   return box;
 }
 
-bool is_real_within(const BallMatrix& middle, double reach) {
-  for (slong i = 0; i < middle.rows(); ++i)
-    if (std::abs(rounded_midpoint(middle(i, 0)).imag()) > reach) return false;
+std::optional<DyadicBox> box_of(Place place, double unique_of_outer) {
+  place.unique = std::min(place.unique, unique_of_outer);
+  const std::optional<int> exponent = exponent_for(place, 1);
+  return exponent ? std::optional(box_of(place.numbers, *exponent)) : std::nullopt;
+}
+
+bool is_real_within(const BallMatrix& numbers, double reach) {
+  for (slong i = 0; i < numbers.rows(); ++i)
+    if (std::abs(rounded_midpoint(numbers(i, 0)).imag()) > reach) return false;
   return true;
 }
+
+bool has_unknowns(const VectorForm& vector) {
+  return std::ranges::any_of(vector, [](const LinearForm& form) { return !form.terms.empty(); });
+}
+
+/// What dyadic_figures lists of a scene.
+class Listed {
+ public:
+  Listed(const SceneEquations& equations, const Scene& scene)
+      : equations_(equations), general_(equations.general()), problem_(scene.problem()) {
+    for (int entity = 0; entity < problem_.entity_count(); ++entity) add_element(entity);
+    for (const DistanceConstraint& distance : problem_.constraints) {
+      const auto& [a, b] = std::minmax(distance.between[0], distance.between[1]);
+      if (problem_.is_line(b)) add_height(point(a), line(b, 1));
+    }
+  }
+
+  /// `unknowns`: of the scene's equations.
+  BallMatrix numbers(const BallMatrix& unknowns, slong bits) const {
+    BallMatrix result(static_cast<slong>(forms_.size() + heights_.size()), 1);
+    slong row = 0;
+    for (const LinearForm& form : forms_) enclose(result(row++, 0), form, unknowns, bits);
+    for (const auto& [point, direction] : heights_) {
+      Ball p, u;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        enclose(p, point[axis], unknowns, bits);
+        enclose(u, direction[axis], unknowns, bits);
+        acb_addmul(result(row, 0), p, u, bits);
+      }
+      ++row;
+    }
+    return result;
+  }
+
+ private:
+  static LinearForm form_of(int unknown) { return unknown < 0 ? LinearForm{} : LinearForm{{{unknown}}, {}}; }
+
+  VectorForm point(int point) const {
+    if (general_) return general_->elements().point(point);
+    VectorForm forms;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(problem_.dimension); ++axis)
+      forms[axis] = form_of(equations_.point_unknown(point, static_cast<int>(axis)));
+    return forms;
+  }
+
+  /// The point nearest to the origin (part 0) or the direction (part 1).
+  VectorForm line(int entity, int part) const {
+    if (general_) {
+      const LineForms& line = general_->elements().line(entity);
+      return part == 0 ? line.foot : line.direction;
+    }
+    VectorForm forms;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      forms[axis] =
+          form_of(equations_.line_unknown(problem_.line_of(entity), part, static_cast<int>(axis)));
+    return forms;
+  }
+
+  void add(std::span<const LinearForm> forms) {
+    std::ranges::copy_if(forms, std::back_inserter(forms_),
+                         [](const LinearForm& form) { return !form.terms.empty(); });
+  }
+
+  void add_element(int entity) {
+    if (problem_.is_point(entity)) {
+      add(point(entity));
+    } else if (problem_.is_line(entity)) {
+      add(line(entity, 0));
+      add(line(entity, 1));
+    } else {
+      const PlaneForms& plane = general_->elements().plane(entity);
+      add(plane.normal);
+      add({&plane.offset, 1});
+    }
+  }
+
+  /// (p − f)·u = p·u
+  void add_height(const VectorForm& point, const VectorForm& direction) {
+    if (has_unknowns(point) && has_unknowns(direction)) heights_.push_back({point, direction});
+  }
+
+  struct Height {
+    VectorForm point, direction;
+  };
+
+  const SceneEquations& equations_;
+  const SceneSystem* general_;
+  const ProblemStatement& problem_;
+  std::vector<LinearForm> forms_;
+  std::vector<Height> heights_;
+};
 
 class DyadicWriter {
  public:
   DyadicWriter(const SceneEquations& equations, const Scene& scene)
-      : equations_(equations), scene_(scene), certifier_(equations.system()) {}
+      : equations_(equations), listed_(equations, scene), size_(scene.size()), certifier_(equations.system()) {}
 
-  std::optional<DyadicFigure> figure(const Figure& near) const {
+  std::optional<DyadicBox> box(const Figure& near) const {
     const ComplexValues x = equations_.coordinates(near);
     if (const Certificate certificate = certifier_.certify(x); certificate.is_proven)
-      if (auto result = figure(place_of(certificate.enclosure), near.is_real())) return result;
+      if (auto result = box(place_of(certificate.enclosure), near.is_real())) return result;
     for (const slong bits : ball_precisions)
       if (const auto proof = certifier_.prove(x, bits))
-        if (auto result = figure(place_of(*proof, bits), near.is_real())) return result;
+        if (auto result = box(place_of(*proof, bits), near.is_real())) return result;
     return std::nullopt;
   }
 
  private:
-  std::optional<DyadicFigure> figure(const Place& place, bool is_real) const {
-    const std::optional<int> exponent = exponent_for(place, scene_.size());
+  std::optional<DyadicBox> box(const Place& of_unknowns, bool is_real) const {
+    const slong bits = std::max<slong>(of_unknowns.bits, ball_precisions.front());
+    const Place place{listed_.numbers(of_unknowns.numbers, bits), of_unknowns.unique, of_unknowns.bits};
+    const std::optional<int> exponent = exponent_for(place, size_);
     if (!exponent ||
-        (!is_real && is_real_within(place.middle, std::ldexp(2 * DyadicFigure::radius, *exponent))))
+        (!is_real && is_real_within(place.numbers, std::ldexp(2 * DyadicBox::radius, *exponent))))
       return std::nullopt;
-    DyadicFigure figure{{}, *exponent + scene_.unit_exponent()};
-    for (int point = 0; point < scene_.point_count(); ++point) {
-      DecimalVector& numbers = figure.points.emplace_back();
-      for (int axis = 0; axis < scene_.dimension(); ++axis) {
-        const int unknown = equations_.point_unknown(point, axis);
-        if (unknown < 0) continue;
-        numbers[static_cast<std::size_t>(axis)] = whole_numbers(place.middle(unknown, 0), *exponent);
-      }
-    }
-    return figure;
+    return box_of(place.numbers, *exponent);
   }
 
   const SceneEquations& equations_;
-  const Scene& scene_;
+  Listed listed_;
+  double size_;
   Certifier certifier_;
 };
 
@@ -134,12 +221,12 @@ std::optional<DyadicBox> dyadic_box(const Certifier& inner, const Certifier& out
   return std::nullopt;
 }
 
-std::vector<std::optional<DyadicFigure>> dyadic_figures(const SceneEquations& equations, const Scene& scene,
-                                                        const std::vector<Figure>& near, int threads) {
+std::vector<std::optional<DyadicBox>> dyadic_figures(const SceneEquations& equations, const Scene& scene,
+                                                     const std::vector<Figure>& near, int threads) {
   const DyadicWriter writer(equations, scene);
-  std::vector<std::optional<DyadicFigure>> figures(near.size());
-  share_on_threads(near.size(), threads, [&](std::size_t i) { figures[i] = writer.figure(near[i]); });
-  return figures;
+  std::vector<std::optional<DyadicBox>> boxes(near.size());
+  share_on_threads(near.size(), threads, [&](std::size_t i) { boxes[i] = writer.box(near[i]); });
+  return boxes;
 }
 
 }  // namespace gcs

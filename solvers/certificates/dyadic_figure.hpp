@@ -10,19 +10,12 @@
 
 namespace gcs {
 
-/// Coordinates are whole numbers times 2^exponent, in the file's unit of length. Exactly one solution, and a regular
-/// one, has every unknown coordinate within radius·2^exponent of them; so small a box leaves Newton's method, in exact
-/// arithmetic and with an inverse in doubles, room enough to show it again. Real solutions are in real numbers, and
-/// a box of any other holds no real one.
-struct DyadicFigure {
+/// Whole numbers times 2^exponent. Exactly one solution, and a regular one, has every unknown within radius·2^exponent of
+/// them; so small a box leaves Newton's method, in exact arithmetic and with an inverse in doubles, room enough to show it
+/// again. Lengths are in the scene's unit, and the exponent is at most 0.
+struct DyadicBox {
   static constexpr int radius = 8;
 
-  std::vector<DecimalVector> points;  ///< the whole numbers
-  int exponent = 0;
-};
-
-/// Likewise all unknowns of a system.
-struct DyadicBox {
   std::vector<DecimalNumber> numbers;
   int exponent = 0;
 };
@@ -33,10 +26,12 @@ struct DyadicBox {
 std::optional<DyadicBox> dyadic_box(const Certifier& inner, const Certifier& outer,
                                     const std::vector<std::complex<double>>& x);
 
-/// The solutions next to figures in the scene's unit and frame, on so many threads; the same for any number of them. Nothing
-/// for one that no precision up to 1024 bits proves so well. Precondition: the scene is of points, none with a given
-/// position, and distances between them.
-std::vector<std::optional<DyadicFigure>> dyadic_figures(const SceneEquations& equations, const Scene& scene,
-                                                        const std::vector<Figure>& near, int threads);
+/// The solutions next to figures in the scene's unit and frame, on so many threads; the same for any number of them. Real
+/// solutions are in real numbers, and a box of any other holds no real one. Listed are, as far as frame and positions leave
+/// them open, the coordinates of points, of lines the point nearest to the origin and the direction, of planes normal and
+/// offset; and of distances between a point and a line that both have unknowns (p − f)·u. Nothing for one that no precision
+/// up to 1024 bits proves so well. Precondition: !why_not_certified(scene).
+std::vector<std::optional<DyadicBox>> dyadic_figures(const SceneEquations& equations, const Scene& scene,
+                                                     const std::vector<Figure>& near, int threads);
 
 }  // namespace gcs

@@ -1,6 +1,6 @@
 #include "solvers/certificates/enclosed_point.hpp"
 
-#include "solvers/numeric/balls.hpp"
+#include "solvers/certificates/ball_krawczyk.hpp"
 
 namespace gcs {
 namespace {
@@ -20,25 +20,43 @@ Interval interval_of(acb_srcptr ball) {
   return {low, high};
 }
 
-Interval value_of(const LinearForm& form, const Enclosure& enclosure) {
-  Ball sum, coefficient, unknown, width;
-  enclose(sum, form.constant, point_bits);
-  for (const ScaledUnknown& term : form.terms) {
-    const auto i = static_cast<std::size_t>(term.unknown);
-    enclose(coefficient, term.coefficient, point_bits);
-    acb_set_d(unknown, enclosure.mid[i].real());
-    acb_set_d(width, enclosure.radius[i].real());
-    acb_ptr value = unknown, radius = width;
-    arb_add_error(acb_realref(value), acb_realref(radius));
-    acb_addmul(sum, coefficient, unknown, point_bits);
-  }
-  return interval_of(sum);
+void widen(arb_t part, double radius) {
+  mag_t error;
+  mag_init(error);
+  mag_set_d(error, radius);
+  arb_add_error_mag(part, error);
+  mag_clear(error);
 }
 
 }  // namespace
 
+BallMatrix balls_of(const Enclosure& enclosure) {
+  BallMatrix balls = BallKrawczyk::vector(enclosure.mid);
+  for (slong i = 0; i < balls.rows(); ++i) {
+    const std::complex<double>& radius = enclosure.radius[static_cast<std::size_t>(i)];
+    widen(acb_realref(balls(i, 0)), radius.real());
+    widen(acb_imagref(balls(i, 0)), radius.imag());
+  }
+  return balls;
+}
+
+void enclose(acb_ptr sum, const LinearForm& form, const BallMatrix& unknowns, slong bits) {
+  Ball coefficient;
+  enclose(sum, form.constant, bits);
+  for (const ScaledUnknown& term : form.terms) {
+    enclose(coefficient, term.coefficient, bits);
+    acb_addmul(sum, coefficient, unknowns(term.unknown, 0), bits);
+  }
+}
+
 EnclosedPoint enclosed_point(const VectorForm& point, const Enclosure& enclosure) {
-  return {value_of(point[0], enclosure), value_of(point[1], enclosure), value_of(point[2], enclosure)};
+  const BallMatrix unknowns = balls_of(enclosure);
+  const auto value_of = [&](const LinearForm& form) {
+    Ball sum;
+    enclose(sum, form, unknowns, point_bits);
+    return interval_of(sum);
+  };
+  return {value_of(point[0]), value_of(point[1]), value_of(point[2])};
 }
 
 }  // namespace gcs

@@ -145,6 +145,21 @@ std::vector<int> held_elements(const Scene& scene) {
   return held;
 }
 
+/// In the plane, with bars that hold given points to each other: all but two of them have two places each then, which have
+/// equally many figures, as positions of these points are one irreducible family.
+std::optional<Natural> count_around(ProblemStatement problem, const std::vector<int>& given) {
+  problem.fixed_points.clear();
+  problem.fixed_texts.clear();
+  for (std::size_t i = 1; i < given.size(); ++i)
+    for (std::size_t j = 0; j < std::min<std::size_t>(i, 2); ++j)
+      problem.constraints.push_back({"", {given[i], given[j]}, {1, "1"}, false});
+  const TheoreticalCounts counts = theoretical_counts(problem);
+  if (!counts.exact) return std::nullopt;
+  Natural count = counts.exact->fixed_frame;
+  for (std::size_t i = 2; i < given.size(); ++i) count = count / 2U;
+  return count;
+}
+
 /// The m-Bézout bound of all that `is_left`, planes as points, with what the frame holds. Nothing where no line is held
 /// and one is left, or where it takes too long.
 std::optional<std::vector<JsonValue>> part_in_frame(const Scene& scene, const std::vector<bool>& is_left) {
@@ -167,6 +182,11 @@ std::optional<std::vector<JsonValue>> part_in_frame(const Scene& scene, const st
   for (const DistanceConstraint& c : problem.constraints)
     add_edge(std::min(c.between[0], c.between[1]), std::max(c.between[0], c.between[1]));
   for (const Relation& relation : problem.relations) add_edge(relation.of[0].entity, relation.of[1].entity);
+  if (problem.dimension == 2)
+    if (const auto count = count_around(problem, held))
+      return std::vector{json_object({{"argument", json_text("realisation count")},
+                                      {"at_most", json_count(*count)},
+                                      {"points", names_value(problem, part)}})};
   const auto bound = smallest_bezout_bound(graph);
   if (!bound) return std::nullopt;
   // A line and a point leave two reflections, d points one.

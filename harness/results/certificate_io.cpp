@@ -260,10 +260,11 @@ std::vector<ProvenFigure> proven_figures(const Scene& scene, const Answer& answe
 void require_certifiable(const Instance& instance) {
   const char* place = beyond_certificates(instance.problem);
   if (place == nullptr) return;
-  throw InputError(instance.origin, place,
-                   "a certificate is of points, lines and planes in space with distances from points and cosines "
-                   "between planes, in a frame of points, of a line and a point, or of given points that leave no motion",
-                   "leave out --certificate; --certify proves more");
+  throw InputError(
+      instance.origin, place,
+      "a certificate is of points, lines and planes in space with distances from points and cosines "
+      "between planes, in a frame of points, of a line and a point, or of given points that leave no motion",
+      "leave out --certificate; --certify proves more");
 }
 
 std::size_t write_certificate(const Instance& instance, const Scene& scene, const Answer& answer,

@@ -133,8 +133,7 @@ class Listed {
     }
     VectorForm forms;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      forms[axis] =
-          form_of(equations_.line_unknown(problem_.line_of(entity), part, static_cast<int>(axis)));
+      forms[axis] = form_of(equations_.line_unknown(problem_.line_of(entity), part, static_cast<int>(axis)));
     return forms;
   }
 
@@ -175,7 +174,10 @@ class Listed {
 class DyadicWriter {
  public:
   DyadicWriter(const SceneEquations& equations, const Scene& scene)
-      : equations_(equations), listed_(equations, scene), size_(scene.size()), certifier_(equations.system()) {}
+      : equations_(equations),
+        listed_(equations, scene),
+        size_(scene.size()),
+        certifier_(equations.system()) {}
 
   std::optional<DyadicBox> box(const Figure& near) const {
     const ComplexValues x = equations_.coordinates(near);

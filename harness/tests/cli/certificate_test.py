@@ -8,6 +8,7 @@ import copy
 import functools
 import json
 import random
+import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -27,15 +28,68 @@ KNOWN = {"k33": (8, 2), "prism": (12, 12), "octahedron": (8, 4), "disulfide": (3
 RECORDS = {7916: 24, 1269995: 56, 170989214: 136}
 
 
+# A line at distances from four given points has 12 places (Macdonald, Pach, Theobald 2001), here 4 (Durand 1998) and 12
+# (Sottile, Theobald 2002) real ones.
+TANGENTS = {"tangents-durand": (12, 4), "tangents-12-real": (12, 12)}
+
+# An octahedron of points and planes has at most 16 figures in its frame (Hoffmann, Yuan 2001).
+OCTAHEDRAL = ("octahedral-5p1h", "octahedral-4p2h", "octahedral-3p3h")
+
+
+def distances(*given):
+    return [{"type": "distance", "between": [a, b], "length": length} for a, b, length in given]
+
+
+# A triangle on three legs from given points: 6 postures of each orientation (Hunt 1983).
+PLANAR_PLATFORM = {
+    "format": "gcsbench-instance/1", "id": "planar", "dimension": 2, "points": ["a1", "b3", "a2", "b1", "b2", "a3"],
+    "fixed": {"a1": [0, 0], "a2": [5, 0.25], "a3": [3.1, 4.7]},
+    "constraints": distances(("b1", "b2", 3), ("b2", "b3", 2.5), ("b3", "b1", 2), ("a1", "b1", 2.9), ("a2", "b2", 3.3),
+                             ("b3", "a3", 3.1))}
+
+# One on six legs that meet in pairs: 16 postures (Griffis, Duffy 1989).
+PLATFORM = {
+    "format": "gcsbench-instance/1", "id": "spatial", "dimension": 3, "points": ["b1", "a1", "b2", "a2", "a3", "b3"],
+    "fixed": {"a1": [0, 0, 0.1], "a2": [5, 0.25, 0], "a3": [3.1, 4.7, -1]},
+    "constraints": distances(("b1", "b2", 3), ("b2", "b3", 2.5), ("b3", "b1", 2), ("a1", "b1", 4.9), ("a2", "b2", 4.3),
+                             ("a3", "b3", 4.1), ("a1", "b2", 4.8), ("b3", "a2", 4.9), ("a3", "b1", 4.3))}
+
+# A tetrahedron, a plane that hangs on three of its points, two ways as n·n = 1 is all that is not linear, and a line at four
+# distances, 12 ways: 24. Rounded from p = 0, q = (3, 0, 0), r = (5/4, 5/2, 0), s = (1, 1, 5/2), n = (2, 1, 2)/3, h = 1/2 and
+# a line through (1/2, 1/4, 3/4) along (2, 3, 6)/7, so that there are real ones.
+HUNG = {
+    "format": "gcsbench-instance/2", "id": "hung", "dimension": 3, "points": ["p", "q", "r", "s"], "lines": ["m"],
+    "planes": ["h"],
+    "constraints": distances(("p", "q", 3), ("r", "q", 3.052), ("p", "r", 2.795), ("s", "p", 2.872), ("q", "s", 3.354),
+                             ("r", "s", 2.926), ("h", "p", -0.5), ("q", "h", 1.5), ("s", "h", 2.167), ("m", "p", 0.279),
+                             ("m", "q", 2.622), ("s", "m", 0.129), ("m", "r", 2.429))}
+
 checker = command_line.load_script(SCRIPT.name)
 
 
-def sentence(name, found, real, quantity="exactly"):
-    return f"{name}: {quantity} {found} complex solutions up to reflection, {real} of them real: proven."
+def sentence(name, found, real, quantity="exactly", counted=" up to reflection"):
+    return f"{name}: {quantity} {found} complex solutions{counted}, {real} of them real: proven."
 
 
 def some_of(name, found, real, most):
     return sentence(name, found, real, "at least")[:-1] + f"; isolated are at most {most}."
+
+
+def restated(scene, name, names, exponent, draw):
+    """By another name, other names, in other orders, and in units of 2^−exponent."""
+    def scaled(numbers):
+        return [number * 2.0 ** exponent for number in numbers]
+
+    def turned(constraint):
+        return {**constraint, "between": [names[element] for element in constraint["between"]][::-1],
+                **{key: scaled([constraint[key]])[0] for key in constraint if key == "length"}}
+
+    elements = {kind: draw.sample([names[name] for name in scene[kind]], len(scene[kind]))
+                for kind in ("points", "lines", "planes") if kind in scene}
+    fixed = {"fixed": {names[name]: scaled(place) for name, place in scene["fixed"].items()}} if "fixed" in scene else {}
+    constraints = [turned(constraint) for constraint in draw.sample(scene["constraints"], len(scene["constraints"]))]
+    return {"format": scene["format"], "id": name, "dimension": scene["dimension"], **elements, **fixed,
+            "constraints": constraints}
 
 
 def verdict(certificate):
@@ -88,16 +142,16 @@ def changes(value, draw, names):
 
 
 @functools.cache
-def written(instance, *options):
+def written(instance, *options, strategy="monodromy"):
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "certificate.json"
-        done = run("--quiet", "solve", instance, "--strategy", "monodromy", "--certificate", out, *options)
+        done = run("--quiet", "solve", instance, "--strategy", strategy, "--certificate", out, *options)
         return done.returncode, done.returncode == DONE and out.read_text()
 
 
 class Certificates(command_line.CommandLine):
-    def certificate(self, instance, *options):
-        code, text = written(instance, *options)
+    def certificate(self, instance, *options, **strategy):
+        code, text = written(instance, *options, **strategy)
         self.assertEqual(code, DONE)
         return json.loads(text)
 
@@ -107,6 +161,30 @@ class Certificates(command_line.CommandLine):
     def test_known_numbers_are_theorems(self):
         for name, (found, real) in KNOWN.items():
             self.assertEqual(verdict(self.certificate(name)), sentence(name, found, real))
+
+    def real_in(self, certificate):
+        return int(re.search(r"([0-9]+) of them real", verdict(certificate))[1])
+
+    def test_given_positions(self):
+        """Real ones are those that subdivision of a plan's angle finds."""
+        for scene, found in ((PLANAR_PLATFORM, 12), (PLATFORM, 16)):
+            path = self.write(scene, f"{scene['id']}.json")
+            real = self.real_in(self.certificate(path, strategy="plan-scan"))
+            self.assertEqual(verdict(self.certificate(path)), sentence(scene["id"], found, real, counted=""))
+
+    def test_lines_at_distances_from_points(self):
+        for name, (found, real) in TANGENTS.items():
+            self.assertEqual(verdict(self.certificate(name)), sentence(name, found, real, counted=""))
+        self.assertRegex(verdict(self.certificate("two-lines")), "^two-lines: exactly 144 complex solutions, .* proven[.]$")
+        self.assertRegex(verdict(self.certificate("octahedron-line")), "^octahedron-line: exactly 96 complex .* proven[.]$")
+        # A pyramid of five points and a line in its frame; real ones by subdivision of an angle.
+        real = verdict(self.certificate("hoffmann-yuan", strategy="theta-scan"))
+        self.assertEqual(real, some_of("hoffmann-yuan", 6, 6, 128))
+
+    def test_planes(self):
+        for name in OCTAHEDRAL:
+            real = self.real_in(self.certificate(name, strategy="plan-scan"))
+            self.assertEqual(verdict(self.certificate(name)), sentence(name, 8, real))
 
     def test_of_parts_and_hung_points_too(self):
         # Two octahedra with a triangle in common: 16 · 16 in the frame.
@@ -125,14 +203,20 @@ class Certificates(command_line.CommandLine):
         octahedron = json.loads((SOURCE / "instances" / "octahedron.json").read_text())
         names = dict(zip(octahedron["points"], draw.sample(["a", "b b", "ö", "3", "p1", "p-"], 6)))
         for exponent in (-500, 70):
-            constraints = [{"type": "distance", "between": [names[point] for point in constraint["between"]][::-1],
-                            "length": constraint["length"] * 2.0 ** exponent}
-                           for constraint in octahedron["constraints"]]
-            restated = {"format": octahedron["format"], "id": "restated", "dimension": 3,
-                        "points": draw.sample(list(names.values()), 6),
-                        "constraints": draw.sample(constraints, len(constraints))}
-            path = self.write(restated, "restated.json")
-            self.assertEqual(verdict(self.certificate(path)), sentence("restated", *KNOWN["octahedron"]))
+            path = self.write(restated(octahedron, f"in{exponent}", names, exponent, draw), f"in{exponent}.json")
+            self.assertEqual(verdict(self.certificate(path)), sentence(f"in{exponent}", *KNOWN["octahedron"]))
+
+    def test_lines_planes_and_positions_may_be_restated_too(self):
+        draw = random.Random(6)
+        found = {"planar": 12, "spatial": 16, "hung": 24}
+        for scene in (PLANAR_PLATFORM, PLATFORM, HUNG):
+            elements = [name for kind in ("points", "lines", "planes") for name in scene.get(kind, [])]
+            names = dict(zip(elements, draw.sample([f"e{k}" for k in range(9)], len(elements))))
+            name = f"restated-{scene['id']}"
+            path = self.write(restated(scene, name, names, draw.choice((-500, 70)), draw), f"{name}.json")
+            counted = "" if "fixed" in scene else " up to reflection"
+            self.assertRegex(verdict(self.certificate(path)),
+                             f"^{name}: exactly {found[scene['id']]} complex solutions{counted}, .* real: proven[.]$")
 
     def test_stiff_scenes_are_within_reach(self):
         """An octahedron with a solution 1e10 away, whose inverse matrix doubles do not hold; K3,3 with two hung points."""
@@ -175,8 +259,11 @@ class Certificates(command_line.CommandLine):
     def test_a_change_is_refused_or_changes_nothing(self):
         """Of some hundreds, in every kind of place."""
         draw = random.Random(7)
-        for name, places_of_a_kind in (("k33", 4), ("octahedron", 1), ("escaping@0", 1)):
-            certificate = self.certificate(name)
+        scenes = {name: name for name in ("k33", "octahedron", "escaping@0", "tangents-durand", "octahedral-4p2h")}
+        scenes.update((scene["id"], self.write(scene, f"{scene['id']}.json")) for scene in (PLANAR_PLATFORM, HUNG))
+        for name, scene in scenes.items():
+            certificate = self.certificate(scene)
+            places_of_a_kind, most_changes = (2, 9) if name == "k33" else (1, 2)
             true = {verdict(certificate), self.weaker(certificate)}
             self.assertNotIn(None, true)
             kinds = {}
@@ -186,8 +273,9 @@ class Certificates(command_line.CommandLine):
                 for path in draw.sample(paths, min(len(paths), places_of_a_kind)):
                     value = at(certificate, path)
                     others = changes(value, draw, certificate["instance"]["points"])
-                    for changed in [*(with_value(certificate, path, other) for other in others if other != value),
-                                    without(certificate, path)]:
+                    changed_ones = [*(with_value(certificate, path, other) for other in others if other != value),
+                                    without(certificate, path)]
+                    for changed in draw.sample(changed_ones, min(len(changed_ones), most_changes)):
                         with self.subTest(path=path):
                             proven = verdict(changed)
                             self.assertIn(proven and self.of(name, changed, proven), (None, *true))
@@ -216,15 +304,13 @@ class Certificates(command_line.CommandLine):
             wrong[f"length {number}"] = with_value(certificate, place, constraint[name] * (1 + 1e-12))
             wrong[f"ends {number}"] = with_value(certificate, [*place[:3], "between"], constraint["between"][:1] * 2)
         mirrored = copy.deepcopy(solutions[4])
-        for point in mirrored["points"]:
-            point[-1] = self.negative(point[-1])
+        mirrored["numbers"][2::2] = map(self.negative, mirrored["numbers"][2::2])  # y of the four beside the frame
         wrong["a mirror image"] = with_value(certificate, ["solutions", 5], mirrored)
         for number, solution in enumerate(solutions):
             wrong[f"realness {number}"] = with_value(certificate, ["solutions", number, "real"], not solution["real"])
-            for point in range(len(solution["points"])):
-                far = copy.deepcopy(certificate)
-                far["solutions"][number]["points"][point][0] = str(2 ** 90)
-                wrong[f"place {number} {point}"] = far
+            for unknown in range(len(solution["numbers"])):
+                wrong[f"place {number} {unknown}"] = with_value(
+                    certificate, ["solutions", number, "numbers", unknown], str(2 ** 90))
         for what, changed in wrong.items():
             with self.subTest(what=what):
                 self.assertIsNone(verdict(changed))
@@ -252,6 +338,18 @@ class Certificates(command_line.CommandLine):
         points = certificate["instance"]["points"]
         for held in ([points[0]], points[:2], points[:4], [points[0], points[0], points[1]], ["nobody"], "p1"):
             self.assertIsNone(verdict(with_value(certificate, ["limit", 0, "held"], held)))
+        for name in ("tangents-durand", "hoffmann-yuan", "octahedral-3p3h"):
+            strategy = {"strategy": "theta-scan"} if name == "hoffmann-yuan" else {}
+            certificate = self.certificate(name, **strategy)
+            part = certificate["limit"][0]
+            wrong = [{**part, "points": part["points"][1:]}, {**part, "points": part["points"] * 2},
+                     *({**part, "held": held} for held in (part.get("held", [])[::-1], ["nobody"]) if "held" in part),
+                     *({**part, "argument": argument} for argument in ("hung point", "realisation count", "ring of bodies",
+                                                                        "m-Bézout bound") if argument != part["argument"])]
+            for other in wrong:
+                with self.subTest(name=name, other=other):
+                    self.assertIn(verdict(with_value(certificate, ["limit", 0], other)),
+                                  (None, verdict(certificate) if name == "octahedral-3p3h" else None))
         ring = self.certificate("disulfide")
         bodies = ring["limit"][0]["bodies"]
         self.assertEqual(verdict(with_value(ring, ["limit", 0, "bodies"], bodies[2:] + bodies[:2])),
@@ -271,9 +369,9 @@ class Certificates(command_line.CommandLine):
 
     def test_scenes_and_lists_without_a_certificate(self):
         out = self.folder / "none.json"
-        for instance in ("tangents-durand", "two-lines"):
+        for instance, place in (("platform", "/bodies"), ("three-points-three-lines-angles", "/constraints")):
             done = run("solve", instance, "--strategy", "monodromy", "--certificate", out)
-            self.assert_one_message(done, BAD_INPUT, "--certificate")
+            self.assert_one_message(done, BAD_INPUT, "--certificate", place)
         nothing = run("--quiet", "solve", "inconsistent@1e-12", "--strategy", "monodromy", "--certificate", out)
         self.assertIn("no certificate is written", nothing.stderr)
         self.assertFalse(out.exists())

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "solvers/counting/bezout_bound.hpp"
 #include "solvers/counting/general_bound.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/structure/decomposition.hpp"
 #include "solvers/structure/sub_problem.hpp"
 
@@ -57,11 +57,8 @@ std::vector<int> held_elements(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   const Reference& reference = scene.reference();
   std::vector<int> held;
-  if (scene.is_anchored()) {
-    for (int entity = 0; entity < problem.entity_count(); ++entity)
-      if (problem.is_fixed(entity)) held.push_back(entity);
-    return held;
-  }
+  for (const BodyElement& element : given_elements(problem)) held.push_back(element.entity);
+  if (!held.empty()) return held;
   if (reference.line >= 0) return {problem.line_entity(reference.line), reference.height};
   held = {reference.origin, reference.axis, reference.plane};
   held.resize(static_cast<std::size_t>(problem.dimension));
@@ -143,8 +140,7 @@ JsonValue certificate_limit(const Scene& scene) {
   std::vector<bool> is_left = is_hung;
   is_left.flip();
   const ProblemStatement rest = sub_problem(problem, is_left).problem;
-  const bool is_given = std::ranges::all_of(std::views::iota(0, rest.entity_count()),
-                                            [&](int entity) { return rest.is_fixed(entity); });
+  const bool is_given = static_cast<int>(given_elements(rest).size()) == rest.entity_count();
   const bool is_of_points = !rest.is_general() && rest.lines.empty() && !rest.is_anchored();
   auto values = is_given       ? std::vector<JsonValue>()
                 : is_of_points ? parts_of_points(rest)

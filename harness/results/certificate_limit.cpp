@@ -1,6 +1,7 @@
 #include "harness/results/certificate_limit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -52,17 +53,10 @@ std::optional<std::vector<JsonValue>> parts_of_points(const ProblemStatement& pr
   return values;
 }
 
-/// The elements that the frame holds: those with given positions, a line and a point, or d points.
-std::vector<int> held_elements(const Scene& scene) {
-  const ProblemStatement& problem = scene.problem();
-  const Reference& reference = scene.reference();
-  std::vector<int> held;
-  for (const BodyElement& element : given_elements(problem)) held.push_back(element.entity);
-  if (!held.empty()) return held;
-  if (reference.line >= 0) return {problem.line_entity(reference.line), reference.height};
-  held = {reference.origin, reference.axis, reference.plane};
-  held.resize(static_cast<std::size_t>(problem.dimension));
-  return held;
+std::vector<int> given_entities(const ProblemStatement& problem) {
+  std::vector<int> given;
+  for (const BodyElement& element : given_elements(problem)) given.push_back(element.entity);
+  return given;
 }
 
 /// In the plane, with bars that hold given points to each other: all but two of them have two places each then, which have
@@ -80,41 +74,86 @@ std::optional<Natural> count_around(ProblemStatement problem, const std::vector<
   return count;
 }
 
-/// The m-Bézout bound of all that `is_left`, planes as points, with what the frame holds. Nothing where no line is held
-/// and one is left, or where it takes too long.
-std::optional<std::vector<JsonValue>> part_in_frame(const Scene& scene, const std::vector<bool>& is_left) {
-  const ProblemStatement& problem = scene.problem();
-  const std::vector<int> held = held_elements(scene);
-  BoundProblem graph{problem.dimension, {}, std::vector<bool>(is_left.size(), false), {held}};
-  std::vector<int> part;
-  for (int entity = 0; entity < problem.entity_count(); ++entity) {
-    const bool is_in_part = is_left[static_cast<std::size_t>(entity)];
-    if (is_in_part) part.push_back(entity);
-    if (is_in_part && problem.is_line(entity) && held.front() != entity) return std::nullopt;
-    if (!is_in_part) graph.references.front().push_back(entity);
+/// The elements of a part that is solved in one piece, and what is stated between them.
+class UndividedPart {
+ public:
+  UndividedPart(const Scene& scene, const std::vector<bool>& is_left)
+      : problem_(scene.problem()),
+        line_(scene.reference().line < 0 ? -1 : problem_.line_entity(scene.reference().line)),
+        graph_{problem_.dimension, {}, std::vector<bool>(is_left.size(), false), {}} {
+    for (int entity = 0; entity < problem_.entity_count(); ++entity)
+      (is_left[static_cast<std::size_t>(entity)] ? part_ : later_).push_back(entity);
+    for (const DistanceConstraint& c : problem_.constraints) add_edge(c.between[0], c.between[1]);
+    for (const Relation& relation : problem_.relations)
+      add_edge(relation.of[0].entity, relation.of[1].entity);
   }
-  const auto add_edge = [&](int a, int b) {
-    if (problem.is_line(b))
-      graph.on_line[static_cast<std::size_t>(a)] = b == held.front();
-    else
-      graph.edges.push_back({a, b});
-  };
-  for (const DistanceConstraint& c : problem.constraints)
-    add_edge(std::min(c.between[0], c.between[1]), std::max(c.between[0], c.between[1]));
-  for (const Relation& relation : problem.relations) add_edge(relation.of[0].entity, relation.of[1].entity);
-  if (problem.dimension == 2)
-    if (const auto count = count_around(problem, held))
-      return std::vector{json_object({{"argument", json_text("realisation count")},
-                                      {"at_most", json_count(*count)},
-                                      {"points", names_value(problem, part)}})};
-  const auto bound = smallest_bezout_bound(graph);
-  if (!bound) return std::nullopt;
-  // A line and a point leave two reflections, d points one.
-  const Natural at_most = bound->fixed_frame / (problem.is_line(held.front()) ? 2U : 1U);
-  return std::vector{json_object({{"argument", json_text("m-Bézout bound")},
-                                  {"at_most", json_count(at_most)},
-                                  {"held", names_value(problem, held)},
-                                  {"points", names_value(problem, part)}})};
+
+  /// Nothing where a line is left that the frame does not hold, or where counting takes too long.
+  std::optional<JsonValue> limit() {
+    const std::vector<int> given = given_entities(problem_);
+    if (std::ranges::any_of(part_, [&](int entity) { return problem_.is_line(entity) && entity != line_; }))
+      return std::nullopt;
+    if (problem_.dimension == 2)
+      if (const auto count = count_around(problem_, given)) return value("realisation count", *count, {});
+    const std::vector<std::vector<int>> frames =
+        given.empty() ? free_frames() : std::vector<std::vector<int>>{given};
+    for (const std::vector<int>& frame : frames) {
+      graph_.references.push_back(frame);
+      graph_.references.back().insert(graph_.references.back().end(), later_.begin(), later_.end());
+    }
+    const auto bound = smallest_bezout_bound(graph_);
+    if (!bound) return std::nullopt;
+    const std::vector<int>& held = frames[bound->reference];
+    // A line and a point leave two reflections, d points one.
+    return value("m-Bézout bound", bound->fixed_frame / (held.front() == line_ ? 2U : 1U),
+                 {{"held", names_value(problem_, held)}});
+  }
+
+ private:
+  void add_edge(int a, int b) {
+    if (a > b) std::swap(a, b);
+    if (!problem_.is_line(b))
+      graph_.edges.push_back({a, b});
+    else if (b == line_)
+      graph_.on_line[static_cast<std::size_t>(a)] = true;
+  }
+
+  /// The line that the frame holds and a point beside it, or three points with all their distances given.
+  std::vector<std::vector<int>> free_frames() const {
+    std::vector<std::vector<int>> frames;
+    const auto points = static_cast<int>(problem_.points.size());
+    const auto are_joined = [&](int a, int b) {
+      return std::ranges::count(graph_.edges, std::array{a, b}) > 0;
+    };
+    for (int a = 0; a < points; ++a) {
+      if (line_ >= 0 && graph_.on_line[static_cast<std::size_t>(a)]) frames.push_back({line_, a});
+      for (int b = a + 1; b < points && line_ < 0; ++b)
+        for (int c = b + 1; c < points && are_joined(a, b); ++c)
+          if (are_joined(a, c) && are_joined(b, c)) frames.push_back({a, b, c});
+    }
+    return frames;
+  }
+
+  JsonValue value(const char* argument, const Natural& at_most, JsonMembers members) const {
+    members.emplace_back("argument", json_text(argument));
+    members.emplace_back("at_most", json_count(at_most));
+    members.emplace_back("points", names_value(problem_, part_));
+    return json_object(std::move(members));
+  }
+
+  const ProblemStatement& problem_;
+  int line_;  ///< that the frame puts on its axis; −1: none
+  BoundProblem graph_;
+  std::vector<int> part_, later_;
+};
+
+std::optional<std::vector<JsonValue>> parts_without_hung_lines(const Scene& scene,
+                                                               const std::vector<bool>& is_left) {
+  const ProblemStatement rest = sub_problem(scene.problem(), is_left).problem;
+  if (static_cast<int>(given_entities(rest).size()) == rest.entity_count()) return std::vector<JsonValue>();
+  if (!rest.is_general() && rest.lines.empty() && !rest.is_anchored()) return parts_of_points(rest);
+  const auto undivided = UndividedPart(scene, is_left).limit();
+  return undivided ? std::optional(std::vector<JsonValue>{*undivided}) : std::nullopt;
 }
 
 /// A line at four distances from points.
@@ -139,12 +178,7 @@ JsonValue certificate_limit(const Scene& scene) {
   const std::vector<bool> is_hung = hung_lines(problem);
   std::vector<bool> is_left = is_hung;
   is_left.flip();
-  const ProblemStatement rest = sub_problem(problem, is_left).problem;
-  const bool is_given = static_cast<int>(given_elements(rest).size()) == rest.entity_count();
-  const bool is_of_points = !rest.is_general() && rest.lines.empty() && !rest.is_anchored();
-  auto values = is_given       ? std::vector<JsonValue>()
-                : is_of_points ? parts_of_points(rest)
-                               : part_in_frame(scene, is_left);
+  auto values = parts_without_hung_lines(scene, is_left);
   if (!values) return json_null();
   for (int entity = 0; entity < problem.entity_count(); ++entity)
     if (is_hung[static_cast<std::size_t>(entity)]) values->push_back(hung_line_value(problem, entity));

@@ -178,13 +178,26 @@ class Certificates(command_line.CommandLine):
         self.assertRegex(verdict(self.certificate("two-lines")), "^two-lines: exactly 144 complex solutions, .* proven[.]$")
         self.assertRegex(verdict(self.certificate("octahedron-line")), "^octahedron-line: exactly 96 complex .* proven[.]$")
         # A pyramid of five points and a line in its frame; real ones by subdivision of an angle.
-        real = verdict(self.certificate("hoffmann-yuan", strategy="theta-scan"))
-        self.assertEqual(real, some_of("hoffmann-yuan", 6, 6, 128))
+        pyramid = self.certificate("hoffmann-yuan", strategy="theta-scan")
+        self.assertEqual(verdict(pyramid), some_of("hoffmann-yuan", 6, 6, 128))
+        # Which point is beside the line in the frame does not matter.
+        scene = pyramid["instance"]
+        for point in scene["points"][:2]:
+            scene.update(id=f"with-{point}", reference={"line": "L", "height": point})
+            other = self.certificate(self.write(scene, f"with-{point}.json"), strategy="theta-scan")
+            self.assertEqual(verdict(other), some_of(f"with-{point}", 6, 6, 128))
 
     def test_planes(self):
         for name in OCTAHEDRAL:
             real = self.real_in(self.certificate(name, strategy="plan-scan"))
             self.assertEqual(verdict(self.certificate(name)), sentence(name, 8, real))
+        # Nor whether the distances of the frame's points are given.
+        scene = self.certificate("octahedral-5p1h")["instance"]
+        opposite = next([a, b] for a in scene["points"] for b in scene["points"] if a < b and not any(
+            {a, b} == set(constraint["between"]) for constraint in scene["constraints"]))
+        third = next(point for point in scene["points"] if point not in opposite)
+        scene.update(id="across", reference=dict(zip(("origin", "axis", "plane"), [*opposite, third])))
+        self.assertRegex(verdict(self.certificate(self.write(scene, "across.json"))), "^across: exactly 8 complex ")
 
     def test_of_parts_and_hung_points_too(self):
         # Two octahedra with a triangle in common: 16 · 16 in the frame.

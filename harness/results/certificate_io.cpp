@@ -88,8 +88,10 @@ const char* beyond_certificates(const ProblemStatement& problem) {
   if (problem.file_frame) return "/fixed";
   for (int entity = static_cast<int>(problem.points.size()); entity < problem.entity_count(); ++entity)
     if (problem.is_fixed(entity)) return "/fixed";
-  for (const Relation& relation : problem.relations)
-    if (!is_certifiable(problem, relation)) return "/constraints";
+  if (!std::ranges::all_of(problem.relations,
+                           [&](const Relation& r) { return is_certifiable(problem, r); }) ||
+      std::ranges::any_of(problem.constraints, [](const auto& c) { return c.given.value == 0; }))
+    return "/constraints";
   const Reference reference = Scene::unchecked(problem).reference();
   const bool is_of_points = std::ranges::all_of(
       std::array{reference.origin, reference.axis, problem.dimension == 2 ? reference.axis : reference.plane},
@@ -116,8 +118,9 @@ void require_certifiable(const Instance& instance) {
   if (place == nullptr) return;
   throw InputError(
       instance.origin, place,
-      "a certificate is of points, lines and planes in space with distances from points and cosines "
-      "between planes, in a frame of points, of a line and a point, or of given points that leave no motion",
+      "a certificate is of points, lines and planes in space with distances above 0 from points and "
+      "cosines between planes, in a frame of points, of a line and a point, or of given points that leave no "
+      "motion",
       "leave out --certificate; --certify proves more");
 }
 

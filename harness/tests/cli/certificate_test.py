@@ -385,6 +385,11 @@ class Certificates(command_line.CommandLine):
         for instance, place in (("platform", "/bodies"), ("three-points-three-lines-angles", "/constraints")):
             done = run("solve", instance, "--strategy", "monodromy", "--certificate", out)
             self.assert_one_message(done, BAD_INPUT, "--certificate", place)
+        pyramid = json.loads((SOURCE / "instances" / "hoffmann-yuan.json").read_text())
+        on_line = next(constraint for constraint in pyramid["constraints"] if "L" in constraint["between"])
+        on_line["length"] = 0
+        pyramid = self.write({**pyramid, "id": "touching"}, "touching.json")
+        self.assert_one_message(run("solve", pyramid, "--strategy", "monodromy", "--certificate", out), BAD_INPUT, "/constraints")
         nothing = run("--quiet", "solve", "inconsistent@1e-12", "--strategy", "monodromy", "--certificate", out)
         self.assertIn("no certificate is written", nothing.stderr)
         self.assertFalse(out.exists())

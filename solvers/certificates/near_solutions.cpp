@@ -76,14 +76,16 @@ struct Visit {
 
 class Search {
  public:
-  explicit Search(const QuadraticSystem& system) : system_(system, search_bits), mirror_(system.mirror) {}
+  Search(const QuadraticSystem& system, const std::stop_token& stop)
+      : system_(system, search_bits), mirror_(system.mirror), stop_(stop) {}
 
-  /// Adds what is next to a point, up to `wanted` solutions.
+  /// Adds what is next to a point, up to `wanted` solutions; nothing when stopped.
   void visit(const NearlySingular& point, int wanted, NearSolutions& settled) const {
     std::vector<Certificate> found;
     std::optional<MultipleSolution> multiple;
     int multiple_ends = 0;
     for (const Point& start : starts_around(point.x)) {
+      if (stop_.stop_requested()) return;
       Visit visit = visit_from(start);
       if (!(distance(visit.end, point.x) <= furthest * size_of(point.x))) continue;
       if (visit.simple) add_new(*visit.simple, found);
@@ -154,6 +156,7 @@ class Search {
 
   BallKrawczyk system_;
   SignMasks mirror_;
+  const std::stop_token& stop_;
 };
 
 }  // namespace
@@ -166,13 +169,12 @@ int NearSolutions::count() const {
 
 NearSolutions solutions_near(const QuadraticSystem& system, const std::vector<NearlySingular>& points,
                              int expected, const std::stop_token& stop) {
-  const Search search(system);
+  const Search search(system, stop);
   NearSolutions settled;
   for (const bool all : {false, true}) {
     if (all && settled.count() >= expected) break;
     settled = {};
-    for (const NearlySingular& point : points)
-      if (!stop.stop_requested()) search.visit(point, all ? expected : point.solutions, settled);
+    for (const NearlySingular& point : points) search.visit(point, all ? expected : point.solutions, settled);
   }
   return settled;
 }

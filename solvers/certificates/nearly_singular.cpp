@@ -62,8 +62,9 @@ bool are_different_classes(const Scene& scene, const std::vector<Candidate>& can
   return solution_classes(scene, representatives, accuracies).first.size() == candidates.size();
 }
 
-ResolvedCandidates simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count) {
-  const NearSolutions near = solutions_near(system.equations(), {{x, count}}, count, {});
+ResolvedCandidates simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count,
+                                         const std::stop_token& stop) {
+  const NearSolutions near = solutions_near(system.equations(), {{x, count}}, count, stop);
   const Scene& scene = system.elements().scene();
   const SceneEquations exact(scene);
   ResolvedCandidates found;

@@ -33,7 +33,8 @@ ResolvedCandidates resolve_nearly_singular(const Scene& scene, const std::vector
 
 /// The simple solutions of a general scene next to unknowns x, proven and with their errors, at most `count`. Precondition:
 /// as many equations as unknowns.
-ResolvedCandidates simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count);
+ResolvedCandidates simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count,
+                                         const std::stop_token& stop);
 
 /// Whether doubles tell these candidates apart, as an assessment does it.
 bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates);

@@ -89,7 +89,7 @@ std::optional<std::string> why_not_explored(const Scene& scene) {
 }
 
 std::optional<Candidate> proven_solution(const SceneSystem& system, const ComplexValues& x) {
-  const std::vector<Candidate> found = simple_solutions_near(system, x, 1).list;
+  const std::vector<Candidate> found = simple_solutions_near(system, x, 1, {}).list;
   return found.empty() || !found.front().figure.is_real() ? std::nullopt : std::optional(found.front());
 }
 

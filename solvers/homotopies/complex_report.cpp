@@ -89,7 +89,8 @@ bool is_multiple_solution(const Scene& scene, const Figure& figure) {
 /// Makes the report of the ends of all paths.
 class ComplexReporter {
  public:
-  ComplexReporter(const Scene& scene, const DistanceSystem& system) : scene_(scene), system_(system) {
+  ComplexReporter(const Scene& scene, const DistanceSystem& system, const std::stop_token& stop)
+      : scene_(scene), system_(system), stop_(stop) {
     report_.claim = Claim::all_complex;
   }
 
@@ -98,12 +99,13 @@ class ComplexReporter {
     const DistinctEnds distinct(ends, mirror_axes(scene_, system_), random);
     MotionFinder finder(scene_, system_, random);
     missing_.jumps = distinct.jumps();
-    for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i, finder);
-    if (loose_end_) finder.look_for_apparent_motion(*loose_end_);
+    for (int i = 0; i < distinct.size() && !stop_.stop_requested(); ++i) add_end(distinct, i, finder);
+    const bool is_stopped = stop_.stop_requested() || is_any_stopped(ends);
+    if (loose_end_ && !is_stopped) finder.look_for_apparent_motion(*loose_end_);
     report_.motions = finder.motions();
     prove_neighbours();
     for (const PathEnd& end : ends) add_path(end);
-    conclude(ends, in_words(scene_.problem(), report_.motions), shortcomings_in_words(), report_);
+    conclude(is_stopped, in_words(scene_.problem(), report_.motions), shortcomings_in_words(), report_);
     return std::move(report_);
   }
 
@@ -156,7 +158,7 @@ class ComplexReporter {
     if (paths < 2 || why_not_certified(scene_)) return std::nullopt;
     const SceneEquations equations(scene_);
     if (equations.coordinates(complex_figure(system_, x)) != x) return std::nullopt;
-    return solutions_near(equations.system(), {{x, paths}}, paths, {});
+    return solutions_near(equations.system(), {{x, paths}}, paths, stop_);
   }
 
   void add_simple(const std::vector<Certificate>& solutions) {
@@ -277,6 +279,7 @@ class ComplexReporter {
 
   const Scene& scene_;
   const DistanceSystem& system_;
+  const std::stop_token& stop_;
   const std::vector<DoubleDouble> squares_ = target_squares(scene_);
   Shortcomings missing_;
   std::optional<ComplexVectorX> loose_end_;  ///< the first one that is not isolated
@@ -285,13 +288,14 @@ class ComplexReporter {
 
 }  // namespace
 
-void conclude(const std::vector<PathEnd>& ends, const std::string& moving, const std::string& missing,
-              SolveReport& report) {
-  const bool stopped =
-      std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
+bool is_any_stopped(const std::vector<PathEnd>& ends) {
+  return std::ranges::any_of(ends, [](const PathEnd& end) { return end.kind == PathEnd::Kind::stopped; });
+}
+
+void conclude(bool is_stopped, const std::string& moving, const std::string& missing, SolveReport& report) {
   report.reason =
-      stopped ? "stopped on the way" : moving + (moving.empty() || missing.empty() ? "" : "; ") + missing;
-  report.status = stopped                 ? SolveStatus::stopped
+      is_stopped ? "stopped on the way" : moving + (moving.empty() || missing.empty() ? "" : "; ") + missing;
+  report.status = is_stopped              ? SolveStatus::stopped
                   : !moving.empty()       ? SolveStatus::infinite
                   : report.reason.empty() ? SolveStatus::complete
                                           : SolveStatus::partial;
@@ -324,8 +328,8 @@ PathRecord path_record(const PathEnd& end) {
 }
 
 SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
-                           const WorkCounters& work, std::mt19937_64& random) {
-  return ComplexReporter(scene, system).run(ends, work, random);
+                           const WorkCounters& work, std::mt19937_64& random, const std::stop_token& stop) {
+  return ComplexReporter(scene, system, stop).run(ends, work, random);
 }
 
 }  // namespace gcs

@@ -2,6 +2,7 @@
 /// From the ends of paths to solutions of a scene, with what they prove or leave open.
 
 #include <random>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,12 @@ namespace gcs {
 /// The end of a path as reports have it.
 PathRecord path_record(const PathEnd& end);
 
-/// Status and reason of a report on all these paths: stopped where one was; infinite where it has motions, which is said
-/// in words; partial where something is missing, likewise.
-void conclude(const std::vector<PathEnd>& ends, const std::string& moving, const std::string& missing,
-              SolveReport& report);
+/// Whether a path was stopped on the way.
+bool is_any_stopped(const std::vector<PathEnd>& ends);
+
+/// Status and reason of a report: stopped; infinite where it has motions, which is said in words; partial where something
+/// is missing, likewise.
+void conclude(bool is_stopped, const std::string& moving, const std::string& missing, SolveReport& report);
 
 /// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
 /// Newton's method on the real part agrees; a record for every path. The status is partial where paths
@@ -25,6 +28,6 @@ void conclude(const std::vector<PathEnd>& ends, const std::string& moving, const
 /// is not among the ends, or where a singular end is no multiple solution but lies between some; infinite where ends lie
 /// on motions, which are reported instead of them.
 SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
-                           const WorkCounters& work, std::mt19937_64& random);
+                           const WorkCounters& work, std::mt19937_64& random, const std::stop_token& stop);
 
 }  // namespace gcs

@@ -155,7 +155,7 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
                                             is_zero, stopped, progress, work);
   settle(start.system, squares, ends);
   std::mt19937_64 random(request.seed);
-  SolveReport report = complex_report(request.scene, start.coordinates, ends, work, random);
+  SolveReport report = complex_report(request.scene, start.coordinates, ends, work, random, request.stop);
   add_start(start, report);
   return report;
 }

@@ -48,8 +48,8 @@ bool has_segment_of_length_0(const ProblemStatement& problem, const Figure& figu
 
 class GeneralReporter {
  public:
-  GeneralReporter(const SceneSystem& system, const GeneralEquations& equations)
-      : scene_(system.elements().scene()), system_(system), equations_(equations) {
+  GeneralReporter(const SceneSystem& system, const GeneralEquations& equations, const std::stop_token& stop)
+      : scene_(system.elements().scene()), system_(system), equations_(equations), stop_(stop) {
     report_.claim = Claim::all_complex;
   }
 
@@ -57,12 +57,13 @@ class GeneralReporter {
     report_.work = work;
     const DistinctEnds distinct(ends, equations_.signs, random);
     missing_.jumps = distinct.jumps();
-    for (int i = 0; i < distinct.size(); ++i) add_end(distinct, i);
+    for (int i = 0; i < distinct.size() && !stop_.stop_requested(); ++i) add_end(distinct, i);
     for (const PathEnd& end : ends) add_path(end);
     if (without_angle_ > 0) report_.particulars.push_back({"segments_of_length_0", without_angle_});
-    look_for_motion(random);
+    const bool is_stopped = stop_.stop_requested() || is_any_stopped(ends);
+    if (!is_stopped) look_for_motion(random);
     const std::string missing = missing_.in_words(), apparent = apparent_in_words(report_.motions);
-    conclude(ends, "", missing + (missing.empty() || apparent.empty() ? "" : "; ") + apparent, report_);
+    conclude(is_stopped, "", missing + (missing.empty() || apparent.empty() ? "" : "; ") + apparent, report_);
     return std::move(report_);
   }
 
@@ -80,13 +81,13 @@ class GeneralReporter {
     missing_.lonely += is_lonely && !loses_rank;
     if (distinct.is_singular(i))
       add_meeting(distinct[i], distinct.paths(i), figure, loses_rank);
-    else if (!judge_.is_stiff(figure) || !add(simple_solutions_near(system_, distinct[i], 1), 1))
+    else if (!judge_.is_stiff(figure) || !add(simple_solutions_near(system_, distinct[i], 1, stop_), 1))
       report_.candidates.push_back({figure, 1});
   }
 
   /// An end at which paths met: simple solutions next to it, or a multiple one where none is proven to be simple.
   void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure, bool is_loose) {
-    const ResolvedCandidates simple = simple_solutions_near(system_, x, paths);
+    const ResolvedCandidates simple = simple_solutions_near(system_, x, paths, stop_);
     if (add(simple, paths)) return;
     const bool is_multiple = simple.list.empty() && judge_.residual(figure) <= double_root_residual &&
                              judge_.condition(figure) >= regular;
@@ -147,6 +148,7 @@ class GeneralReporter {
   const Scene& scene_;
   const SceneSystem& system_;
   const GeneralEquations& equations_;
+  const std::stop_token& stop_;
   const FigureJudge judge_{scene_};
   Shortcomings missing_;
   int without_angle_ = 0;                    ///< ends
@@ -182,8 +184,8 @@ bool RegularClasses::add(ComplexVectorX x) {
 
 SolveReport general_report(const SceneSystem& scene, const GeneralEquations& equations,
                            const std::vector<PathEnd>& ends, const WorkCounters& work,
-                           std::mt19937_64& random) {
-  return GeneralReporter(scene, equations).run(ends, work, random);
+                           std::mt19937_64& random, const std::stop_token& stop) {
+  return GeneralReporter(scene, equations, stop).run(ends, work, random);
 }
 
 }  // namespace gcs

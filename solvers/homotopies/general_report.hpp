@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <random>
+#include <stop_token>
 #include <vector>
 
 #include "solvers/homotopies/endgame.hpp"
@@ -46,6 +47,6 @@ std::optional<ComplexVectorX> real_end(const MonomialSystem& system, const Compl
 /// and named where they are not.
 SolveReport general_report(const SceneSystem& scene, const GeneralEquations& equations,
                            const std::vector<PathEnd>& ends, const WorkCounters& work,
-                           std::mt19937_64& random);
+                           std::mt19937_64& random, const std::stop_token& stop);
 
 }  // namespace gcs

@@ -43,7 +43,7 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request,
   const std::vector<PathEnd> ends = follow_to_end(tracking, solutions, parameters, given.coefficients,
                                                   is_zero, stopped, progress, all_work);
   std::mt19937_64 keys(request.seed);
-  SolveReport report = general_report(system, given, ends, all_work, keys);
+  SolveReport report = general_report(system, given, ends, all_work, keys, request.stop);
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
   if (missing.empty()) {
     report.generic = solutions.size();

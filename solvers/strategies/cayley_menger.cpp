@@ -296,7 +296,7 @@ class PlanesSolver {
       settle(octahedron);
     }
     if (request_.stop.stop_requested()) return stopped();
-    SolveReport report = general_report(system_, equations_, classes_.ends(), {}, random_);
+    SolveReport report = general_report(system_, equations_, classes_.ends(), {}, random_, request_.stop);
     report.paths.clear();
     report.particulars = particulars(first.total_degree, first.elimination);
     report.generic = pairs;

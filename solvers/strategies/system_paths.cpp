@@ -233,7 +233,7 @@ class SystemPathsStrategy final : public Strategy {
     std::mt19937_64 random(request.seed);
     const GeneralEquations equations = general_equations(scene);
     const SortedEnds ends = sorted(equations, paths.ends, random);
-    SolveReport report = general_report(scene, equations, ends.classes, work, random);
+    SolveReport report = general_report(scene, equations, ends.classes, work, random, request.stop);
     const std::vector<Particular> facts = system_facts(system, request);
     report.particulars.insert(report.particulars.begin(), facts.begin(), facts.end());
     finish(paths, what_is_missing(paths, ends, 1 << equations.signs.rank()), report);
@@ -250,7 +250,7 @@ class SystemPathsStrategy final : public Strategy {
     Settling settling(request, coordinates, setup, random, work);
     SolutionSet classes(mirror_axes(request.scene, coordinates), random);
     const SortedEnds ends = sorted(written, paths.ends, classes, settling);
-    SolveReport report = complex_report(request.scene, coordinates, ends.classes, work, random);
+    SolveReport report = complex_report(request.scene, coordinates, ends.classes, work, random, request.stop);
     report.particulars = system_facts(written.equations, request);
     report.particulars.push_back({"extraneous_ends", ends.extraneous});
     std::string missing = what_is_missing(paths, ends, written.mirror_images);
@@ -269,7 +269,7 @@ class SystemPathsStrategy final : public Strategy {
       report.reason = "stopped on request";
     } else if (!missing.empty()) {
       report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);
-      report.status = SolveStatus::partial;
+      if (report.status != SolveStatus::stopped) report.status = SolveStatus::partial;
     }
   }
 

@@ -1,13 +1,15 @@
 #include "solvers/certificates/near_solutions.hpp"
 
 #include <catch2/catch.hpp>
+#include <stop_token>
+#include <string>
 
 using namespace gcs;
 
 namespace {
 
 /// x² = square and y² = 1, from (0, 1), next to which two solutions should be.
-NearSolutions near_zero(const std::string& square) {
+NearSolutions near_zero(const std::string& square, const std::stop_token& stop = {}) {
   const auto squared = [](int unknown) {
     const LinearForm form{{{unknown}}, {}};
     return FormProduct{form, form};
@@ -15,7 +17,7 @@ NearSolutions near_zero(const std::string& square) {
   ExactNumber given;
   given.decimal = square;
   const QuadraticSystem system{2, {{{squared(0)}, given}, {{squared(1)}, exactly(1)}}, {-1, -1}};
-  return solutions_near(system, {{{0, 1}, 2}}, 2, {});
+  return solutions_near(system, {{{0, 1}, 2}}, 2, stop);
 }
 
 void check_two(const std::string& square, Certificate::Realness realness, double apart) {
@@ -43,6 +45,12 @@ TEST_CASE("a double solution is settled as one") {
   CHECK(settled.multiple[0].multiplicity == 2);
   CHECK(settled.count() == 2);
   CHECK(std::abs(settled.multiple[0].x[0]) <= 1e-14);
+}
+
+TEST_CASE("a search that is stopped settles nothing") {
+  std::stop_source source;
+  source.request_stop();
+  for (const char* square : {"0", "1e-10"}) CHECK(near_zero(square, source.get_token()).count() == 0);
 }
 
 TEST_CASE("solutions far from a point are not counted as next to it") {

@@ -49,7 +49,7 @@ struct Setting {
   }
 
   SolveReport report(const std::vector<PathEnd>& ends) {
-    return complex_report(scene, coordinates, ends, work, random);
+    return complex_report(scene, coordinates, ends, work, random, {});
   }
 
   std::mt19937_64 random;

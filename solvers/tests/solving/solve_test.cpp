@@ -237,6 +237,30 @@ TEST_CASE("a solve that is stopped says so, and by whom when that is told") {
   CHECK(unproven.solutions.size() == solve(two_triangles_across(), "monodromy").solutions.size());
 }
 
+TEST_CASE("a solve is stopped while ends at which paths met are settled") {
+  // Legs of one length between two figures that are one in the other's place: solutions meet, and translations move them.
+  Problem platform(3);
+  const auto figure = [&](const std::string& name, const std::string& point) {
+    platform.body(name, {{point + "0", {0, 0, 0}},
+                         {point + "1", {1.2, 0.3, -0.4}},
+                         {point + "2", {-0.7, 1.1, 0.2}},
+                         {point + "3", {0.4, -0.9, 1.3}},
+                         {point + "4", {1.5, 1.4, 0.6}},
+                         {point + "5", {-1.1, 0.2, 1.2}}});
+  };
+  figure("base", "a");
+  figure("platform", "b");
+  for (int i = 0; i < 6; ++i) platform.distance("a" + std::to_string(i), "b" + std::to_string(i), 2);
+  std::stop_source stop;
+  SolveSurroundings surroundings{.stop = stop.get_token()};
+  surroundings.progress = [&](std::string_view stage, double share) {
+    if (stage == "paths to the given values" && share == 1) stop.request_stop();
+  };
+  const Answer answer = solve(platform, "monodromy", {}, {}, surroundings);
+  CHECK(stop.stop_requested());
+  CHECK(answer.status == RunStatus::stopped);
+}
+
 TEST_CASE("an instance is read from a file and solved") {
   const Instance instance = read_instance(GCSBENCH_SOURCE_DIR "/instances/k33.json");
   const Answer answer = solve(instance, "monodromy");

@@ -107,7 +107,7 @@ class Placing {
         pairs_(pairs_of(scene)),
         placed_(static_cast<std::size_t>(problem().entity_count())) {
     const ProblemStatement with_given = with_given_body(problem());
-    if (with_given.reference_body >= 0)
+    if (!needs_frame())
       for (const BodyElement& element :
            with_given.bodies[static_cast<std::size_t>(with_given.reference_body)].elements)
         placed_[static_cast<std::size_t>(element.entity)] = true;

@@ -1,5 +1,6 @@
 #include "solvers/elements/body_motion.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -17,6 +18,101 @@ Eigen::Matrix3Xd points_of(const std::vector<ElementPosition>& elements) {
     }
   return points;
 }
+
+using Conditions = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+
+/// Ratios below this come from rounding: coordinates have 16 digits, and differences lose one or two.
+constexpr double rank_rounding = 1e-14;
+
+/// A point of the element near `near`.
+class SomePoint {
+ public:
+  explicit SomePoint(Eigen::Vector3d near) : near_(std::move(near)) {}
+
+  Eigen::Vector3d operator()(const Eigen::Vector3d& point) const { return point; }
+  Eigen::Vector3d operator()(const LinePosition& line) const { return line.point; }
+  Eigen::Vector3d operator()(const PlanePosition& plane) const {
+    return near_ - (plane.normal.dot(near_) - plane.offset) * plane.normal;
+  }
+
+ private:
+  Eigen::Vector3d near_;
+};
+
+/// One point of each element.
+std::vector<Eigen::Vector3d> some_points(const std::vector<ElementPosition>& elements) {
+  std::vector<Eigen::Vector3d> points;
+  for (const ElementPosition& element : elements)
+    points.push_back(
+        std::visit(SomePoint(points.empty() ? Eigen::Vector3d::Zero() : points.front()), element));
+  return points;
+}
+
+/// Coordinates relative to the first position and divided by the largest, so that no product overflows.
+class Normalisation {
+ public:
+  explicit Normalisation(const std::vector<Eigen::Vector3d>& positions)
+      : half_origin_(positions.front() / 2) {
+    double extent = 0;
+    for (const Eigen::Vector3d& position : positions)
+      extent = std::max(extent, (position / 2 - half_origin_).cwiseAbs().maxCoeff());
+    if (extent > 0) half_scale_ = extent;
+  }
+
+  Eigen::Vector3d operator()(const Eigen::Vector3d& position) const {
+    return (position / 2 - half_origin_) / half_scale_;
+  }
+
+ private:
+  Eigen::Vector3d half_origin_;
+  double half_scale_ = 1;
+};
+
+/// The velocity of a point by a rigid motion (translation, rotation).
+Eigen::Matrix<double, 3, 6> velocity(const Eigen::Vector3d& point) {
+  Eigen::Matrix<double, 3, 6> result;
+  result << Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) result.col(3 + axis) = Eigen::Vector3d::Unit(axis).cross(point);
+  return result;
+}
+
+/// Two directions that span all that are perpendicular to this one.
+Eigen::Matrix<double, 2, 3> two_across(const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d first = direction.unitOrthogonal();
+  Eigen::Matrix<double, 2, 3> result;
+  result << first.transpose(), direction.cross(first).transpose();
+  return result;
+}
+
+/// How a direction turns.
+Eigen::Matrix<double, 2, 6> turning_of(const Eigen::Vector3d& direction) {
+  Eigen::Matrix<double, 2, 6> result = Eigen::Matrix<double, 2, 6>::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    result.col(3 + axis) = two_across(direction) * Eigen::Vector3d::Unit(axis).cross(direction);
+  return result;
+}
+
+/// Linear conditions on a rigid motion: it leaves the element, which goes through that point, where it is. The plane's
+/// three motions are the translations along x and y and the rotation about z.
+class StillnessConditions {
+ public:
+  explicit StillnessConditions(const Eigen::Vector3d& through) : velocity_(velocity(through)) {}
+
+  Conditions operator()(const Eigen::Vector3d&) const { return velocity_; }
+  Conditions operator()(const LinePosition& line) const {
+    Conditions conditions(4, 6);
+    conditions << two_across(line.direction) * velocity_, turning_of(line.direction);
+    return conditions;
+  }
+  Conditions operator()(const PlanePosition& plane) const {
+    Conditions conditions(3, 6);
+    conditions << plane.normal.transpose() * velocity_, turning_of(plane.normal);
+    return conditions;
+  }
+
+ private:
+  Eigen::Matrix<double, 3, 6> velocity_;
+};
 
 class Moved {
  public:
@@ -71,6 +167,24 @@ void put(const ProblemStatement& problem, int entity, const ElementPosition& pos
 
 ElementPosition BodyMotion::operator()(const ElementPosition& position) const {
   return std::visit(Moved(*this), position);
+}
+
+int motions_left(const std::vector<ElementPosition>& elements, int dimension) {
+  const int motions = dimension == 2 ? 3 : 6;
+  if (elements.empty()) return motions;
+  const std::vector<Eigen::Vector3d> points = some_points(elements);
+  const Normalisation normalise(points);
+  Conditions conditions(0, 6);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Conditions more = std::visit(StillnessConditions(normalise(points[i])), elements[i]);
+    conditions.conservativeResize(conditions.rows() + more.rows(), 6);
+    conditions.bottomRows(more.rows()) = more;
+  }
+  Eigen::MatrixXd wanted = conditions;
+  if (dimension == 2) wanted = conditions(Eigen::all, std::vector<int>{0, 1, 5}).eval();
+  Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(wanted);
+  decomposition.setThreshold(rank_rounding);
+  return motions - static_cast<int>(decomposition.rank());
 }
 
 BodyMotion nearest_motion(const std::vector<ElementPosition>& from, const std::vector<ElementPosition>& to,

@@ -21,6 +21,10 @@ ElementPosition position_of(const ProblemStatement& problem, int entity, const F
 /// Puts an entity of the problem there. Precondition: the figure has a place for it.
 void put(const ProblemStatement& problem, int entity, const ElementPosition& position, Figure& figure);
 
+/// How many independent rigid motions of the plane or of space leave all elements where they are,
+/// to the rounding of doubles.
+int motions_left(const std::vector<ElementPosition>& elements, int dimension);
+
 /// x ↦ turn·x + shift, without a reflection.
 struct BodyMotion {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();

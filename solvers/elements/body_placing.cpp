@@ -102,10 +102,12 @@ BodyPoint BodyPlacing::point(const BodyElement& element) const {
   return point;
 }
 
+/// A line at rest that a half-turn of the frame turns over is along the first axis.
 LineForms BodyPlacing::line(const BodyElement& element) const {
   const std::size_t first = direction_numbers(builder_.problem(), element.entity);
   return {sum_of(origin_, combined(basis_.arm(element), axes_)),
-          combined(basis_.direction(element, first), axes_), 0, false};
+          combined(basis_.direction(element, first), axes_), axes_ ? 0 : builder_.frame().axis(0),
+          basis_.has_feet()};
 }
 
 /// h = n·t + k with the offset k from the body's origin t.

@@ -24,6 +24,8 @@ class BodyBasis {
   virtual ExactNumber distance(const BodyElement& from, const BodyElement& to) const = 0;
   /// How far a plane is from the origin, along its normal.
   virtual ExactNumber offset(const BodyElement& plane) const = 0;
+  /// Whether the point of each line is the one nearest to the origin.
+  virtual bool has_feet() const { return false; }
 };
 
 /// Images of a body's axes; none: it rests in the frame.

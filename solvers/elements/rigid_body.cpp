@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "solvers/elements/body_placing.hpp"
 #include "solvers/elements/element_kinds.hpp"
 #include "solvers/elements/exact_coordinates.hpp"
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/pose_features.hpp"
 
 namespace gcs {
@@ -64,6 +67,29 @@ class FileBasis final : public BodyBasis {
   const SystemBuilder& builder_;
   int exponent_;
   std::optional<RationalVector> origin_;
+};
+
+/// The axes of the frame that given elements leave motions in.
+class GivenBasis final : public BodyBasis {
+ public:
+  explicit GivenBasis(const Scene& scene) : at_(scene) {}
+
+  std::vector<ExactNumber> arm(const BodyElement& element) const override { return at_.place(element); }
+  std::vector<ExactNumber> arm_parts(const BodyElement& element) const override { return arm(element); }
+  std::vector<ExactNumber> direction(const BodyElement& element, std::size_t) const override {
+    return at_.direction(element);
+  }
+  std::vector<ExactNumber> direction(const BodyElement& from, const BodyElement& to) const override {
+    return at_.direction(from, to);
+  }
+  ExactNumber distance(const BodyElement& from, const BodyElement& to) const override {
+    return at_.distance(from, to);
+  }
+  ExactNumber offset(const BodyElement& plane) const override { return at_.offset(plane); }
+  bool has_feet() const override { return true; }
+
+ private:
+  GivenCoordinates at_;
 };
 
 PlacedBody placed_body(const BodyPlacing& placing, const RigidBody& body,
@@ -137,8 +163,12 @@ PlacedBody free_body(SystemBuilder& builder, const RigidBody& body, std::optiona
 
 PlacedBody body_at_rest(SystemBuilder& builder, const RigidBody& body,
                         const std::vector<BodyDirection>& directions) {
-  const FileBasis basis(builder, nullptr);
-  return placed_body(BodyPlacing(builder, basis, {}, std::nullopt), body, directions);
+  std::unique_ptr<const BodyBasis> basis;
+  if (builder.problem().file_frame && builder.problem().reference_body < 0)
+    basis = std::make_unique<GivenBasis>(builder.scene());
+  else
+    basis = std::make_unique<FileBasis>(builder, nullptr);
+  return placed_body(BodyPlacing(builder, *basis, {}, std::nullopt), body, directions);
 }
 
 }  // namespace gcs

@@ -28,7 +28,6 @@ class Placing {
         has_plane_(problem().planes.size()) {}
 
   void run() {
-    place_given();
     place_bodies();
     state_directions();
     place_frame();
@@ -214,29 +213,6 @@ class Placing {
     equation.plus(constant_form(form.constant));
   }
 
-  /// Given elements on the frame's axis or across it, where they are no body's.
-  void place_given() {
-    if (!problem().file_frame || problem().reference_body >= 0) return;
-    const SignMask turning = builder_.frame().axis(0);
-    for (const AxialElement& given : axial_elements(builder_.scene())) {
-      if (!rests_in_frame(problem(), given.entity)) continue;
-      VectorForm along;
-      along[0] = constant_form(given.place);
-      const VectorForm direction{constant_form(exactly(given.is_opposite ? -1 : 1)), {}, {}};
-      if (problem().is_point(given.entity)) {
-        builder_.put_point(given.entity, along);
-        has_point_[index(given.entity)] = true;
-      } else if (problem().is_line(given.entity)) {
-        builder_.put_line(problem().line_of(given.entity), {{}, direction, turning});
-        has_line_[index(problem().line_of(given.entity))] = true;
-      } else {
-        const ExactNumber offset = given.is_opposite ? negated(given.place) : given.place;
-        builder_.put_plane(problem().plane_of(given.entity), {direction, constant_form(offset)});
-        has_plane_[index(problem().plane_of(given.entity))] = true;
-      }
-    }
-  }
-
   /// Lines and planes that the frame is put in.
   void place_frame() {
     const Reference& frame = builder_.frame().reference();
@@ -261,7 +237,7 @@ class Placing {
       direction[0] = constant_form(exactly(1));
       return direction;
     }
-    const int count = entity == frame.reference().plane ? 2 : 3;
+    const int count = entity == frame.reference().plane ? 2 : builder_.dimension();
     for (int axis = 0; axis < count; ++axis)
       direction[index(axis)] = builder_.unknown(frame.axis(axis) ^ turning);
     builder_.define([where, count](const Placement& at, const ComplexValues&) {
@@ -274,7 +250,7 @@ class Placing {
   }
 
   /// Without a point as the origin the first line goes through it, and the second through a point of the third axis or,
-  /// beside a plane, through the origin.
+  /// beside a plane, through the origin. Beside given elements that leave a shift its foot has no first coordinate.
   LineForms line_in_frame(int entity) {
     const SceneFrame& frame = builder_.frame();
     const int first = frame.reference().axis;
@@ -287,7 +263,8 @@ class Placing {
     });
     for (int axis = 0; axis < builder_.dimension(); ++axis) {
       const bool is_beside_line = !is_first && problem().is_line(first);
-      const bool is_there = passes ? is_beside_line && axis == 2 : !is_first || axis > 0;
+      const bool is_there = passes ? is_beside_line && axis == 2
+                                   : axis > 0 || (!is_first && entity != frame.reference().height);
       if (!is_there) continue;
       forms.foot[index(axis)] = builder_.unknown(frame.axis(axis));
       builder_.define([line, axis](const Placement& at, const ComplexValues&) {

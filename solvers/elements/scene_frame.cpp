@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "solvers/elements/constraint_types.hpp"
+#include "solvers/elements/given_elements.hpp"
 #include "solvers/model/frame_choice.hpp"
 
 namespace gcs {
@@ -155,6 +156,8 @@ std::optional<std::string> why_no_frame(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   if (problem.is_anchored() || problem.reference_body >= 0) return std::nullopt;
   const Reference& frame = scene.reference();
+  if (problem.file_frame && frame.origin < 0 && frame.axis < 0)
+    return std::nullopt;  // all given elements, which are completed
   const bool has_points = frame.origin >= 0;
   std::vector<int> needed{frame.axis};
   if (has_points) needed.push_back(frame.origin);
@@ -162,7 +165,8 @@ std::optional<std::string> why_no_frame(const Scene& scene) {
   const bool is_plane_alone = !has_points && frame.axis >= 0 && problem.is_plane(frame.axis);
   if (is_plane_alone && !problem.is_line(frame.plane)) needed.push_back(frame.height);
   if (std::ranges::all_of(needed, [&](int entity) {
-        return entity >= 0 && entity < problem.entity_count() && bodies_with(problem, entity).empty();
+        return entity >= 0 && entity < problem.entity_count() &&
+               (rests_in_frame(problem, entity) || bodies_with(problem, entity).empty());
       }))
     return std::nullopt;
   return problem.dimension == 3 ? "a frame is put in a body, in three points, or in two points, lines or "
@@ -185,33 +189,57 @@ SceneFrame::SceneFrame(const Scene& scene) {
     return;
   }
   reference_ = scene.reference();
-  // The group of all reflections in the planes of the frame, or its rotations; with a plane's side along the first axis
-  // those that leave it.
-  if (scene.dimension() == 3)
-    axes_ = is_mirrored ? std::array<SignMask, 3>{1, 2, 4} : std::array<SignMask, 3>{1, 3, 2};
+  find_passing(scene.problem());
+  if (is_mirrored)
+    find_reflections(scene);
   else
-    axes_ = is_mirrored ? std::array<SignMask, 3>{1, 2, 0} : std::array<SignMask, 3>{1, 1, 0};
-  const ProblemStatement& problem = scene.problem();
-  find_passing(problem);
-  if (!is_axis_directed(problem)) return;
-  axes_[0] = 0;
-  axes_[1] = 2;
+    find_half_turns(scene);
 }
 
-/// Without a point as the origin, lines and planes go through it, and beside a plane and a point of the axis just that.
+/// Without a point as the origin, lines and planes go through it, and beside a plane and a point of the axis just that;
+/// beside given elements that leave a shift, a plane, or a line in the plane.
 void SceneFrame::find_passing(const ProblemStatement& problem) {
   if (reference_.origin >= 0) return;
+  if (reference_.axis < 0) {
+    if (problem.is_plane(reference_.height) || problem.dimension == 2) passes_ = {reference_.height};
+    return;
+  }
   passes_ = {reference_.axis};
   if (reference_.height < 0 || !problem.is_point(reference_.height))
     passes_.insert({reference_.plane, reference_.height});
 }
 
-/// By a plane with a side, or a given point.
+/// Those in all planes of the frame or, with a plane's side along the first axis, in those that leave it.
+void SceneFrame::find_reflections(const Scene& scene) {
+  if (!is_axis_directed(scene.problem())) axes_[0] = 1;
+  axes_[1] = 2;
+  if (scene.dimension() == 3) axes_[2] = 4;
+}
+
+/// Those about all axes of the frame that leave given elements, and a plane's side along the first axis.
+void SceneFrame::find_half_turns(const Scene& scene) {
+  const ProblemStatement& problem = scene.problem();
+  std::optional<GivenCoordinates> given;
+  if (problem.file_frame && rest_in_frame(problem)) given.emplace(scene);
+  const bool is_directed = is_axis_directed(problem);
+  const auto is_left = [&](std::size_t about) {
+    if (about != 2 && scene.dimension() == 2) return false;
+    if (about != 0 && is_directed) return false;
+    std::array<bool, 3> turned_over{true, true, true};
+    turned_over[about] = false;
+    return !given || given->are_kept(turned_over);
+  };
+  const auto add = [&](std::size_t about, SignMask generator) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (axis != about) axes_[axis] |= generator;
+  };
+  if (is_left(2) || is_left(1)) add(is_left(2) ? 2 : 1, 1);
+  if (is_left(0)) add(0, 2);
+}
+
 bool SceneFrame::is_axis_directed(const ProblemStatement& problem) const {
-  const int axis = reference_.axis;
-  if (axis < 0 || problem.is_line(axis)) return false;
-  if (problem.is_point(axis)) return problem.file_frame && given_axis(problem).axis == axis;
-  return Turnings(problem).of_plane(problem.plane_of(axis)) < 0;
+  return problem.is_plane(reference_.axis) &&
+         Turnings(problem).of_plane(problem.plane_of(reference_.axis)) < 0;
 }
 
 std::vector<SharedNormal> shared_normals(const ProblemStatement& problem) {

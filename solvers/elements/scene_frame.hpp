@@ -33,6 +33,9 @@ class SceneFrame {
 
  private:
   void find_passing(const ProblemStatement& problem);
+  void find_reflections(const Scene& scene);
+  void find_half_turns(const Scene& scene);
+  /// By a plane with a side.
   bool is_axis_directed(const ProblemStatement& problem) const;
 
   int body_ = -1;

@@ -8,14 +8,18 @@
 namespace gcs {
 namespace {
 
-/// Whether a constraint gives both one direction.
-bool are_aligned(const ProblemStatement& problem, int a, int b) {
-  const std::string type = problem.is_line(a) == problem.is_line(b) ? "parallel" : "perpendicular";
+/// Whether a constraint of that type is between these two.
+bool is_stated(const ProblemStatement& problem, const std::string& type, int a, int b) {
   return std::ranges::any_of(problem.relations, [&](const Relation& relation) {
     return relation.type == type && relation.of.size() == 2 &&
            ((relation.of[0] == Operand{a} && relation.of[1] == Operand{b}) ||
             (relation.of[0] == Operand{b} && relation.of[1] == Operand{a}));
   });
+}
+
+/// Whether a constraint gives both one direction.
+bool are_aligned(const ProblemStatement& problem, int a, int b) {
+  return is_stated(problem, problem.is_line(a) == problem.is_line(b) ? "parallel" : "perpendicular", a, b);
 }
 
 /// Points but the origin, lines, and planes: those that no constraint gives the direction of a plane.
@@ -69,6 +73,7 @@ class Completion {
  public:
   Completion(const ProblemStatement& problem, const GivenAxis& given)
       : problem_(problem),
+        given_(given),
         reference_{given.origin, given.axis},
         free_(frame_directions(problem, given.origin)) {
     std::erase_if(
@@ -77,6 +82,7 @@ class Completion {
   }
 
   std::optional<Reference> run() {
+    if (given_.leaves_shift() || given_.leaves_turn_about_line()) return beside_all_given();
     if (reference_.axis < 0) reference_.axis = next(any);
     if (reference_.axis < 0) return std::nullopt;
     if (problem_.dimension == 2 && reference_.origin >= 0) return reference_;
@@ -94,6 +100,13 @@ class Completion {
  private:
   enum Kind { any, point };
 
+  std::optional<Reference> beside_all_given() {
+    Reference reference;
+    (given_.leaves_shift() ? reference.height : reference.plane) = next(any);
+    if (reference.height < 0 && reference.plane < 0) return std::nullopt;
+    return reference;
+  }
+
   bool is_near(int entity) const {
     return std::ranges::any_of(problem_.constraints, [&](const DistanceConstraint& c) {
       return (c.between[0] == entity && problem_.is_fixed(c.between[1])) ||
@@ -101,11 +114,24 @@ class Completion {
     });
   }
 
+  /// Whether a constraint with a given element lets the shift, or the turn about an axis, leave an element where it is.
+  bool is_held_by(int given, int entity) const {
+    if (given_.leaves_shift())
+      return is_stated(problem_, "parallel", given, entity) &&
+             !(problem_.is_line(entity) && problem_.is_plane(given));
+    return are_aligned(problem_, given, entity) ||
+           (problem_.is_line(given) && is_stated(problem_, "on", given, entity));
+  }
+
+  bool is_moved(int entity) const {
+    for (int given = 0; given < problem_.entity_count(); ++given)
+      if (problem_.is_fixed(given) && is_held_by(given, entity)) return false;
+    return !are_aligned(problem_, reference_.axis, entity) && !is_on_axis(problem_, reference_, entity);
+  }
+
   int next(Kind kind) {
-    const auto found = std::ranges::find_if(free_, [&](int entity) {
-      return (kind == any || problem_.is_point(entity)) && !are_aligned(problem_, reference_.axis, entity) &&
-             !is_on_axis(problem_, reference_, entity);
-    });
+    const auto found = std::ranges::find_if(
+        free_, [&](int entity) { return (kind == any || problem_.is_point(entity)) && is_moved(entity); });
     if (found == free_.end()) return -1;
     const int entity = *found;
     free_.erase(found);
@@ -113,6 +139,7 @@ class Completion {
   }
 
   const ProblemStatement& problem_;
+  GivenAxis given_;
   Reference reference_;
   std::vector<int> free_;
 };
@@ -139,32 +166,17 @@ Reference line_reference(const ProblemStatement& problem) {
   return reference;
 }
 
-GivenAxis given_axis(const ProblemStatement& problem) {
-  GivenAxis given;
-  const auto is_given = [&](int entity) { return entity != given.origin && problem.is_fixed(entity); };
-  const auto first = [&](int from, int to) {
-    for (int entity = from; entity < to; ++entity)
-      if (is_given(entity)) return entity;
-    return -1;
-  };
-  const int lines = problem.line_entity(0), planes = problem.plane_entity(0);
-  given.origin = first(0, lines);
-  for (const auto& [from, to] :
-       {std::pair(0, lines), std::pair(planes, problem.entity_count()), std::pair(lines, planes)})
-    if (given.axis < 0) given.axis = first(from, to);
-  return given;
-}
-
 bool rests_in_frame(const ProblemStatement& problem, int entity) {
   if (!problem.is_fixed(entity)) return false;
   if (!problem.file_frame || problem.reference_body >= 0) return true;
-  const GivenAxis given = given_axis(problem);
-  return problem.reference->origin == given.origin &&
-         (given.origin >= 0 || problem.reference->axis == given.axis);
+  for (int other = 0; other < problem.entity_count(); ++other)
+    if (other != entity && problem.is_fixed(other)) return true;
+  const Reference& frame = *problem.reference;
+  return problem.is_point(entity) ? frame.origin == entity : frame.origin < 0 && frame.axis == entity;
 }
 
-std::optional<Reference> completing_reference(const ProblemStatement& problem) {
-  return Completion(problem, given_axis(problem)).run();
+std::optional<Reference> completing_reference(const ProblemStatement& problem, const GivenAxis& given) {
+  return Completion(problem, given).run();
 }
 
 bool is_zero_in_frame(const ProblemStatement& problem, const Reference& reference, int point, int axis) {
@@ -174,7 +186,7 @@ bool is_zero_in_frame(const ProblemStatement& problem, const Reference& referenc
     const bool is_beside_line = reference.origin < 0 && problem.is_line(reference.axis);
     return axis > 1 || (axis == 0 && is_beside_line);
   }
-  return point == reference.height && axis > 0;
+  return point == reference.height && (reference.axis < 0 ? axis == 0 : axis > 0);
 }
 
 }  // namespace gcs

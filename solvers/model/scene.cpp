@@ -96,6 +96,19 @@ Eigen::Vector3d meeting(const LinePosition& line, const PlanePosition& plane) {
   return line.point + height / plane.normal.dot(line.direction) * line.direction;
 }
 
+/// Of a point, of the point of a line nearest to the first axis, or where a plane meets that; 0 without an entity.
+double first_coordinate(const ProblemStatement& problem, int entity, const Figure& figure) {
+  if (entity < 0) return 0;
+  if (problem.is_point(entity)) return figure.points(0, entity);
+  if (problem.is_plane(entity)) {
+    const PlanePosition& plane = figure.planes[static_cast<std::size_t>(problem.plane_of(entity))];
+    return plane.offset / plane.normal[0];
+  }
+  const LinePosition& line = figure.lines[static_cast<std::size_t>(problem.line_of(entity))];
+  const auto across = line.direction.tail<2>();
+  return line.point[0] - line.direction[0] * across.dot(line.point.tail<2>()) / across.squaredNorm();
+}
+
 /// See Reference. Precondition: it has all that it needs.
 Eigen::Vector3d origin_of(const ProblemStatement& problem, const Reference& reference, const Figure& figure) {
   if (reference.origin >= 0) return figure.points.col(reference.origin);
@@ -105,6 +118,8 @@ Eigen::Vector3d origin_of(const ProblemStatement& problem, const Reference& refe
   const auto plane = [&](int entity) {
     return figure.planes[static_cast<std::size_t>(problem.plane_of(entity))];
   };
+  if (reference.axis < 0)
+    return first_coordinate(problem, reference.height, figure) * Eigen::Vector3d::UnitX();
   if (problem.is_line(reference.axis)) {
     const LinePosition axis = line(reference.axis);
     if (problem.is_line(reference.plane)) return nearest_to(line(reference.plane), axis);
@@ -125,8 +140,9 @@ FramePose motion_to_elements(const ProblemStatement& problem, const Reference& r
                              const Figure& figure) {
   FramePose motion;
   motion.origin = origin_of(problem, reference, figure);
-  if (reference.axis < 0) return motion;
-  const Eigen::Vector3d x = direction_of(problem, reference.axis, motion.origin, figure);
+  if (reference.axis < 0 && reference.plane < 0) return motion;
+  const Eigen::Vector3d x = reference.axis < 0 ? Eigen::Vector3d::UnitX()
+                                               : direction_of(problem, reference.axis, motion.origin, figure);
   Eigen::Vector3d y(-x.y(), x.x(), 0);
   if (problem.dimension == 3)
     y = reference.plane < 0 ? Eigen::Vector3d::UnitY()
@@ -136,9 +152,10 @@ FramePose motion_to_elements(const ProblemStatement& problem, const Reference& r
 }
 
 /// Whether the reference has what tells where a scene's frame is: without a point, two directions at least, one of a
-/// line or all of three planes.
+/// line or all of three planes, unless given elements tell the first axis.
 bool is_complete(const ProblemStatement& problem, const Reference& reference) {
   if (reference.origin >= 0) return true;
+  if (problem.file_frame && reference.axis < 0) return true;
   return reference.axis >= 0 && reference.plane >= 0 &&
          (problem.is_line(reference.axis) || problem.is_line(reference.plane) || reference.height >= 0);
 }

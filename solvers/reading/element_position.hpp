@@ -8,9 +8,6 @@
 
 namespace gcs {
 
-/// How many independent rigid motions of the plane or of space leave all elements where they are.
-int motions_left(const std::vector<ElementPosition>& elements, int dimension);
-
 /// What no motion changes of two elements.
 struct Measure {
   bool is_distance = true;  ///< or a cosine

@@ -53,7 +53,8 @@ class ElementScan {
 
   /// What is fixed or rests in the frame.
   Figure start() const {
-    const ProblemStatement problem = with_given_body(scene_.problem());
+    const ProblemStatement problem =
+        scene_.is_anchored() ? with_given_body(scene_.problem()) : scene_.problem();
     Figure figure;
     figure.points = Eigen::Matrix3Xd::Zero(3, scene_.point_count());
     figure.lines.resize(problem.lines.size());

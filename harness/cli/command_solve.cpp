@@ -79,8 +79,9 @@ ExitCode exit_code(const SolveRun& run) {
 void print_answer(const SolveArguments& arguments, const Instance& instance, const SolveRun& run,
                   std::optional<Output>& out) {
   if (out) {
-    write_result(instance, run, capture_environment(run.threads),
-                 [&](std::string_view piece) { out->write(piece); });
+    write_result(
+        instance, run, capture_environment(run.threads), [&](std::string_view piece) { out->write(piece); },
+        form_of(arguments.out));
     out->commit();
   }
   if (arguments.out == "-") return;
@@ -195,7 +196,8 @@ void add_options(CLI::App& command, SolveArguments& arguments, int ranks_here) {
       ->allow_extra_args(false);
   command
       .add_option("--out", arguments.out,
-                  "Write the result as JSON; - is standard output, which then holds it alone")
+                  "Write the result as JSON, or as CBOR where the name ends in .cbor; - is standard output, "
+                  "which then holds the JSON alone")
       ->check(output_name())
       ->type_name("FILE");
   command.add_option("--seed", arguments.limits.seed, "Seed of everything random")

@@ -10,7 +10,7 @@
 #include "harness/instances/problem_text.hpp"
 #include "harness/results/result_reader.hpp"
 #include "solvers/model/complex_lines.hpp"
-#include "solvers/reading/json_build.hpp"
+#include "solvers/reading/utf8_text.hpp"
 
 namespace gcs {
 namespace {
@@ -29,16 +29,6 @@ std::string in_short(std::string text, std::size_t longest) {
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
   return text.substr(0, end) + "…";
-}
-
-/// What JSON can hold.
-bool is_utf8(const std::string& text) {
-  try {
-    to_text(json_text(text), -1);
-    return true;
-  } catch (const std::exception&) {
-    return false;
-  }
 }
 
 /// The last line that is not empty, in ASCII.

@@ -203,8 +203,8 @@ JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motio
 }
 
 void write_result(const Instance& instance, const SolveRun& run, const Environment& environment,
-                  const TextSink& take) {
-  DocumentWriter document("gcsbench-result/1", take, run.threads);
+                  const TextSink& take, const DocumentForm& form) {
+  DocumentWriter document("gcsbench-result/1", take, run.threads, form);
   document.member("instance", instance.document);
   document.member("strategy", json_text(run.strategy));
   document.member("options", options_value(run.options));

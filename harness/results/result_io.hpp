@@ -17,10 +17,11 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs);
 /// Solutions that are not isolated, as in a result.
 JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motion>& motions);
 
-/// The result as JSON text, piece by piece, that ends in a newline: one top-level member a line, one solution a line. What
+/// The result, piece by piece; as JSON it ends in a newline, and has one top-level member a line, one solution a line. What
 /// does not apply is null; so is an infinite condition. The instance keeps the decimal text of its numbers.
 void write_result(const Instance& instance, const SolveRun& run, const Environment& environment,
-                  const TextSink& take);
+                  const TextSink& take, const DocumentForm& form = json_form);
+
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment);
 
 }  // namespace gcs

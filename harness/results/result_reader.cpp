@@ -9,6 +9,7 @@
 
 #include "harness/base/record_fields.hpp"
 #include "harness/base/record_json.hpp"
+#include "solvers/reading/cbor_document.hpp"
 #include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/instance_names.hpp"
 #include "solvers/reading/text_input.hpp"
@@ -102,14 +103,14 @@ Answer read_answer(const JsonCursor& root, const Scene& scene) {
 }  // namespace
 
 Answer parse_answer(const std::string& text, const Scene& scene, const std::string& source) {
-  const JsonValue document = parse_json(text, source);
+  const JsonValue document = parse_document(text, source);
   const JsonCursor root(document, source);
   if (root.optional("format")) root.require_format(format_name);
   return read_answer(root, scene);
 }
 
 StoredResult parse_result(const std::string& text, const std::string& file) {
-  const JsonValue document = parse_json(text, file);
+  const JsonValue document = parse_document(text, file);
   const JsonCursor root(document, file);
   root.require_format(format_name);
   const Instance instance =

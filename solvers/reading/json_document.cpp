@@ -3,24 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
-#include <unordered_set>
+
+#include "solvers/reading/document_builder.hpp"
 
 namespace gcs {
 namespace {
-
-/// No instance or result nests deeper than ten; the limit keeps hostile input from exhausting the stack.
-constexpr std::size_t depth_limit = 64;
-
-/// Longest piece of input that a message repeats.
-constexpr std::size_t quote_limit = 40;
-
-std::string in_quotes(const std::string& token) {
-  if (token.size() <= quote_limit) return "'" + token + "'";
-  std::size_t end = quote_limit;
-  const auto splits_a_character = [&] { return (static_cast<unsigned char>(token[end]) & 0xC0U) == 0x80U; };
-  while (end > 0 && splits_a_character()) --end;
-  return "'" + token.substr(0, end) + "…'";
-}
 
 /// Where character number `position` (from 1) of `text` stands.
 std::string line_and_column(std::string_view text, std::size_t position) {
@@ -56,21 +43,10 @@ bool has_nonzero_digit(const std::string& number) {
   return number.substr(0, mantissa_end).find_first_of("123456789") != std::string::npos;
 }
 
-/// Receives nlohmann's events and builds the value. Every refusal leaves as an InputError.
-class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
+/// What a JSON text says beside nlohmann's events.
+class JsonBuilder final : public DocumentBuilder {
  public:
-  DocumentBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
-
-  JsonValue take() { return std::move(root_); }
-
-  bool null() override { return attach({}); }
-
-  bool boolean(bool value) override {
-    JsonValue result;
-    result.kind = JsonValue::Kind::boolean;
-    result.boolean = value;
-    return attach(std::move(result));
-  }
+  JsonBuilder(std::string_view text, const std::string& file) : DocumentBuilder(file), text_(text) {}
 
   /// Called for integers with a minus sign only, so that a zero was written "-0".
   bool number_integer(number_integer_t value) override {
@@ -78,47 +54,21 @@ class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
                       : attach_number(static_cast<double>(value), std::to_string(value));
   }
 
-  /// JSON has one spelling of a non-negative integer; those beyond 64 bits arrive as number_float.
-  bool number_unsigned(number_unsigned_t value) override {
-    return attach_number(static_cast<double>(value), std::to_string(value));
-  }
-
   bool number_float(number_float_t value, const string_t& raw) override {
     if (value == 0 && has_nonzero_digit(raw)) {
-      fail("the number " + in_quotes(raw) + " is too small for a double and would become 0",
+      fail("the number " + shortened_quote(raw) + " is too small for a double and would become 0",
            "give numbers above 1e-300, in a smaller unit if need be");
     }
     return attach_number(value, raw);
   }
 
-  bool string(string_t& value) override {
-    JsonValue result;
-    result.kind = JsonValue::Kind::string;
-    result.text = std::move(value);
-    return attach(std::move(result));
-  }
-
   bool binary(binary_t&) override { return false; }
-
-  bool start_object(std::size_t) override { return open(JsonValue::Kind::object); }
-  bool start_array(std::size_t) override { return open(JsonValue::Kind::array); }
-  bool end_object() override { return close(); }
-  bool end_array() override { return close(); }
-
-  bool key(string_t& name) override {
-    Level& level = open_.back();
-    level.key = name;
-    if (!level.keys.insert(name).second) {
-      fail("the key " + in_quotes(name) + " is given twice", "give every key once");
-    }
-    return true;
-  }
 
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::detail::exception& error) override {
     constexpr int number_overflow = 406;
     if (error.id == number_overflow) {
-      fail("the number " + in_quotes(token) + " is too large for a double",
+      fail("the number " + shortened_quote(token) + " is too large for a double",
            "give numbers below 1e300, in a larger unit if need be");
     }
     std::string what = line_and_column(text_, position) + ": not JSON: ";
@@ -129,67 +79,7 @@ class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  struct Level {
-    JsonValue value;
-    std::string key;                       ///< of the member being read
-    std::unordered_set<std::string> keys;  ///< finding a duplicate must not take quadratic time
-  };
-
-  [[noreturn]] void fail(const std::string& what, const std::string& remedy) const {
-    throw InputError(file_, pointer(), what, remedy);
-  }
-
-  std::string pointer() const {
-    std::string result;
-    for (const Level& level : open_) {
-      const bool in_array = level.value.kind == JsonValue::Kind::array;
-      if (!in_array && level.keys.empty()) continue;
-      result +=
-          "/" + (in_array ? std::to_string(level.value.elements.size()) : escaped_for_pointer(level.key));
-    }
-    return result;
-  }
-
-  bool open(JsonValue::Kind kind) {
-    if (open_.size() == depth_limit) {
-      throw InputError(file_, "",
-                       "the values are nested deeper than " + std::to_string(depth_limit) + " levels",
-                       "no file of this program needs more than ten");
-    }
-    open_.emplace_back();
-    open_.back().value.kind = kind;
-    return true;
-  }
-
-  bool close() {
-    JsonValue value = std::move(open_.back().value);
-    open_.pop_back();
-    return attach(std::move(value));
-  }
-
-  bool attach_number(double value, std::string text) {
-    JsonValue result;
-    result.kind = JsonValue::Kind::number;
-    result.number = value;
-    result.text = std::move(text);
-    return attach(std::move(result));
-  }
-
-  bool attach(JsonValue value) {
-    if (open_.empty()) {
-      root_ = std::move(value);
-    } else if (Level& parent = open_.back(); parent.value.kind == JsonValue::Kind::array) {
-      parent.value.elements.push_back(std::move(value));
-    } else {
-      parent.value.members.emplace_back(parent.key, std::move(value));
-    }
-    return true;
-  }
-
   std::string_view text_;
-  const std::string& file_;
-  std::vector<Level> open_;
-  JsonValue root_;
 };
 
 /// Appends the members or elements of a container, each by `append_item(i)`, one a line unless indent < 0.
@@ -280,7 +170,7 @@ JsonValue parse_json(std::string_view text, const std::string& file) {
     throw InputError(file, "", line_and_column(text, zero + 1) + ": not JSON: a zero byte",
                      "give text in UTF-8");
   }
-  DocumentBuilder builder(text, file);
+  JsonBuilder builder(text, file);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }

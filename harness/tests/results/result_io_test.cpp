@@ -69,6 +69,22 @@ TEST_CASE("a result has every field of its format") {
                                       {"instructions", "AVX2"}});
 }
 
+TEST_CASE("a result as CBOR says what the JSON does, digit for digit") {
+  SolveRun run = toy_run();
+  run.escaping = {run.solutions[0].placement()};
+  for (AssessedSolution& solution : run.solutions) solution.residual = 0.1 + 0.2;
+  for (const Instance& instance : {toy::instance(), load_instance("icosahedron")}) {
+    const SolveRun& shown = instance.id == "icosahedron" ? SolveRun() : run;
+    std::string json, cbor;
+    write_result(instance, shown, {}, [&](std::string_view piece) { json += piece; });
+    write_result(
+        instance, shown, {}, [&](std::string_view piece) { cbor += piece; }, form_of("a.cbor"));
+    CHECK(cbor.size() < json.size());
+    CHECK(to_text(parse_document(cbor, "f"), -1) == to_text(parse_json(json, "f"), -1));
+  }
+  CHECK(form_of("cbor").begin == "{");
+}
+
 TEST_CASE("counts that are not determined are null") {
   const Json counts = parsed(toy_run())["counts"];
   CHECK(counts == Json{{"convention", "up to reflection"},

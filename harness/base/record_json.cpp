@@ -30,7 +30,7 @@ JsonValue json_of(const std::string& value) { return json_text(value); }
 
 void read_json(const JsonCursor& cursor, bool& value) { value = cursor.boolean(); }
 void read_json(const JsonCursor& cursor, double& value) {
-  value = cursor.is_null() ? std::numeric_limits<double>::infinity() : cursor.number().value;
+  value = cursor.is_null() ? std::numeric_limits<double>::infinity() : cursor.number_value();
 }
 void read_json(const JsonCursor& cursor, int& value) { read_whole(cursor, value); }
 void read_json(const JsonCursor& cursor, std::int64_t& value) { read_whole(cursor, value); }

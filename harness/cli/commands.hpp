@@ -37,6 +37,7 @@ void add_verify_command(CLI::App& app, Invocation& invocation);
 void add_follow_command(CLI::App& app, Invocation& invocation);
 void add_path_command(CLI::App& app, Invocation& invocation);
 void add_reference_command(CLI::App& app, Invocation& invocation);
+void add_convert_command(CLI::App& app, Invocation& invocation);
 void add_report_command(CLI::App& app, Invocation& invocation);
 void add_manual_command(CLI::App& app, Invocation& invocation);
 void add_complete_command(CLI::App& app, Invocation& invocation);

@@ -41,6 +41,7 @@ void add_commands(CLI::App& app, gcs::Invocation& invocation) {
   gcs::add_follow_command(app, invocation);
   gcs::add_path_command(app, invocation);
   gcs::add_reference_command(app, invocation);
+  gcs::add_convert_command(app, invocation);
   gcs::add_report_command(app, invocation);
   gcs::add_compare_command(app, invocation);
   gcs::add_manual_command(app, invocation);

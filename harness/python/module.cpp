@@ -44,8 +44,9 @@ py::object python_of_text(const std::string& text) {
 }
 
 py::object python_of_number(const JsonValue& value) {
-  const bool is_whole = value.text.find_first_of(".eE") == std::string::npos;
-  return is_whole ? py::object(py::int_(py::str(value.text))) : py::object(py::float_(value.number));
+  const std::string text = number_text(value);
+  const bool is_whole = text.find_first_of(".eE") == std::string::npos;
+  return is_whole ? py::object(py::int_(py::str(text))) : py::object(py::float_(value.number));
 }
 
 py::list list_of(const JsonValue& array) {

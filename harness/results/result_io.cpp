@@ -15,6 +15,8 @@ namespace gcs {
 
 namespace {
 
+constexpr std::string_view format_name = "gcsbench-result/1";
+
 /// Null of a complex solution.
 void write_signs(const ProblemStatement& problem, const AssessedSolution& solution,
                  const RecordWriter& write) {
@@ -204,7 +206,7 @@ JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motio
 
 void write_result(const Instance& instance, const SolveRun& run, const Environment& environment,
                   const TextSink& take, const DocumentForm& form) {
-  DocumentWriter document("gcsbench-result/1", take, run.threads, form);
+  DocumentWriter document(format_name, take, run.threads, form);
   document.member("instance", instance.document);
   document.member("strategy", json_text(run.strategy));
   document.member("options", options_value(run.options));
@@ -229,6 +231,19 @@ void write_result(const Instance& instance, const SolveRun& run, const Environme
   document.member("statistics", statistics_value(run));
   document.member("timing", timing_value(run.timing));
   document.member("environment", environment_value(environment));
+  document.end();
+}
+
+void rewrite_result(const JsonValue& result, const TextSink& take, const DocumentForm& form) {
+  DocumentWriter document(format_name, take, 1, form);
+  for (const auto& [name, value] : result.members) {
+    if (name == "format") continue;
+    const bool is_list = name == "solutions" || name == "escaping";
+    if (is_list && value.kind == JsonValue::Kind::array)
+      document.list(name, value.elements, [](const JsonValue& element) { return element; });
+    else
+      document.member(name, value);
+  }
   document.end();
 }
 

@@ -22,6 +22,8 @@ JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motio
 void write_result(const Instance& instance, const SolveRun& run, const Environment& environment,
                   const TextSink& take, const DocumentForm& form = json_form);
 
+/// A stored result in that form: what write_result writes of the same solve. Precondition: an object.
+void rewrite_result(const JsonValue& result, const TextSink& take, const DocumentForm& form);
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment);
 
 }  // namespace gcs

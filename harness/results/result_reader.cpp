@@ -100,6 +100,11 @@ Answer read_answer(const JsonCursor& root, const Scene& scene) {
   return answer;
 }
 
+std::string read_result(const std::string& argument) {
+  return argument == "-" ? read_all(std::cin, argument)
+                         : read_file(argument, "give a file that `gcsbench solve --out` has written");
+}
+
 }  // namespace
 
 Answer parse_answer(const std::string& text, const Scene& scene, const std::string& source) {
@@ -129,11 +134,14 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   return result;
 }
 
+JsonValue load_result_document(const std::string& argument) {
+  JsonValue document = parse_document(read_result(argument), argument);
+  JsonCursor(document, argument).require_format(format_name);
+  return document;
+}
+
 StoredResult load_result(const std::string& argument) {
-  const std::string text = argument == "-"
-                               ? read_all(std::cin, argument)
-                               : read_file(argument, "give a file that `gcsbench solve --out` has written");
-  return parse_result(text, argument);
+  return parse_result(read_result(argument), argument);
 }
 
 }  // namespace gcs

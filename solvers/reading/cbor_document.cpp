@@ -9,6 +9,7 @@
 
 #include "solvers/reading/document_builder.hpp"
 #include "solvers/reading/json_build.hpp"
+#include "solvers/reading/json_document.hpp"
 #include "solvers/reading/utf8_text.hpp"
 
 namespace gcs {
@@ -110,10 +111,17 @@ std::optional<Integer> integer_of(const std::string& text) {
   return std::to_string(value) == text ? std::optional(value) : std::nullopt;
 }
 
+Ordered encoded_double(double value) {
+  constexpr double largest_exact_integer = 9007199254740992;  // 2^53
+  const bool is_integer = std::abs(value) <= largest_exact_integer && value == std::trunc(value);
+  return is_integer ? Ordered(static_cast<std::int64_t>(value)) : Ordered(value);
+}
+
 Ordered encoded_number(const JsonValue& value) {
+  if (value.text.empty()) return encoded_double(value.number);
   if (const auto count = integer_of<std::uint64_t>(value.text)) return *count;
   if (const auto integer = integer_of<std::int64_t>(value.text)) return *integer;
-  if (json_number(value.number).text == value.text) return value.number;
+  if (number_text(json_number(value.number)) == value.text) return value.number;
   return Ordered::binary({value.text.begin(), value.text.end()});
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "solvers/reading/json_document.hpp"
+#include "solvers/reading/json_value.hpp"
 
 namespace gcs {
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "solvers/running/errors.hpp"
+
 namespace gcs {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "solvers/reading/json_document.hpp"
+#include "solvers/reading/json_value.hpp"
 
 namespace gcs {
 

@@ -10,7 +10,7 @@ JsonValue vector_value(const Eigen::Vector3cd& vector, int dimension, bool is_re
                  : json_array_of(vector.head(dimension), json_complex);
 }
 
-double read_part(const JsonCursor& part) { return part.number().value; }
+double read_part(const JsonCursor& part) { return part.number_value(); }
 
 Eigen::Vector3cd read_vector(const JsonCursor& cursor, int dimension, bool is_real) {
   return Eigen::Vector3cd(

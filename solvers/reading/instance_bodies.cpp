@@ -170,8 +170,8 @@ class Agreement {
       const double tolerance = most_disagreement * (in_a[i].is_distance ? size_ : 1);
       if (!(std::abs(in_a[i].value - in_b[i].value) > tolerance)) continue;
       cursor.fail((in_a[i].is_distance ? "the distance of " : "the cosine of the angle of ") +
-                      entity_names(problem_, {x, y}) + " is " + json_number(in_a[i].value).text + " " +
-                      a.where + " and " + json_number(in_b[i].value).text + " " + b.where,
+                      entity_names(problem_, {x, y}) + " is " + number_text(json_number(in_a[i].value)) +
+                      " " + a.where + " and " + number_text(json_number(in_b[i].value)) + " " + b.where,
                   "give both the same positions relative to each other");
     }
   }

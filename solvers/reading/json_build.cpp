@@ -1,7 +1,5 @@
 #include "solvers/reading/json_build.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 namespace gcs {
@@ -46,7 +44,6 @@ JsonValue json_number(double value) {
   if (!std::isfinite(value)) return json_null();
   JsonValue result = of_kind(JsonValue::Kind::number);
   result.number = value + 0.0;
-  result.text = fmt::format("{}", result.number);
   return result;
 }
 

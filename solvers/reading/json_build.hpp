@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solvers/numeric/natural.hpp"
-#include "solvers/reading/json_document.hpp"
+#include "solvers/reading/json_value.hpp"
 
 namespace gcs {
 

@@ -116,7 +116,12 @@ void JsonCursor::require_name(const std::string& key) const {
 
 Decimal JsonCursor::number() const {
   expect(JsonValue::Kind::number);
-  return {value_->number, value_->text};
+  return {value_->number, number_text(*value_)};
+}
+
+double JsonCursor::number_value() const {
+  expect(JsonValue::Kind::number);
+  return value_->number;
 }
 
 std::vector<Decimal> JsonCursor::decimals(int dimension) const {
@@ -129,7 +134,8 @@ std::vector<Decimal> JsonCursor::decimals(int dimension) const {
 Eigen::Vector3d JsonCursor::coordinates(int dimension) const {
   Eigen::Vector3d result = Eigen::Vector3d::Zero();
   int axis = 0;
-  for (const Decimal& component : decimals(dimension)) result[axis++] = component.value;
+  for (const JsonCursor& component : elements(static_cast<std::size_t>(dimension), "coordinates"))
+    result[axis++] = component.number_value();
   return result;
 }
 

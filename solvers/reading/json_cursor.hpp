@@ -52,6 +52,7 @@ class JsonCursor {
   /// The key of this value is such a text, too.
   void require_name(const std::string& key) const;
   Decimal number() const;
+  double number_value() const;
   /// `dimension` coordinates; in the plane z = 0.
   Eigen::Vector3d coordinates(int dimension) const;
   /// The numbers themselves.

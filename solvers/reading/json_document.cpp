@@ -82,84 +82,7 @@ class JsonBuilder final : public DocumentBuilder {
   std::string_view text_;
 };
 
-/// Appends the members or elements of a container, each by `append_item(i)`, one a line unless indent < 0.
-template <typename AppendItem>
-void append_items(std::string& out, std::string_view brackets, std::size_t count, int indent, int depth,
-                  AppendItem append_item) {
-  const auto new_line = [&](int levels) {
-    if (indent >= 0) out += '\n' + std::string(static_cast<std::size_t>(indent * levels), ' ');
-  };
-  out += brackets[0];
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0) out += indent < 0 ? ", " : ",";
-    new_line(depth + 1);
-    append_item(i);
-  }
-  if (count > 0) new_line(depth);
-  out += brackets[1];
-}
-
-/// Bytes that are no text, as names of folders may have them, become U+FFFD.
-void append_string(std::string& out, const std::string& text) {
-  out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-void append_text(std::string& out, const JsonValue& value, int indent, int depth) {
-  switch (value.kind) {
-    case JsonValue::Kind::null:
-      out += "null";
-      return;
-    case JsonValue::Kind::boolean:
-      out += value.boolean ? "true" : "false";
-      return;
-    case JsonValue::Kind::number:
-      out += value.text;
-      return;
-    case JsonValue::Kind::string:
-      append_string(out, value.text);
-      return;
-    case JsonValue::Kind::array:
-      append_items(out, "[]", value.elements.size(), indent, depth,
-                   [&](std::size_t i) { append_text(out, value.elements[i], indent, depth + 1); });
-      return;
-    case JsonValue::Kind::object:
-      append_items(out, "{}", value.members.size(), indent, depth, [&](std::size_t i) {
-        append_string(out, value.members[i].first);
-        out += ": ";
-        append_text(out, value.members[i].second, indent, depth + 1);
-      });
-      return;
-  }
-}
-
 }  // namespace
-
-std::string escaped_for_pointer(std::string_view key) {
-  std::string escaped;
-  for (const char c : key) {
-    if (c == '~') {
-      escaped += "~0";
-    } else if (c == '/') {
-      escaped += "~1";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
-}
-
-JsonValue::JsonValue() = default;
-JsonValue::JsonValue(const JsonValue&) = default;
-JsonValue::JsonValue(JsonValue&&) noexcept = default;
-JsonValue& JsonValue::operator=(const JsonValue&) = default;
-JsonValue& JsonValue::operator=(JsonValue&&) noexcept = default;
-JsonValue::~JsonValue() = default;
-
-const JsonValue* JsonValue::find(std::string_view name) const {
-  const auto found =
-      std::find_if(members.begin(), members.end(), [&](const auto& member) { return member.first == name; });
-  return found == members.end() ? nullptr : &found->second;
-}
 
 JsonValue parse_json(std::string_view text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
@@ -173,12 +96,6 @@ JsonValue parse_json(std::string_view text, const std::string& file) {
   JsonBuilder builder(text, file);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
-}
-
-std::string to_text(const JsonValue& value, int indent) {
-  std::string out;
-  append_text(out, value, indent, 0);
-  return out;
 }
 
 }  // namespace gcs

@@ -74,6 +74,18 @@ class CborResults(command_line.CommandLine):
                 self.assertEqual(answers[0], answers[1])
                 self.assertEqual(answers[0][0], DONE)
 
+    def test_either_is_converted_into_the_other_byte_for_byte(self):
+        for solve in [("disulfide", "--strategy", "explore"), ("k33", "--strategy", "monodromy", "--certify")]:
+            text, _ = self.solved(*solve)
+            converted, back = self.folder / "converted.cbor", self.folder / "back.json"
+            self.assertEqual(run("convert", text, "--out", converted).returncode, DONE)
+            self.assertEqual(run("convert", converted, "--out", back).returncode, DONE)
+            self.assertEqual(back.read_bytes(), text.read_bytes())
+            self.assertEqual(run("convert", converted).stdout.encode(), text.read_bytes())
+            self.assertEqual(comparable(cbor.loads(converted.read_bytes())), comparable(json.loads(text.read_text())))
+        for content in ("{}", "[1]", '{"format": "gcsbench-run/1"}'):
+            self.assert_one_message(run("convert", self.write(content, "other.json")), BAD_INPUT, "other.json")
+
     def test_an_external_program_may_write_them(self):
         text, binary = self.solved("octahedron", "--strategy", "cayley-menger")
         lists = [json.loads(run("solve", "octahedron", "--strategy", f"exec:cat {file}", "--out", "-").stdout)["solutions"]

@@ -80,7 +80,10 @@ TEST_CASE("a result as CBOR says what the JSON does, digit for digit") {
     write_result(
         instance, shown, {}, [&](std::string_view piece) { cbor += piece; }, form_of("a.cbor"));
     CHECK(cbor.size() < json.size());
-    CHECK(to_text(parse_document(cbor, "f"), -1) == to_text(parse_json(json, "f"), -1));
+    std::string converted;
+    rewrite_result(
+        parse_document(cbor, "f"), [&](std::string_view piece) { converted += piece; }, json_form);
+    CHECK(converted == json);
   }
   CHECK(form_of("cbor").begin == "{");
 }

@@ -17,6 +17,7 @@
 #include "harness/cli/completion.hpp"
 #include "harness/ranks/rank_crew.hpp"
 #include "harness/ranks/ranks.hpp"
+#include "harness/tables/table_run.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/reading/json_document.hpp"
 #include "solvers/reading/nearest_name.hpp"
@@ -134,11 +135,17 @@ ExitCode parse_and_run(int argc, char** argv, gcs::Crew* crew, int ranks_here) {
   }
 }
 
+/// Of what commands hand out to other ranks.
+gcs::ItemWork begin_task(const std::string& task) {
+  if (gcs::ItemWork cells = gcs::begin_cells(task)) return cells;
+  return gcs::begin_legs(task);
+}
+
 /// The first rank runs the program, the others what it hands out.
 ExitCode run_ranks(int argc, char** argv, const gcs::MessagePassing& ranks) {
   const std::string build = gcs::build_of_program();
   if (ranks.rank > 0) {
-    gcs::serve(ranks, build);
+    gcs::serve(ranks, build, begin_task);
     return ExitCode::done;
   }
   gcs::RankCrew crew(ranks, build);

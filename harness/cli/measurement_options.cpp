@@ -51,7 +51,7 @@ RunFile measure_and_show(TableRequest request, const Publications& publications,
   catch_interrupts();
   RunFile run = [&] {
     ProgressLine progress(!invocation.quiet, request.logs_progress);
-    return run_tables(request, publications, progress);
+    return run_tables(request, publications, progress, invocation.crew);
   }();
   const TableSet set = build_tables(run, publications);
   if (request.out) {

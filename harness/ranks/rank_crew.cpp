@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -176,20 +177,6 @@ std::vector<std::string> RankCrew::results(const std::string& task, const std::v
 
 namespace {
 
-/// What another rank is asked for: one task, and items of it.
-class Member {
- public:
-  void begin(const std::string& task) {
-    legs_.reset();
-    legs_.emplace(task);
-  }
-  /// Precondition: a task was begun.
-  std::string result(const std::string& item) { return legs_.value().result(item); }
-
- private:
-  std::optional<LegMember> legs_;
-};
-
 /// Why `work` failed; empty where it did not.
 template <class Work>
 std::string failure_of(Work work) {
@@ -205,20 +192,27 @@ std::string failure_of(Work work) {
 
 }  // namespace
 
-void serve(const MessagePassing& passing, const std::string& build) {
+ItemWork begin_legs(const std::string& task) {
+  const auto legs = std::make_shared<LegMember>(task);
+  return [legs](const std::string& item) { return legs->result(item); };
+}
+
+void serve(const MessagePassing& passing, const std::string& build,
+           const std::function<ItemWork(const std::string& task)>& begin) {
   send(passing, 0, build_tag, build);
-  Member member;
+  ItemWork work;
   std::string failure;  // of the task
   while (true) {
     const Message message = wait_for_message(passing);
     if (message.tag == leave_tag) return;
     if (message.tag == task_tag) {
-      failure = failure_of([&] { member.begin(message.bytes); });
+      work = nullptr;  // two tasks may need more memory than there is
+      failure = failure_of([&] { work = begin(message.bytes); });
       continue;
     }
     const auto [number, item] = number_and_bytes(message.bytes);
     std::string result, why = failure;
-    if (why.empty()) why = failure_of([&, &bytes = item] { result = member.result(bytes); });
+    if (why.empty()) why = failure_of([&, &bytes = item] { result = work(bytes); });
     send(passing, 0, why.empty() ? result_tag : failure_tag, numbered(number, why.empty() ? result : why));
   }
 }

@@ -5,167 +5,36 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
+#include <memory>
 #include <set>
 
 #include "harness/base/errors.hpp"
+#include "harness/base/record_json.hpp"
 #include "harness/base/stop_conditions.hpp"
-#include "harness/instances/instance_lookup.hpp"
 #include "harness/results/exec_strategy.hpp"
-#include "harness/results/instance_judge.hpp"
 #include "harness/results/strategy_choice.hpp"
 #include "harness/runs/run_folder.hpp"
 #include "harness/runs/shown_scene_files.hpp"
 #include "harness/solving/counts_view.hpp"
-#include "harness/tables/tables.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/pyramid/pyramid_branches.hpp"
 #include "solvers/reading/nearest_name.hpp"
 #include "solvers/solving/answer.hpp"
 
 namespace gcs {
+
+void visit_fields(RecordOf<TableRequest> auto& request, const auto& visit) {
+  visit("tables", request.tables);
+  visit("instances", request.instances);
+  visit("strategies", request.strategies);
+  visit("full", request.full);
+  visit("cell_limit_s", request.limits.cell_limit_s);
+  visit("total_limit_s", request.limits.total_limit_s);
+  visit("skips_variants", request.limits.skips_variants);
+}
+
 namespace {
-
-/// Instances made ready. Deques, because tasks point to the scenes and judges point to both.
-struct LoadedInstances {
-  std::deque<Instance> instances;
-  std::deque<Scene> scenes;
-  std::deque<InstanceJudge> judges;  ///< empty: accuracy is not asked for
-
-  /// Precondition: an instance of that id is loaded.
-  std::size_t number(const std::string& id) const {
-    const auto found = std::find_if(instances.begin(), instances.end(),
-                                    [&](const Instance& instance) { return instance.id == id; });
-    return static_cast<std::size_t>(found - instances.begin());
-  }
-  const Scene& scene(const std::string& id) const { return scenes[number(id)]; }
-};
-
-const TableKind& table_named(const std::string& name) {
-  const TableKind* kind = find_table(name);
-  if (kind == nullptr) throw UsageError(fmt::format("there is no table '{}'", name));
-  return *kind;
-}
-
-/// The arguments for load_instance: what was asked for, or what the tables show, each once.
-std::vector<std::string> instances_to_load(const TableRequest& request) {
-  if (!request.instances.empty()) return request.instances;
-  std::vector<std::string> ids;
-  for (const std::string& name : request.tables)
-    for (const std::string& id : table_named(name).instances())
-      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
-  return ids;
-}
-
-void require_known(const TableRequest& request, const Instance& instance) {
-  const auto knows = [](const std::string& name) { return table_named(name).knows_general; };
-  if (instance.problem.is_general() && std::ranges::none_of(request.tables, knows))
-    throw UsageError(fmt::format(
-        "'{}' has elements or constraints that {} does not know, but for points, lines in space and "
-        "distances alone; `gcsbench solve` and `gcsbench tables general` know it",
-        instance.id, quoted_list(request.tables)));
-}
-
-LoadedInstances load_all(const TableRequest& request) {
-  LoadedInstances loaded{};
-  for (const std::string& argument : instances_to_load(request)) {
-    Instance instance = table_named(request.tables.front()).load(argument);
-    require_known(request, instance);
-    const bool again = std::any_of(loaded.instances.begin(), loaded.instances.end(),
-                                   [&](const Instance& other) { return other.id == instance.id; });
-    if (again) throw UsageError(fmt::format("instance '{}' is given twice", instance.id));
-    loaded.scenes.emplace_back(instance.problem);
-    loaded.instances.push_back(std::move(instance));
-  }
-  return loaded;
-}
-
-void add_judges(const TableRequest& request, LoadedInstances& loaded) {
-  const bool is_wanted =
-      std::any_of(request.tables.begin(), request.tables.end(), [](const std::string& name) {
-        const TableKind* kind = find_table(name);
-        return kind != nullptr && kind->measures_accuracy;
-      });
-  for (std::size_t i = 0; is_wanted && i < loaded.instances.size(); ++i)
-    loaded.judges.emplace_back(loaded.instances[i], loaded.scenes[i]);
-}
-
-/// What a table shows: its own instances, or those that were asked for.
-std::vector<std::string> ids_for(const TableKind& kind, const TableRequest& request,
-                                 const LoadedInstances& loaded) {
-  if (request.instances.empty()) return kind.instances();
-  std::vector<std::string> ids;
-  for (const Instance& instance : loaded.instances) {
-    if (instance.problem.is_general() && !kind.knows_general) continue;
-    const auto& own = kind.instances();
-    if (kind.has_free_columns || std::find(own.begin(), own.end(), instance.id) != own.end())
-      ids.push_back(instance.id);
-  }
-  return ids;
-}
-
-bool is_selected(const TableRequest& request, const Variant& variant) {
-  const auto& wanted = request.strategies;
-  return wanted.empty() || std::find(wanted.begin(), wanted.end(), variant.strategy) != wanted.end();
-}
-
-/// Adds the cell, unless another table has it already.
-void add_task(std::vector<CellTask>& tasks, CellTask task) {
-  const auto known = std::find_if(tasks.begin(), tasks.end(),
-                                  [&](const CellTask& other) { return other.spec == task.spec; });
-  if (known == tasks.end()) {
-    tasks.push_back(std::move(task));
-    return;
-  }
-  known->keeps_solutions = known->keeps_solutions || task.keeps_solutions;
-  known->is_timed = known->is_timed || task.is_timed;
-}
-
-/// The external programs that were asked for, which no table names. Their entries refer to the request.
-std::deque<StrategyEntry> programs_of(const TableRequest& request) {
-  std::deque<StrategyEntry> programs;
-  for (const std::string& name : request.strategies)
-    if (exec_command(name)) programs.push_back(exec_entry(name));
-  return programs;
-}
-
-struct Column {
-  Variant variant;
-  const StrategyEntry* entry;
-};
-
-/// What of a table is asked for, external programs last.
-std::vector<Column> columns_in(const TableKind& kind, const TableRequest& request,
-                               const std::deque<StrategyEntry>& programs) {
-  std::vector<Column> columns;
-  for (const Variant& variant : kind.variants())
-    if (is_selected(request, variant)) columns.push_back({variant, &find_strategy(variant.strategy)});
-  for (const StrategyEntry& program : programs)
-    columns.push_back({{std::string(program.name), {}}, &program});
-  return columns;
-}
-
-/// In the order of the tables; those that this version cannot measure are left out. What is measured on one
-/// instance stands together, so that a run that is stopped has needed few references.
-std::vector<CellTask> tasks_of(const TableRequest& request, LoadedInstances& loaded,
-                               const std::deque<StrategyEntry>& programs) {
-  std::vector<CellTask> tasks;
-  for (const std::string& name : request.tables) {
-    const TableKind& kind = table_named(name);
-    if (why_unavailable(kind)) continue;
-    const std::vector<Column> columns = columns_in(kind, request, programs);
-    for (const std::string& id : ids_for(kind, request, loaded))
-      for (const auto& [variant, entry] : columns) {
-        if (!variant.is_for(id)) continue;
-        CellTask task{variant.on(id), entry, &loaded.scene(id), kind.shows_solutions, kind.shows_times};
-        if (kind.measures_accuracy)
-          task.judge = [judge = &loaded.judges[loaded.number(id)]](Monitor& monitor) {
-            return judge->judge(monitor);
-          };
-        add_task(tasks, std::move(task));
-      }
-  }
-  return tasks;
-}
 
 /// True when the paper that the instance cites is known to be wrong about it.
 bool is_corrected(const PublishedFigure& figure, const Publications& publications) {
@@ -306,18 +175,6 @@ void note_references(const LoadedInstances& loaded, RunFile& record) {
       record.instances[i].reference = reference;
 }
 
-TimingSettings settings_of(const TableRequest& request) {
-  TimingSettings settings;
-  settings.repetitions = request.repetitions;
-  settings.limits = request.limits;
-  if (request.full) {
-    settings.limits.cell_limit_s.reset();
-    settings.limits.total_limit_s.reset();
-    settings.limits.skips_variants = false;
-  }
-  return settings;
-}
-
 /// What the page shows of the instances beside the measurements.
 void store_scenes(const LoadedInstances& loaded, const RunFile& record, const std::filesystem::path& folder,
                   Monitor& progress) {
@@ -326,6 +183,108 @@ void store_scenes(const LoadedInstances& loaded, const RunFile& record, const st
     const MadeScene made = make_scene(instance, loaded.scene(instance.id), record, progress);
     if (interrupted()) return;  // and left something out
     store_scene(made, folder);
+  }
+}
+
+// ---- cells that a crew shares
+
+constexpr std::string_view cells_task = "gcsbench-cells/1\n";
+
+class Silence final : public Monitor {
+ public:
+  void progress(std::string_view, double) override {}
+};
+
+/// Assesses cells of one instance after another. The limit for everything is one of what this process solves.
+class CellAssessor {
+ public:
+  CellAssessor(std::vector<CellTask> tasks, const LoadedInstances& loaded, TimingSettings settings)
+      : tasks_(std::move(tasks)), loaded_(loaded), settings_(std::move(settings)) {
+    for (CellTask& task : tasks_) task.is_timed = false;
+  }
+
+  /// `item` is a run with one instance and what is known of its cells; so is what it returns.
+  std::string result(const std::string& item) {
+    RunFile part = parse_run_file(item, "cells");
+    InstanceSummary& instance = part.instances.at(0);
+    std::vector<CellTask> own;
+    std::ranges::copy_if(tasks_, std::back_inserter(own),
+                         [&](const CellTask& task) { return task.spec.instance == instance.id; });
+    const std::vector<CellRecord> known = std::move(part.cells);
+    Silence silence;
+    part.cells = time_cells(own, settings_, known, silence, [](const std::vector<CellRecord>&) {});
+    take_from_limit(solved_s(part.cells) - solved_s(known));
+    instance.reference = loaded_.judges.at(loaded_.number(instance.id)).reference();
+    return to_json_text(part);
+  }
+
+  std::optional<double> left_s() const { return settings_.limits.total_limit_s; }
+
+ private:
+  static double solved_s(const std::vector<CellRecord>& cells) {
+    double sum_s = 0;
+    for (const CellRecord& cell : cells) sum_s += cell.warm_up_s;
+    return sum_s;
+  }
+
+  void take_from_limit(double time_s) {
+    if (settings_.limits.total_limit_s) *settings_.limits.total_limit_s -= std::max(0.0, time_s);
+  }
+
+  std::vector<CellTask> tasks_;
+  const LoadedInstances& loaded_;
+  TimingSettings settings_;
+};
+
+/// What other processes need of the request to measure what it asks for.
+struct SharedRequest {
+  explicit SharedRequest(TableRequest asked) : request(std::move(asked)) {}
+
+  TableRequest request;
+  std::deque<StrategyEntry> programs = programs_of(request);
+  LoadedInstances loaded = load_all(request);
+  CellAssessor assessor{tasks_of(request, loaded, programs), loaded, settings_of(request)};
+};
+
+/// Standard input is read once, and what is not held against a reference is measured for its time.
+bool is_shared(const TableRequest& request) {
+  const auto is_judged = [](const std::string& name) { return table_named(name).measures_accuracy; };
+  return std::ranges::all_of(request.tables, is_judged) && std::ranges::count(request.instances, "-") == 0;
+}
+
+std::string item_of(const InstanceSummary& instance, const std::vector<CellRecord>& known) {
+  RunFile part;
+  part.instances = {instance};
+  std::ranges::copy_if(known, std::back_inserter(part.cells),
+                       [&](const CellRecord& cell) { return cell.spec.instance == instance.id; });
+  return to_json_text(part);
+}
+
+/// Takes over what was found for one instance.
+void take_part(RunFile part, RunFile& record, std::vector<CellRecord>& known) {
+  const InstanceSummary& instance = part.instances.at(0);
+  for (InstanceSummary& own : record.instances)
+    if (own.id == instance.id && !instance.reference.empty()) own.reference = instance.reference;
+  std::erase_if(known, [&](const CellRecord& cell) { return cell.spec.instance == instance.id; });
+  std::ranges::move(part.cells, std::back_inserter(known));
+}
+
+/// What is known of all cells when the crew has assessed them. It is stored when each member has done some instances, for
+/// a run that is killed.
+void assess_with(Crew& crew, const TableRequest& request, CellAssessor& here, RunFile& record,
+                 std::vector<CellRecord>& known, Monitor& progress, const CellCheckpoint& store) {
+  const std::size_t most = 4 * static_cast<std::size_t>(crew.members());
+  const std::string task = std::string(cells_task) + to_text(json_of(request), -1);
+  for (std::size_t first = 0; first < record.instances.size() && !interrupted(); first += most) {
+    progress.progress("answers", static_cast<double>(first) / static_cast<double>(record.instances.size()));
+    std::vector<std::string> items;
+    for (std::size_t i = first; i < std::min(first + most, record.instances.size()); ++i)
+      items.push_back(item_of(record.instances[i], known));
+    const auto results = crew.results(
+        task, items, [&](std::size_t i) { return here.result(items[i]); }, [] { return interrupted(); });
+    for (const std::string& result : results)
+      if (!result.empty()) take_part(parse_run_file(result, "cells"), record, known);
+    store(known);
   }
 }
 
@@ -353,13 +312,13 @@ void require_tasks(const TableRequest& request, const std::vector<CellTask>& tas
 
 }  // namespace
 
-RunFile run_tables(const TableRequest& request, const Publications& publications, Monitor& progress) {
+RunFile run_tables(const TableRequest& request, const Publications& publications, Monitor& progress,
+                   Crew* crew) {
   require_known_strategies(request);
   if (request.resume && !request.out)
     throw UsageError("--resume needs --out: the folder of the run to go on with");
   const std::deque<StrategyEntry> programs = programs_of(request);
   LoadedInstances loaded = load_all(request);
-  add_judges(request, loaded);
   const std::vector<CellTask> tasks = tasks_of(request, loaded, programs);
   require_tasks(request, tasks);
   TimingSettings settings = settings_of(request);
@@ -378,9 +337,24 @@ RunFile run_tables(const TableRequest& request, const Publications& publications
     note_references(loaded, record);
     if (folder) folder->store(record);
   };
+  if (crew != nullptr && is_shared(request)) {
+    CellAssessor here(tasks, loaded, settings);
+    assess_with(*crew, request, here, record, known, progress, store);
+    settings.limits.total_limit_s = here.left_s();
+  }
   store(time_cells(tasks, settings, known, progress, store));
   if (request.out) store_scenes(loaded, record, *request.out, progress);
   return record;
+}
+
+std::function<std::string(const std::string& item)> begin_cells(const std::string& task) {
+  if (!task.starts_with(cells_task)) return {};
+  const JsonValue document = parse_json(std::string_view(task).substr(cells_task.size()), "cells");
+  TableRequest request;
+  const std::string name = "cells";
+  read_json(JsonCursor(document, name), request);
+  const auto shared = std::make_shared<SharedRequest>(std::move(request));
+  return [shared](const std::string& item) { return shared->assessor.result(item); };
 }
 
 }  // namespace gcs

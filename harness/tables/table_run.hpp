@@ -1,33 +1,25 @@
 #pragma once
 /// Measures what tables need.
 
-#include <filesystem>
-#include <optional>
+#include <functional>
 #include <string>
-#include <vector>
 
-#include "harness/runs/cell_timing.hpp"
 #include "harness/runs/run_file.hpp"
-#include "harness/tables/tables.hpp"
+#include "harness/tables/table_tasks.hpp"
+#include "solvers/running/crew.hpp"
 
 namespace gcs {
 
-/// What is asked for. Empty lists: the defaults.
-struct TableRequest {
-  std::vector<std::string> tables;      ///< names of table_kinds()
-  std::vector<std::string> instances;   ///< as load_instance takes them; default: the tables' own
-  std::vector<std::string> strategies;  ///< default: all that the tables show
-  std::optional<int> repetitions;
-  TimingLimits limits;
-  bool full = false;                         ///< without limits of time
-  std::optional<std::filesystem::path> out;  ///< folder in which run.json is kept up to date
-  bool logs_progress = false;                ///< in lines, where standard error is no terminal
-  bool resume = false;                       ///< go on with the run that is there, if any
-  std::vector<std::string> arguments;        ///< the words of the command line, for the record
-};
-
 /// Measures on one thread. Throws InputError for an instance that cannot be read, or a run that cannot be
 /// resumed (see RunFolder); UsageError for names that are unknown or given twice; OutputError.
-RunFile run_tables(const TableRequest& request, const Publications& publications, Monitor& progress);
+///
+/// Where there is a crew and the tables hold answers against references, it shares what is solved for the answers, all
+/// cells of an instance at a time, which takes their reference and what decides whether a variant is too slow; times are
+/// measured by this process alone, and after that. The answers are those of one process.
+RunFile run_tables(const TableRequest& request, const Publications& publications, Monitor& progress,
+                   Crew* crew = nullptr);
+
+/// What another process of the crew does of each item, where `task` is one of run_tables; otherwise empty.
+std::function<std::string(const std::string& item)> begin_cells(const std::string& task);
 
 }  // namespace gcs

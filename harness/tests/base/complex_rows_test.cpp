@@ -6,6 +6,7 @@
 #include <random>
 
 #include "solvers/reading/json_build.hpp"
+#include "solvers/reading/json_document.hpp"
 
 using namespace gcs;
 

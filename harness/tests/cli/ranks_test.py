@@ -17,7 +17,7 @@ import unittest
 from pathlib import Path
 
 import command_line
-from command_line import BAD_INPUT, DONE, argv, run
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, argv, run
 
 MPIRUN = shutil.which("mpirun")
 MODULE = Path(argv()[0]).with_name("gcsbench_mpi.so")
@@ -41,6 +41,14 @@ def answer(text):
 
 def own_lines(done):
     return [line for line in done.stderr.splitlines() if line.startswith("gcsbench")]
+
+
+def cells(folder):
+    """Of a run, what does not depend on the load: every cell without its times."""
+    run_file = json.loads((folder / "run.json").read_text())
+    timed = ("warm_up_s", "limit_s", "estimate_s", "repetitions")
+    found = [{key: value for key, value in cell.items() if key not in timed} for cell in run_file["cells"]]
+    return found, [len(cell["repetitions"]) for cell in run_file["cells"]], run_file["instances"]
 
 
 def ranks_of(process):
@@ -73,6 +81,53 @@ class Ranks(command_line.CommandLine):
                     done = run_ranks(ranks, *solve, "--out", "-")
                     self.assertEqual(done.returncode, DONE, done.stderr)
                     self.assertEqual(answer(done.stdout), answer(alone.stdout))
+
+    def test_sweeps_have_the_cells_of_one_process(self):
+        for sweep in [["stability", "flat-triangle", "near-miss", "--strategies", "full-space,rcp"],
+                      ["precision", "octahedron", "disulfide", "--strategies", "rcp,cayley-menger"]]:
+            folders = [self.folder / f"{sweep[0]}{ranks}" for ranks in (1, 2, 3)]
+            words = [*sweep, "--repetitions", "1", "--out"]
+            alone = run(*words, folders[0])
+            self.assertIn(alone.returncode, (DONE, CHECK_FAILED), alone.stderr)
+            for ranks, folder in enumerate(folders[1:], 2):
+                with self.subTest(sweep=sweep, ranks=ranks):
+                    done = run_ranks(ranks, *words, folder)
+                    self.assertEqual(done.returncode, alone.returncode, done.stderr)
+                    self.assertEqual(cells(folder), cells(folders[0]))
+
+    def test_ranks_share_what_is_solved_for_answers_and_the_first_one_alone_measures_times(self):
+        log = self.folder / "log"
+        program = self.folder / "program"
+        program.write_text(f"""#!/bin/sh
+cat > /dev/null
+echo $OMPI_COMM_WORLD_RANK >> {log}
+echo '{{"solutions": []}}'
+""")
+        program.chmod(0o755)
+        done = run_ranks(2, "stability", "flat-triangle", "--strategies", f"exec:{program}", "--repetitions", "3",
+                         "--out", self.folder / "run")
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        found, repetitions, _ = cells(self.folder / "run")
+        solves = log.read_text().split()
+        self.assertEqual(len(solves), len(found) + sum(repetitions))
+        self.assertTrue(0 < solves.count("1") < len(found), solves)
+        self.assertEqual(set(solves[len(found):]), {"0"})
+
+    def test_a_sweep_of_which_a_rank_was_killed_goes_on(self):
+        folder = self.folder / "run"
+        words = ["stability", "flat-triangle", "--repetitions", "1"]
+        alone = run(*words, "--out", self.folder / "alone")
+        process = subprocess.Popen(mpirun(2, *words, "--out", folder), stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        while len(ranks_of(process)) < 2 and process.poll() is None:
+            time.sleep(0.01)
+        time.sleep(0.3)
+        for rank in ranks_of(process)[1:]:
+            os.kill(rank, signal.SIGKILL)
+        self.assertNotEqual(process.wait(LIMIT_S), DONE)
+        done = run_ranks(2, *words, "--out", folder, "--resume")
+        self.assertEqual(done.returncode, alone.returncode, done.stderr)
+        self.assertEqual(cells(folder), cells(self.folder / "alone"))
 
     def test_one_message_tells_of_an_error(self):
         done = run_ranks(3, "solve", "nowhere.json", "--strategy", "monodromy")

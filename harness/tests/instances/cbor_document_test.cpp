@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "solvers/reading/json_document.hpp"
+
 using namespace gcs;
 
 namespace {

@@ -137,11 +137,13 @@ Ordered encoded(const JsonValue& value) {
       return utf8_text(value.text);
     case JsonValue::Kind::array: {
       Ordered::array_t elements;
+      elements.reserve(value.elements.size());
       for (const JsonValue& element : value.elements) elements.push_back(encoded(element));
       return elements;
     }
     case JsonValue::Kind::object: {
       Ordered::object_t members;
+      members.reserve(value.members.size());
       for (const auto& [name, member] : value.members) members.emplace_back(utf8_text(name), encoded(member));
       return members;
     }

@@ -223,6 +223,9 @@ class ExternalProgram(command_line.WithFolder):
             done = self.solve(strategy)
             self.assertEqual(done.returncode, 2)
             self.assertIn("needs a command", done.stderr)
+        done = self.solve("exec:echo \udcff")  # a byte that is no text
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("UTF-8", done.stderr)
         self.assertEqual(self.solve(self.prints(answer(RIGHT)), "--set", "a=b").returncode, 2)
         self.assertEqual(self.solve(self.prints(answer(RIGHT)), "--resume", str(self.folder / "journal")).returncode, 2)
 

@@ -48,6 +48,7 @@ double rounded_ratio_of(const Matrix& matrix) {
   const Eigen::VectorXd squares = rounded_squares(lower_gram_matrix(matrix));
   const double ratio = std::sqrt(squares.maxCoeff() / squares.minCoeff());
   if (ratio <= small) return ratio;
+  if (matrix.rows() != matrix.cols()) return ratio_of(matrix);
   const Matrix inverse = matrix.partialPivLu().inverse();
   const Matrix gram = inverse.adjoint() * inverse;
   if (!gram.allFinite()) return std::numeric_limits<double>::infinity();

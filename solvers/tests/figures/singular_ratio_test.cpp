@@ -42,6 +42,16 @@ TEST_CASE("rounded ratios of singular values are those that a matrix was made of
     }
 }
 
+TEST_CASE("more equations than unknowns have the ratio of the singular values that there are") {
+  std::mt19937_64 random(6);
+  for (const double ratio : {30.0, 1e6}) {
+    Eigen::MatrixXcd tall = Eigen::MatrixXcd::Zero(11, 8);
+    tall.topRows(8) = matrix_of_ratio(8, ratio, random);
+    const Eigen::MatrixXcd turned = random_unitary(11, random) * tall;
+    CHECK(std::abs(rounded_singular_ratio(turned) / ratio - 1) < 1e-7 + 1e-14 * ratio);
+  }
+}
+
 TEST_CASE("a singular matrix has no finite ratio that a regular one has") {
   Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Identity(4, 4);
   matrix.row(3) = matrix.row(2);

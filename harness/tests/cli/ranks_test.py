@@ -17,7 +17,7 @@ import unittest
 from pathlib import Path
 
 import command_line
-from command_line import BAD_INPUT, CHECK_FAILED, DONE, argv, run
+from command_line import BAD_INPUT, CHECK_FAILED, DONE, SOURCE, argv, run
 
 MPIRUN = shutil.which("mpirun")
 MODULE = Path(argv()[0]).with_name("gcsbench_mpi.so")
@@ -31,7 +31,8 @@ def mpirun(ranks, *arguments):
 
 
 def run_ranks(ranks, *arguments):
-    return subprocess.run(mpirun(ranks, *arguments), capture_output=True, text=True, timeout=LIMIT_S)
+    """In the same folder as one process does, as files of instances are shown from there."""
+    return subprocess.run(mpirun(ranks, *arguments), capture_output=True, text=True, timeout=LIMIT_S, cwd=SOURCE)
 
 
 def answer(text):

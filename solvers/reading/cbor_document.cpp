@@ -113,7 +113,9 @@ std::optional<Integer> integer_of(const std::string& text) {
 
 Ordered encoded_double(double value) {
   constexpr double largest_exact_integer = 9007199254740992;  // 2^53
-  const bool is_integer = std::abs(value) <= largest_exact_integer && value == std::trunc(value);
+  const bool is_negative_zero = value == 0 && std::signbit(value);
+  const bool is_integer =
+      std::abs(value) <= largest_exact_integer && value == std::trunc(value) && !is_negative_zero;
   return is_integer ? Ordered(static_cast<std::int64_t>(value)) : Ordered(value);
 }
 

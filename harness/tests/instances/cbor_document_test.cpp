@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "solvers/reading/json_build.hpp"
 #include "solvers/reading/json_document.hpp"
 
 using namespace gcs;
@@ -98,6 +99,13 @@ TEST_CASE("whatever JSON says comes back from CBOR as it was written") {
     const JsonValue back = parse_cbor(to_cbor(value), "f");
     CHECK(to_text(back, -1) == to_text(value, -1));
     CHECK(back.number == value.number);
+  }
+}
+
+TEST_CASE("computed numbers come back from CBOR as JSON shows them") {
+  for (const double number : {0.0, -0.0, 3.0, -7.0, 0.1, -1e300, 5e-324, 9007199254740992.0, 1e17}) {
+    const JsonValue value = json_number(number);
+    CHECK(to_text(parse_cbor(to_cbor(value), "f"), -1) == to_text(value, -1));
   }
 }
 

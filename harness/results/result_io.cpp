@@ -240,7 +240,8 @@ void rewrite_result(const JsonValue& result, const TextSink& take, const Documen
     if (name == "format") continue;
     const bool is_list = name == "solutions" || name == "escaping";
     if (is_list && value.kind == JsonValue::Kind::array)
-      document.list(name, value.elements, [](const JsonValue& element) { return element; });
+      document.list(name, value.elements,
+                    [](const JsonValue& element) -> const JsonValue& { return element; });
     else
       document.member(name, value);
   }

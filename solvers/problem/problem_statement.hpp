@@ -20,13 +20,13 @@ struct Decimal {
 
 /// A line by a point on it and a direction of length 1.
 struct LinePosition {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d point{0, 0, 0};
+  Eigen::Vector3d direction{1, 0, 0};
 };
 
 /// A plane with a side: normal·x = offset, the normal of length 1.
 struct PlanePosition {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d normal{0, 0, 1};
   double offset = 0;
 };
 
@@ -71,8 +71,8 @@ struct DistanceConstraint {
 
 /// Where a frame is: its origin, and rows that are its axes.
 struct FramePose {
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Eigen::Vector3d origin{0, 0, 0};
 };
 
 /// Which entities fix the frame; −1: not used. Points: origin, axis and (in space) plane.

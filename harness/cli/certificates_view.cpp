@@ -36,10 +36,12 @@ std::string infinity_text(const Proofs& proofs) {
 
 std::string certificates_text(const Proofs& proofs, std::size_t solutions, bool lists_all_complex) {
   if (proofs.why_none) return summary_line("certified", "nothing: " + *proofs.why_none);
+  // Of more than are listed where the real ones alone are.
+  const std::string listed = proofs.classes > solutions ? "" : fmt::format(" of {}", solutions);
   std::string text = summary_line(
-      "certified", fmt::format("{} of {} solutions exist, each in a class of its own, {} of them real; "
+      "certified", fmt::format("{}{} solutions exist, each in a class of its own, {} of them real; "
                                "proven in {} bits at most",
-                               proofs.classes, solutions, proofs.real, proofs.most_bits));
+                               proofs.classes, listed, proofs.real, proofs.most_bits));
   if (proofs.clusters > 0)
     text += summary_line("clusters", fmt::format("{} solutions stand for {}, counted with multiplicities, "
                                                  "that are not told apart",

@@ -14,6 +14,7 @@ using Complex = std::complex<double>;
 
 constexpr double first_radius = 0.1;       // where the endgame begins: the last tenth of the way
 constexpr double radius_ratio = 1.0 / 8;   // of one circle to the next
+constexpr double pole_ratio = 1.0 / 2;     // of one that reads a pole to the next: doubles lose what grows
 constexpr double smallest_radius = 1e-13;  // of σ; the arithmetic of higher precision resolves it
 constexpr int corners = 8;                 // samples of a round
 constexpr int most_rounds = 8;             // winding numbers beyond are left to smaller circles
@@ -179,6 +180,7 @@ class Endgame {
       }
       walk(paths, radius);
       decide(paths, radius);
+      confirm_poles(paths, radius);
       arrive_at_regular_ends();
       advance(paths, radius, radius * radius_ratio);
     }
@@ -236,8 +238,7 @@ class Endgame {
     for (std::size_t i = 0; i < paths.size(); ++i)
       if (results[i].state.end == LegEnd::arrived)
         ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, true, ""};
-    std::erase_if(paths,
-                  [&](const ActivePath& path) { return ends_[path.number].kind == PathEnd::Kind::regular; });
+    remove_ended(paths);
   }
 
   /// Rounds of σ = radius·e^(iφ) until every steady path is back at its start.
@@ -282,8 +283,26 @@ class Endgame {
       if (path.last) conclude(path, *path.last, reading, radius);
       path.last = std::move(reading);
     }
+    remove_ended(paths);
+  }
+
+  void remove_ended(std::vector<ActivePath>& paths) const {
     std::erase_if(paths,
                   [&](const ActivePath& path) { return ends_[path.number].kind != PathEnd::Kind::failed; });
+  }
+
+  /// Where a circle reads a pole at σ = 0, a second one next to it. A pole elsewhere between the two, or within, would have
+  /// shown in the first one's lower powers.
+  void confirm_poles(std::vector<ActivePath>& paths, double radius) {
+    std::vector<ActivePath> poles;
+    for (const ActivePath& path : paths)
+      if (path.last && path.last->kind == CircleReading::Kind::pole && path.last->is_at_infinity())
+        poles.push_back({path.number, path.x, {}, path.last});
+    advance(poles, radius, radius * pole_ratio);
+    for (ActivePath& path : poles) path.is_steady = true;
+    walk(poles, radius * pole_ratio);
+    decide(poles, radius * pole_ratio);
+    remove_ended(paths);
   }
 
   /// Of a circle that encloses the ends of several paths the constant term lies between these.

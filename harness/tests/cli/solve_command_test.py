@@ -148,6 +148,8 @@ class Solve(command_line.CommandLine):
         # Bartzos, Emiris, Schicho 2020: at most 16 in the fixed frame, 8 up to reflection.
         self.assertIn("proven: the upper bound of 8 is met", done.stdout)
         self.assertEqual(run("verify", out).returncode, DONE)
+        real = run("solve", "octahedron", "--strategy", "cayley-menger", "--certify", "--solutions", "real")
+        self.assertRegex(real.stdout, "certified +8 solutions exist")
         result = json.loads(out.read_text())
         result["solutions"][0]["points"]["p4"][0] += 1e-9
         out.write_text(json.dumps(result))

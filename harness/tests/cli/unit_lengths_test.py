@@ -4,11 +4,12 @@
 Usage: unit_lengths_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
+import json
 import random
 import unittest
 
 import command_line
-from command_line import PROGRAM, SOURCE
+from command_line import PROGRAM, run
 
 sweep_unit_lengths = command_line.load_script("sweep-unit-lengths")
 
@@ -45,6 +46,16 @@ class UnitLengths(unittest.TestCase):
         found[0][1].update(status="partial", reason="two paths failed")
         self.assertIn("plane, 5 points: 0-1", sweep_unit_lengths.text([("plane, 5 points", found)]))
         self.assertIn("two paths failed", sweep_unit_lengths.text([("plane, 5 points", found)]))
+
+    def test_what_grows_with_the_square_of_the_way_that_is_left_is_at_infinity(self):
+        """Two rhombi at a point, the opposite ones a bar apart: a triangle with the sides 1 and twice 0 or √3, so twice √3. It and
+        the rhombi may be turned over, and p7 is on p0 or p3: 8 up to reflection. With a rhombus folded the rest is at infinity."""
+        rhombi = [(0, 1), (0, 2), (0, 4), (0, 5), (1, 2), (1, 3), (1, 7), (2, 3), (2, 7), (3, 6), (4, 5), (4, 6), (5, 6)]
+        problem = json.dumps(sweep_unit_lengths.instance(rhombi, 8, 2))
+        for seed in ("1", "2", "6"):
+            solve = run("--quiet", "solve", "-", "--strategy", "monodromy", "--seed", seed, "--out", "-", text_in=problem)
+            result = json.loads(solve.stdout)
+            self.assertEqual((result["reason"], result["status"], result["counts"]["complex"]), ("", "complete", 8))
 
 
 if __name__ == "__main__":

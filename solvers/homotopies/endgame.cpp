@@ -22,9 +22,11 @@ constexpr double direct_step = 1e-7;       // of the last tenth; a pole not much
 constexpr std::size_t batch = 4096;        // paths between two reports of progress: seconds
 
 /// Circles that enclose other branch points are long and say nothing: a path is walked around once it grows
-/// by a steady power of σ, or where the radius is so small that waiting has not helped.
+/// by a steady power of σ, where the radius is so small that waiting has not helped, or so far away that doubles soon do not
+/// tell it: there they hold its squared lengths to 1e-6, in units of the scene.
 constexpr double steady_power = 0.12;  // change of the power from one radius to the next
 constexpr double waiting_ends = 1e-4;
+constexpr double far_away = 1e5;
 
 /// Relative to the largest |x_i| on the circle.
 constexpr double closed = 1e-8;       // start and end of a walk are one point
@@ -210,7 +212,8 @@ class Endgame {
     const std::vector<LegResult> results = follow(pointers(paths), first, last, 0);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const double power = std::log(largest(results[i].x) / largest(paths[i].x)) / std::log(first / last);
-      paths[i].is_steady = std::abs(power - paths[i].power) <= steady_power || last <= waiting_ends;
+      paths[i].is_steady = std::abs(power - paths[i].power) <= steady_power || last <= waiting_ends ||
+                           largest(results[i].x) >= far_away;
       paths[i].power = power;
       paths[i].x = results[i].x;
       paths[i].is_lost = results[i].state.end != LegEnd::arrived;
@@ -291,12 +294,11 @@ class Endgame {
                   [&](const ActivePath& path) { return ends_[path.number].kind != PathEnd::Kind::failed; });
   }
 
-  /// Where a circle reads a pole at σ = 0, a second one next to it. A pole elsewhere between the two, or within, would have
-  /// shown in the first one's lower powers.
+  /// Where a circle reads a pole, a second one next to it. A pole elsewhere, between the two or within, shows in lower powers.
   void confirm_poles(std::vector<ActivePath>& paths, double radius) {
     std::vector<ActivePath> poles;
     for (const ActivePath& path : paths)
-      if (path.last && path.last->kind == CircleReading::Kind::pole && path.last->is_at_infinity())
+      if (path.last && path.last->kind == CircleReading::Kind::pole)
         poles.push_back({path.number, path.x, {}, path.last});
     advance(poles, radius, radius * pole_ratio);
     for (ActivePath& path : poles) path.is_steady = true;

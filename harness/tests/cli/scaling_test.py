@@ -7,7 +7,6 @@ Usage: scaling_test.py PROGRAM SOURCE_DIR [unittest arguments]
 import importlib.util
 import random
 import unittest
-from unittest import mock
 
 import command_line
 from command_line import PROGRAM
@@ -35,14 +34,6 @@ class Scaling(command_line.WithFolder):
             self.assertEqual((proven, all_proven), (classes, True))
             self.assertGreaterEqual(real, 1)  # the figure of which the lengths are
             self.assertTrue(all(0 < one.peak_bytes < 1e9 and one.cpu_s < 100 for one in (count, took)))
-
-    def test_the_first_graph_with_so_many_classes_is_taken(self):
-        with mock.patch.object(scaling, "LARGE", {7: 1, 8: 60}):
-            (small, *_), (large, classes, _) = scaling.large_ones(PROGRAM)
-        self.assertEqual(small["id"], "random-7-1")
-        earlier = range(1, int(large["id"].split("-")[-1]))
-        self.assertGreaterEqual(classes, 60)
-        self.assertTrue(all(scaling.counted(PROGRAM, scaling.instance(8, seed))[0] < 60 for seed in earlier))
 
     def test_the_table_and_the_plot_show_medians(self):
         solves = [scaling.Solve(10, True, 100, paths, 5000, s, 10**9, {}) for paths, s in ((300, 0.01), (200, 0.02), (400, 0.03))]

@@ -81,6 +81,15 @@ constexpr double neighbourhood = 2e-5;
 /// Below this condition number no solution is so near another that doubles do not tell them apart.
 constexpr double regular = 1e4;
 
+/// The relative residual of a solution for rounded lengths, if that is what it should be.
+constexpr double rounded_lengths = 1e-9;
+
+/// How far from a solution, beside its size, numbers may be that stand for it where their distances are off.
+constexpr double near_enough = 1e-3;
+
+/// A proof in balls takes time cubic in them.
+constexpr int most_unknowns = 100;
+
 bool is_multiple_solution(const Scene& scene, const Figure& figure) {
   return relative_residual(scene, figure) <= double_root_residual &&
          jacobian_condition(scene, figure) >= regular;
@@ -119,7 +128,7 @@ class ComplexReporter {
     const bool is_isolated =
         is_singular ? can_be_isolated(scene_, complex_figure(system_, distinct[i]), distinct.paths(i))
                     : !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
-    missing_.too_far += loses_distances(scene_, figure);
+    missing_.too_far += is_singular && loses_distances(scene_, figure);
     missing_.lonely += is_lonely && is_isolated;
     missing_.not_isolated += !is_isolated;
     if (!is_isolated && !loose_end_) loose_end_ = distinct[i];
@@ -175,11 +184,33 @@ class ComplexReporter {
     report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
   }
 
-  /// Of complex ones those that have neighbours are proven when all are known.
+  /// Of complex ones those that have neighbours are proven when all are known, and at once those whose distances are not
+  /// those of the file, in doubles.
   void add_proven(const Figure& figure) {
+    const bool is_far = loses_distances(scene_, figure);
+    const bool is_off = !figure.is_real() && relative_residual(scene_, figure) > rounded_lengths;
+    if (is_far || is_off)
+      if (const auto proven = proven_next_to(figure)) return report_.candidates.push_back(*proven);
+    missing_.too_far += is_far;
     report_.candidates.push_back({figure, 1});
     Candidate& candidate = report_.candidates.back();
     if (figure.is_real()) candidate.error = proven_error(scene_, squares_, figure);
+  }
+
+  /// The solution with the file's lengths next to a complex figure, rounded to doubles.
+  std::optional<Candidate> proven_next_to(const Figure& figure) const {
+    constexpr int precise_bits = 128;
+    if (scene_.has_lines() || system_.unknowns() > most_unknowns || why_not_certified(scene_))
+      return std::nullopt;
+    const SceneEquations equations(scene_);
+    const ComplexVectorX x = equations.coordinates(figure);
+    const Certificate certificate = Certifier(equations.system()).certify(x, precise_bits);
+    if (!certificate.is_proven || certificate.realness != Certificate::Realness::not_real)
+      return std::nullopt;
+    const Figure rounded = complex_figure(system_, certificate.enclosure.mid);
+    const double moved = distance(x, certificate.enclosure.mid);
+    if (moved > near_enough * (1 + largest(x))) return std::nullopt;
+    return Candidate{rounded, 1, equations.distance(rounded, certificate)};
   }
 
   /// Of simple complex solutions that their distances alone may not tell apart. There are few.

@@ -5,6 +5,7 @@
 #include "solvers/counting/scene_analysis.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/homotopies/complex_report.hpp"
+#include "solvers/homotopies/precise_ends.hpp"
 #include "solvers/homotopies/released_report.hpp"
 
 namespace gcs {
@@ -154,6 +155,8 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   std::vector<PathEnd> ends = follow_to_end(start.tracking, start.solutions(), start.squares(), squares,
                                             is_zero, stopped, progress, work);
   settle(start.system, squares, ends);
+  if (has_precise_ends(request.scene))
+    continue_ends(request.scene, start.squares(), squares, ends, request.stop);
   std::mt19937_64 random(request.seed);
   SolveReport report = complex_report(request.scene, start.coordinates, ends, work, random, request.stop);
   add_start(start, report);

@@ -12,10 +12,12 @@ DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, st
   for (const PathEnd& end : ends) {
     const bool is_singular = end.kind == PathEnd::Kind::singular;
     if (!is_singular && end.kind != PathEnd::Kind::regular) continue;
-    const int number = set_.insert(end.x, uncertainty(is_singular));
+    const RelativeTo size = end.is_precise ? RelativeTo::each : RelativeTo::largest;
+    const int number = set_.insert(end.x, uncertainty(is_singular), size);
     if (number == static_cast<int>(paths_.size())) {
       paths_.push_back(0);
       singular_.push_back(false);
+      size_.push_back(size);
     }
     ++paths_[number];
     if (is_singular) singular_[number] = true;
@@ -25,7 +27,7 @@ DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, st
 bool DistinctEnds::has_conjugate(int i) const {
   ComplexVectorX conjugate = set_[i];
   for (std::complex<double>& value : conjugate) value = std::conj(value);
-  return set_.find(conjugate, uncertainty(singular_[i])) >= 0;
+  return set_.find(conjugate, uncertainty(singular_[i]), size_[i]) >= 0;
 }
 
 int DistinctEnds::jumps() const {

@@ -31,6 +31,7 @@ class DistinctEnds {
   SolutionSet set_;
   std::vector<int> paths_;
   std::vector<bool> singular_;
+  std::vector<RelativeTo> size_;  ///< of each end's uncertainty
 };
 
 }  // namespace gcs

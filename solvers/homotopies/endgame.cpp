@@ -12,7 +12,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double first_radius = 0.1;       // where the endgame begins: the last tenth of the way
 constexpr double radius_ratio = 1.0 / 8;   // of one circle to the next
 constexpr double pole_ratio = 1.0 / 2;     // of one that reads a pole to the next: doubles lose what grows
 constexpr double smallest_radius = 1e-13;  // of σ; the arithmetic of higher precision resolves it
@@ -150,7 +149,8 @@ bool may_be_regular(const PathEnd& end) {
 
 struct ActivePath {
   std::size_t number = 0;
-  ComplexVectorX x;  ///< at σ = the current radius
+  ComplexVectorX x;         ///< at σ = the current radius
+  ComplexVectorX before{};  ///< at the first one
   std::vector<ComplexVectorX> samples{};
   std::optional<CircleReading> last{};
   /// The last one that two circles agreed on, of an end that is no zero.
@@ -173,6 +173,7 @@ class Endgame {
     std::vector<ActivePath> paths;
     for (std::size_t i = 0; i < starts.size(); ++i) paths.push_back({i, starts[i]});
     advance(paths, 1, first_radius);
+    for (ActivePath& path : paths) path.before = path.x;
     approach(paths, first_radius, direct_step);
     for (double radius = first_radius; !paths.empty() && !stopped_(); radius *= radius_ratio) {
       if (radius < smallest_radius) {
@@ -188,7 +189,7 @@ class Endgame {
     }
     if (stopped_())
       for (const ActivePath& path : paths)
-        ends_[path.number] = {PathEnd::Kind::stopped, path.x, 1, 0, true, "stopped on the way"};
+        ends_[path.number] = {PathEnd::Kind::stopped, path.x, 1, 0, {}, true, "stopped on the way"};
     return std::move(ends_);
   }
 
@@ -211,12 +212,13 @@ class Endgame {
   void advance(std::vector<ActivePath>& paths, double first, double last) {
     const std::vector<LegResult> results = follow(pointers(paths), first, last, 0);
     for (std::size_t i = 0; i < paths.size(); ++i) {
+      paths[i].is_lost = results[i].state.end != LegEnd::arrived;
+      if (paths[i].is_lost) continue;
       const double power = std::log(largest(results[i].x) / largest(paths[i].x)) / std::log(first / last);
       paths[i].is_steady = std::abs(power - paths[i].power) <= steady_power || last <= waiting_ends ||
                            largest(results[i].x) >= far_away;
       paths[i].power = power;
       paths[i].x = results[i].x;
-      paths[i].is_lost = results[i].state.end != LegEnd::arrived;
     }
     if (!stopped_()) remove_lost(paths, "its steps became too small");
   }
@@ -224,8 +226,9 @@ class Endgame {
   void remove_lost(std::vector<ActivePath>& paths, const std::string& cause) {
     std::erase_if(paths, [&](const ActivePath& path) {
       if (path.is_lost)
-        ends_[path.number] = path.between ? singular_end(*path.between)
-                                          : PathEnd{PathEnd::Kind::failed, path.x, 1, 0, false, cause};
+        ends_[path.number] = path.between
+                                 ? singular_end(*path.between)
+                                 : PathEnd{PathEnd::Kind::failed, path.x, 1, 0, path.before, false, cause};
       return path.is_lost;
     });
   }
@@ -240,7 +243,7 @@ class Endgame {
     const std::vector<LegResult> results = follow(pointers(paths), radius, 0, shortest_step);
     for (std::size_t i = 0; i < paths.size(); ++i)
       if (results[i].state.end == LegEnd::arrived)
-        ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, true, ""};
+        ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, {}, true, ""};
     remove_ended(paths);
   }
 
@@ -319,7 +322,8 @@ class Endgame {
       return;
     const double change = distance(before.leading, now.leading) / largest(now.leading);
     if (now.kind == CircleReading::Kind::pole && now.is_at_infinity() && change <= agreed_pole)
-      ends_[path.number] = {PathEnd::Kind::at_infinity, path.x, now.winding_number, now.pole_order, true, ""};
+      ends_[path.number] = {
+          PathEnd::Kind::at_infinity, path.x, now.winding_number, now.pole_order, path.before, true, ""};
     if (now.kind != CircleReading::Kind::finite || change > agreed_end) return;
     if (may_lie_between(now, radius))
       path.between = now;
@@ -328,7 +332,7 @@ class Endgame {
   }
 
   static PathEnd singular_end(const CircleReading& reading) {
-    return {PathEnd::Kind::singular, reading.leading, reading.winding_number, 0, false, ""};
+    return {PathEnd::Kind::singular, reading.leading, reading.winding_number, 0, {}, false, ""};
   }
 
   /// A path that closes after one round and has a constant term may end at a regular point, beside a pole.

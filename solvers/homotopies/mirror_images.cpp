@@ -13,6 +13,9 @@ namespace {
 /// rounding.
 constexpr double equality = 1e-9;
 
+/// An entry that is 0 may come out as this, likewise, where each is right to its own rounding.
+constexpr double vanishing = 1e-60;
+
 }  // namespace
 
 std::vector<int> divided_by_none(const std::vector<int>& axes) { return std::vector<int>(axes.size(), -1); }
@@ -50,27 +53,35 @@ SolutionSet::Key SolutionSet::key_of(const ComplexVectorX& x, double uncertainty
   return key;
 }
 
-bool SolutionSet::equal(const ComplexVectorX& x, const ComplexVectorX& y, double uncertainty) const {
-  const double tolerance = (equality + uncertainty) * (1 + std::max(largest(x), largest(y)));
+bool SolutionSet::equal(const ComplexVectorX& x, const ComplexVectorX& y, const Accuracy& accuracy) const {
+  const double most = 1 + std::max(largest(x), largest(y)), relative = equality + accuracy.uncertainty;
+  const auto tolerance = [&](std::size_t i) {
+    if (accuracy.size == RelativeTo::largest) return relative * most;
+    return relative * std::max({std::abs(x[i]), std::abs(y[i]), vanishing * most});
+  };
   return some_signs_fit(
-      signs_, [&](std::size_t i, double sign) { return std::abs(x[i] - sign * y[i]) <= tolerance; });
+      signs_, [&](std::size_t i, double sign) { return std::abs(x[i] - sign * y[i]) <= tolerance(i); });
 }
 
-int SolutionSet::find(const ComplexVectorX& x, double uncertainty) const {
+/// Both have to be known by each entry where that decides.
+int SolutionSet::find(const ComplexVectorX& x, double uncertainty, RelativeTo size) const {
   // The set's own uncertainties are within the factor 2 of the window, or told apart by `equal`.
   const Key key = key_of(x, 2 * uncertainty);
   const auto end = by_key_.upper_bound(key.value + key.window);
-  for (auto entry = by_key_.lower_bound(key.value - key.window); entry != end; ++entry)
-    if (equal(x, solutions_[entry->second], uncertainty + uncertainties_[entry->second]))
-      return entry->second;
+  for (auto entry = by_key_.lower_bound(key.value - key.window); entry != end; ++entry) {
+    const Accuracy& known = accuracies_[entry->second];
+    const bool is_of_each = size == RelativeTo::each && known.size == RelativeTo::each;
+    const Accuracy both{uncertainty + known.uncertainty, is_of_each ? RelativeTo::each : RelativeTo::largest};
+    if (equal(x, solutions_[entry->second], both)) return entry->second;
+  }
   return -1;
 }
 
-int SolutionSet::insert(const ComplexVectorX& x, double uncertainty) {
-  if (const int known = find(x, uncertainty); known >= 0) return known;
-  const int number = size();
+int SolutionSet::insert(const ComplexVectorX& x, double uncertainty, RelativeTo size) {
+  if (const int known = find(x, uncertainty, size); known >= 0) return known;
+  const int number = this->size();
   solutions_.push_back(x);
-  uncertainties_.push_back(uncertainty);
+  accuracies_.push_back({uncertainty, size});
   by_key_.emplace(key_of(x, uncertainty).value, number);
   return number;
 }

@@ -16,16 +16,18 @@ std::vector<int> divided_by_none(const std::vector<int>& axes);
 /// How many solutions a class has at generic lengths: 2 to the number of axes.
 int image_count(const std::vector<int>& axes);
 
+/// What the uncertainty of a solution x is relative to: 1 + the largest |x_i|, or for every entry |x_i| itself.
+enum class RelativeTo { largest, each };
+
 /// Distinct solutions of one system, up to changes of signs.
 class SolutionSet {
  public:
   SolutionSet(SignMasks signs, std::mt19937_64& random);
 
-  /// The number of the solution that equals x up to signs, or −1. `uncertainty`: of x, relative to
-  /// 1 + the largest |x_i|.
-  int find(const ComplexVectorX& x, double uncertainty) const;
+  /// The number of the solution that equals x up to signs, or −1.
+  int find(const ComplexVectorX& x, double uncertainty, RelativeTo size = RelativeTo::largest) const;
   /// The number of x, which is a new one where `find` knows none.
-  int insert(const ComplexVectorX& x, double uncertainty);
+  int insert(const ComplexVectorX& x, double uncertainty, RelativeTo size = RelativeTo::largest);
 
   int size() const { return static_cast<int>(solutions_.size()); }
   const ComplexVectorX& operator[](int i) const { return solutions_[i]; }
@@ -37,8 +39,13 @@ class SolutionSet {
     double window = 0;  ///< how far those of equal solutions may be apart
   };
 
+  struct Accuracy {
+    double uncertainty = 0;
+    RelativeTo size = RelativeTo::largest;
+  };
+
   Key key_of(const ComplexVectorX& x, double uncertainty) const;
-  bool equal(const ComplexVectorX& x, const ComplexVectorX& y, double uncertainty) const;
+  bool equal(const ComplexVectorX& x, const ComplexVectorX& y, const Accuracy& accuracy) const;
 
   SignMasks signs_;
   std::vector<std::size_t>
@@ -46,7 +53,7 @@ class SolutionSet {
   std::size_t kinds_;
   std::vector<double> weights_;
   std::vector<ComplexVectorX> solutions_;
-  std::vector<double> uncertainties_;
+  std::vector<Accuracy> accuracies_;
   std::multimap<double, int> by_key_;
 };
 

@@ -1,0 +1,32 @@
+#pragma once
+/// Ends of paths at which doubles do not hold the lengths: far away, or at infinity.
+///
+/// Rounding the squared lengths A by δ moves an end that runs away like σ^(−p) to a finite one of size δ^(−p) or back, so
+/// doubles do not tell which of the two the file has. The path to its own lengths, f(x) = A + σ·way, is followed on in
+/// balls' arithmetic: x is extrapolated in log σ, by the same weights for all its entries, so that differences of points
+/// that are far away together come out as well as these, and settled by Newton's method. Lengths are measured beside the
+/// edges: |h| = max over e of |h_a − h_b| / |x_a − x_b|, e = ab.
+///
+/// The end is finite where Smale's α is small: the Jacobian J does not depend on A, so that with
+///   β = |J⁻¹(f(x) − A)|,  γ = |J⁻¹ D²f|/2,  β·γ < (13 − 3·√17)/4
+/// x is an approximate zero for A + σ'·way for every σ' from σ down to 0, and these zeros are one path (Blum, Cucker, Shub,
+/// Smale, Complexity and Real Computation (1998), chapter 8). It is at infinity where that is so nowhere down to σ = 1e-60.
+
+#include <stop_token>
+
+#include "solvers/homotopies/endgame.hpp"
+#include "solvers/model/scene.hpp"
+
+namespace gcs {
+
+/// Whether ends of its paths are continued: points at distances, with nothing given.
+bool has_precise_ends(const Scene& scene);
+
+/// Makes ends finite that are, of those at infinity and of those that failed beside their end; `from` and `to` are the
+/// squared lengths in doubles that the paths went between. Where that would take more than seconds, ends at infinity are
+/// believed if lengths of the file let points escape (escapes.hpp), and else have failed. Precondition:
+/// has_precise_ends(scene), whose frame the ends are in.
+void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
+                   std::vector<PathEnd>& ends, const std::stop_token& stop);
+
+}  // namespace gcs

@@ -164,9 +164,9 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
   return proofs;
 }
 
-void prove_errors(const Scene& scene, int threads, std::vector<Candidate>& candidates,
-                  const std::stop_token& stop) {
-  if (why_not_certified(scene)) return;
+std::size_t prove_errors(const Scene& scene, int threads, std::vector<Candidate>& candidates,
+                         const std::stop_token& stop) {
+  if (why_not_certified(scene)) return 0;
   std::vector<Figure> figures;
   for (const Candidate& candidate : candidates) figures.push_back(scene.in_frame(candidate.figure));
   const std::vector<SolutionProof> proofs =
@@ -174,6 +174,8 @@ void prove_errors(const Scene& scene, int threads, std::vector<Candidate>& candi
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (proofs[i].certificate.is_proven)
       candidates[i].error = std::min(candidates[i].error, proofs[i].distance);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      proofs, [](const SolutionProof& proof) { return proof.certificate.is_proven && proof.same_as < 0; }));
 }
 
 SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,

@@ -40,9 +40,9 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
                                            const std::stop_token& stop = {});
 
 /// Sets `error` of the candidates that are proven, so that assess tells apart what doubles do not. Untried ones where stop is
-/// asked for.
-void prove_errors(const Scene& scene, int threads, std::vector<Candidate>& candidates,
-                  const std::stop_token& stop = {});
+/// asked for. How many of them are proven to be different classes.
+std::size_t prove_errors(const Scene& scene, int threads, std::vector<Candidate>& candidates,
+                         const std::stop_token& stop = {});
 
 /// What signs say of the real solution that is proven next to a figure: of its enclosure or, where that is too wide, of
 /// one in a higher precision. Preconditions: the scene is general, the certificate is the figure's and proves it real.

@@ -147,19 +147,34 @@ class Solve {
     set_status(report);
     answer_.claim = report.claim;
     static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
-    if (settings_.certify && lists_product_as_fewer(report)) {
-      prove_errors(scene_, settings_.threads, report.candidates, surroundings_.stop);
-      static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
-    }
+    if (lists_fewer(report)) tell_apart(report);
     answer_.work = report.work;
     answer_.particulars = std::move(report.particulars);
   }
 
-  /// Whether all solutions of a product are candidates, which are different, and doubles take some for the same.
-  bool lists_product_as_fewer(const SolveReport& report) const {
-    if (!report.totals || answer_.solutions.size() >= report.candidates.size()) return false;
-    const std::optional<Natural>& all = largest_total(*report.totals);
-    return all && *all == Natural(report.candidates.size());
+  /// Whether some of the candidates of a complete list are taken for the same, by their condition numbers. Where
+  /// certificates are not asked for, long lists are left so.
+  bool lists_fewer(const SolveReport& report) const {
+    constexpr std::size_t most_proven = 1000;  // a second or so
+    const std::size_t candidates = report.candidates.size();
+    const bool claims_all = report.claim == Claim::all_real || report.claim == Claim::all_complex;
+    return answer_.status == RunStatus::complete && claims_all && answer_.solutions.size() < candidates &&
+           (settings_.certify || candidates <= most_proven);
+  }
+
+  /// By proven errors; those that are proven to be different and have the same doubles are missing in the list.
+  void tell_apart(SolveReport& report) {
+    const std::size_t different =
+        prove_errors(scene_, settings_.threads, report.candidates, surroundings_.stop);
+    static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
+    if (!report.totals && different > answer_.solutions.size())
+      set_unlisted(Natural(different), "doubles do not tell all apart");
+  }
+
+  void set_unlisted(const Natural& all, std::string_view why) {
+    answer_.status = RunStatus::partial;
+    answer_.reason =
+        fmt::format("{} of the {} solutions are listed; {}", answer_.solutions.size(), readable(all), why);
   }
 
   void hold_against_counts(const SolveReport& report) {
@@ -239,11 +254,8 @@ class Solve {
     const std::optional<SolutionTotals>& totals = answer_.totals;
     if (!totals || answer_.status != RunStatus::complete) return;
     const std::optional<Natural>& all = largest_total(*totals);
-    const std::size_t listed = answer_.solutions.size();
-    if (!all || *all == Natural(listed)) return;
-    answer_.status = RunStatus::partial;
-    answer_.reason = fmt::format("{} of the {} solutions are listed; {}", listed, readable(*all),
-                                 are_distinct ? "max_solutions lists more" : "doubles do not tell all apart");
+    if (!all || *all == Natural(answer_.solutions.size())) return;
+    set_unlisted(*all, are_distinct ? "max_solutions lists more" : "doubles do not tell all apart");
   }
 
   /// Where certificates do not reach the scene nothing is refined.

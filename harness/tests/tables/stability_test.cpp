@@ -308,18 +308,27 @@ TEST_CASE("two solutions between which a path ends are found from there") {
     check_right(measured({id}, {"full-space", "plan-scan", "monodromy", "polyhedral"}));
 }
 
-TEST_CASE("solutions too far away for doubles are not called missing at infinity, or found") {
-  for (const std::string id : {"escaping@1e-8", "escaping@1e-12", "inconsistent@1e-8", "inconsistent@1e-12",
-                               "short-edge@1e-8", "short-edge@1e-10", "short-edge@1e-12"}) {
+TEST_CASE("solutions too far away for the distances of doubles are found, and proven to be there") {
+  check_right(measured({"escaping@1e-8", "escaping@1e-12", "inconsistent@1e-8", "inconsistent@1e-12",
+                        "short-edge@1e-8", "short-edge@1e-10"},
+                       {"monodromy", "polyhedral"}));
+  for (const std::string id :
+       {"escaping@1e-12", "inconsistent@1e-12", "short-edge@1e-6", "short-edge@1e-12"}) {
     const Scene scene(load_member(id).problem);
     const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
     INFO(id << ": " << run.reason);
-    CHECK(run.status == RunStatus::partial);
     CHECK(run.counts.at_infinity.value_or(0) == 0u);
   }
-  // Coordinates of 1e6, at the ends of paths that grow like the inverse of a square root.
-  const Scene scene(load_member("short-edge@1e-6").problem);
-  CHECK(run_strategy(find_strategy("monodromy"), {}, scene, {}).counts.at_infinity == 0u);
+}
+
+TEST_CASE("solutions next to each other are listed, or the answer is partial") {
+  check_right(measured({"mixed-lengths@1e-12"}, {"plan-scan", "box-subdivision", "monodromy", "polyhedral"}));
+  check_right(measured({"straight-segments@1e-8", "straight-segments@1e-10"}, {"plan-scan"}));
+  // Two lines at right angles but for 1e-15 on either side: the same doubles.
+  const Scene scene(load_member("right-angle@1e-15").problem);
+  const SolveRun run = run_strategy(find_strategy("plan-scan"), {}, scene, {});
+  CHECK(run.status == RunStatus::partial);
+  CHECK_THAT(run.reason, Catch::Contains("doubles do not tell all apart"));
 }
 
 TEST_CASE("tangents that doubles do not determine are named") {
@@ -376,7 +385,7 @@ TEST_CASE("why not all solutions of a product are listed is said") {
   const auto reason = [](const std::string& member, const RunLimits& limits) {
     return run_strategy(find_strategy("plan-scan"), {}, Scene(load_member(member).problem), limits).reason;
   };
-  CHECK(reason("mixed-lengths@1e-12", {}) ==
+  CHECK(reason("mixed-lengths@1e-15", {}) ==
         "2 of the 8 solutions are listed; doubles do not tell all apart");
   CHECK(reason("mixed-lengths@1e-4", {{.max_solutions = 5}}) ==
         "5 of the 8 solutions are listed; max_solutions lists more");

@@ -62,8 +62,6 @@ Quotients<Number> quotients(int dimension, const Squares<Number>& squares) {
   return dimension == 2 ? in_plane(squares) : in_space(squares);
 }
 
-constexpr std::array<std::array<int, 2>, 3> base_pairs{{{0, 1}, {0, 2}, {1, 2}}};
-
 /// The pairs of base points whose distances count.
 int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
 
@@ -111,17 +109,27 @@ std::string why_not_on_base(const Scene& scene, const Part& part) {
 }
 
 HungPlace exact_place(const Scene& scene, const Part& hung) {
-  Squares<Rational> squares{base_squares(scene, hung), {}};
+  return precise_place(scene, hung, {base_squares(scene, hung), 0});
+}
+
+/// Relative errors of the base's squares are some times as large in D and V beside the terms of these, and in D, of which V
+/// is a factor, also as many times as V is smaller than its terms.
+HungPlace precise_place(const Scene& scene, const Part& hung, const MeasuredSquares& base) {
+  constexpr double growth = 1e3;
+  Squares<Rational> squares{base.squares, {}};
   for (int i = 0; i < scene.dimension(); ++i)
     squares.radii[i] = rational(given_square(scene, hung.constraints[i]));
   const Quotients<Rational> q = quotients(scene.dimension(), squares);
   if (q.V.sign() == 0) return undecided_place(collinear);
+  const double part_of_V = std::abs((q.V / q.largest_term_of_V).approximate());
+  const double part_of_D = std::abs((q.D / q.largest_term_of_D).approximate());
+  if (part_of_V < growth * base.error) return undecided_place(nearly_collinear);
+  if (part_of_D < growth * base.error / part_of_V) return undecided_place(nearly_flat);
   HungPlace place;
   const Rational square = q.D / (q.a * (scene.dimension() == 2 ? q.a : q.V * q.V));
   place.is_real = square.sign() >= 0;
   place.is_flat = square.sign() == 0;
-  place.is_stiff = std::abs((q.D / q.largest_term_of_D).approximate()) <= stiff ||
-                   std::abs((q.V / q.largest_term_of_V).approximate()) <= stiff;
+  place.is_stiff = part_of_D <= stiff || part_of_V <= stiff;
   const double height = place.is_real ? square.approximate_root() : (Rational(0) - square).approximate_root();
   place.coordinates = {(q.X / q.a).approximate(), (q.Y / q.V).approximate(),
                        place.is_real ? Complex(height, 0) : Complex(0, height)};
@@ -163,7 +171,7 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
 
 void BasePlacer::refine(const Part& part, Simplex& positions) const {
   constexpr int steps = 2;          // of quadratic convergence from a relative error of 1e-6 at most
-  constexpr double longest = 1e-3;  // of the coordinates: more is no refinement
+  constexpr double longest = 1e-3;  // of the way from the base: more is no refinement
   const int dimension = scene_.dimension();
   const auto unknowns = dimension * static_cast<Eigen::Index>(part.points.size());
   const auto column_of = [&](int point) -> Eigen::Index {
@@ -187,7 +195,8 @@ void BasePlacer::refine(const Part& part, Simplex& positions) const {
       ++row;
     }
     const Eigen::VectorXcd correction = jacobian.partialPivLu().solve(excess);
-    if (!(correction.norm() <= longest * columns(positions, part.points).norm())) return;
+    const Simplex from_base = columns(positions, part.points).colwise() - positions.col(part.base.front());
+    if (!(correction.norm() <= longest * from_base.norm())) return;
     for (const int point : part.points)
       positions.col(point).head(dimension) -= correction.segment(column_of(point), dimension);
   }

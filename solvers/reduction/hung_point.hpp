@@ -2,12 +2,14 @@
 /// Where a point is that hangs on d others: at given distances from d points, whose distances are given or
 /// measured.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/scene.hpp"
+#include "solvers/numeric/rational.hpp"
 #include "solvers/reduction/simplex_coordinates.hpp"
 #include "solvers/structure/decomposition.hpp"
 
@@ -25,6 +27,19 @@ struct HungPlace {
 /// Why nothing is placed on the part's base: its points are collinear, or so nearly that rounding decides;
 /// empty when they are not. Precondition: the base is given.
 std::string why_not_on_base(const Scene& scene, const Part& part);
+
+/// The numbers of two points of a base, for its squared distances: in the plane the first pair.
+inline constexpr std::array<std::array<int, 2>, 3> base_pairs{{{0, 1}, {0, 2}, {1, 2}}};
+
+/// Squared distances of a base's points, in the scene's unit, to a relative error.
+struct MeasuredSquares {
+  std::array<Rational, 3> squares;
+  double error = 0;
+};
+
+/// On a base that is real: whether the point is real is proven; a point that is flat, or on a collinear base, to that
+/// error is undecided, unless that is 0.
+HungPlace precise_place(const Scene& scene, const Part& hung, const MeasuredSquares& base);
 
 /// By the decimals of the file, exactly: whether it is real, and whether it is flat, is proven, and
 /// coordinates are right to rounding. Precondition: the base is given.

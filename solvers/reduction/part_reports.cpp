@@ -1,6 +1,12 @@
 #include "solvers/reduction/part_reports.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "solvers/certificates/proven_error.hpp"
+#include "solvers/certificates/scene_equations.hpp"
+#include "solvers/model/complex_points.hpp"
+#include "solvers/model/distance_system.hpp"
 
 namespace gcs {
 
@@ -34,6 +40,31 @@ Claim common_claim(const std::vector<SolveReport>& reports) {
   for (const SolveReport& report : reports)
     if (report.claim != Claim::all_complex && claim != Claim::some_real) claim = report.claim;
   return claim;
+}
+
+bool is_own_mirror_image(const Scene& scene, const Figure& representative, double error) {
+  constexpr double rounding = 1e-9;
+  if (scene.has_lines() || std::isfinite(error)) return false;
+  const double height = complex_points(representative).row(scene.dimension() - 1).cwiseAbs().maxCoeff();
+  return height <= rounding * scene.size() &&
+         !std::isfinite(proven_error(scene, target_squares(scene), representative));
+}
+
+ReflectionClasses classes_told_apart(const Scene& scene, const std::vector<Figure>& figures,
+                                     std::vector<SolutionAccuracy>& accuracies) {
+  constexpr std::size_t most_proven = 1000;  // a second or so
+  ReflectionClasses classes = solution_classes(scene, figures, accuracies);
+  const bool are_all_different = classes.first.size() == figures.size();
+  if (are_all_different || figures.size() > most_proven || why_not_certified(scene)) return classes;
+  const SceneEquations equations(scene);
+  const Certifier certifier(equations.system());
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const Figure framed = scene.in_frame(figures[i]);
+    const Certificate certificate = certifier.certify(equations.coordinates(framed));
+    if (certificate.is_proven)
+      accuracies[i].error = std::min(accuracies[i].error, equations.distance(framed, certificate));
+  }
+  return solution_classes(scene, figures, accuracies);
 }
 
 }  // namespace gcs

@@ -67,24 +67,16 @@ Figure in_whole(const Scene& whole, const PartScene& part, const Figure& figure)
   return result;
 }
 
-/// Whether all points lie in the plane of the frame, which is that of the base: up to rounding.
-bool is_flat(const Scene& scene, const Figure& representative) {
-  constexpr double rounding = 1e-9;
-  const ComplexPoints points = complex_points(representative);
-  return !scene.has_lines() &&
-         points.row(scene.dimension() - 1).cwiseAbs().maxCoeff() <= rounding * scene.size();
-}
-
 PartSolution part_solution(const Scene& whole, const PartScene& part_scene, const Part& part,
-                           const Figure& representative, double condition, int multiplicity) {
+                           const Figure& representative, const SolutionAccuracy& accuracy, int multiplicity) {
   const Figure placed = in_whole(whole, part_scene, representative);
   const Simplex positions = complex_points(placed);
   PartSolution solution{{},
                         complex_lines(placed),
                         representative.is_real(),
-                        is_flat(part_scene.scene, representative),
-                        condition >= stiff_condition,
-                        condition,
+                        is_own_mirror_image(part_scene.scene, representative, accuracy.error),
+                        accuracy.condition >= stiff_condition,
+                        accuracy.condition,
                         multiplicity};
   std::optional<SimplexFrame> frame;
   if (!part.base.empty()) frame.emplace(columns(positions, part.base));
@@ -102,10 +94,10 @@ std::vector<PartSolution> part_solutions(const Scene& whole, const PartScene& pa
     figures.push_back(part_scene.scene.representative(candidate.figure));
     accuracies.push_back({jacobian_condition(part_scene.scene, figures.back()), candidate.error});
   }
-  const ReflectionClasses classes = solution_classes(part_scene.scene, figures, accuracies);
+  const ReflectionClasses classes = classes_told_apart(part_scene.scene, figures, accuracies);
   std::vector<PartSolution> solutions;
   for (const int first : classes.first)
-    solutions.push_back(part_solution(whole, part_scene, part, figures[first], accuracies[first].condition,
+    solutions.push_back(part_solution(whole, part_scene, part, figures[first], accuracies[first],
                                       report.candidates[first].multiplicity));
   return solutions;
 }

@@ -10,6 +10,7 @@
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/reduction/precise_base.hpp"
 
 namespace gcs {
 namespace {
@@ -168,8 +169,22 @@ const std::vector<PartSolution>& SolutionProduct::solutions(int part) {
   double condition = 1;
   for (const int other : depends_on_[part])
     condition = std::max(condition, solutions_[other][choices_[other].solution].condition);
-  solutions_[part] = placed(part, measured_place(scene_, parts_[part], measured_base(part), condition));
+  HungPlace place = measured_place(scene_, parts_[part], measured_base(part), condition);
+  if (!place.undecided.empty())
+    if (const auto base = proven_base(part)) {
+      place = precise_place(scene_, parts_[part], *base);
+      place.is_stiff = true;
+    }
+  solutions_[part] = placed(part, place);
   return solutions_[part];
+}
+
+std::optional<MeasuredSquares> SolutionProduct::proven_base(int part) {
+  const std::vector<int>& base = parts_[part].base;
+  const int last = last_home(base);
+  if (is_across_[part] || parts_[last].is_hung_point()) return std::nullopt;
+  const PartProblem alone = part_problem(scene_.problem(), parts_[last]);
+  return precise_base(scene_, alone, positions_in_part(last, alone.points), base);
 }
 
 void SolutionProduct::place(int part) {

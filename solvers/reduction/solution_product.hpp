@@ -62,6 +62,8 @@ class SolutionProduct {
   const std::vector<PartSolution>& solutions(int part);
   std::vector<PartSolution> placed(int part, const HungPlace& place);
   Simplex measured_base(int part);
+  /// Of a hung point, as far as one part tells, by the file's own numbers.
+  std::optional<MeasuredSquares> proven_base(int part);
   Simplex positions_in_part(int part, const std::vector<int>& points);
   void place(int part);
 

@@ -324,3 +324,28 @@ TEST_CASE("an undecided double solution of a part fails no check") {
   CHECK(answer.reason.find("undecided") != std::string::npos);
   CHECK(answer.failed_checks.empty());
 }
+
+// b and c are at heights ±h and ±2h over the middle of a segment of length 2, and p hangs on them. On base of length h or 3h,
+// by the law of cosines, it is real if it is as far from both, and not if it is 1 from the one and 2 from the other.
+TEST_CASE("a point that hangs on points nearly in one place is placed by the decimals of the file") {
+  for (const auto& [square_of_b, square_of_c] :
+       {std::pair{"1.0000000000000001", "1.0000000000000004"},
+        {"1.00000000000000000001", "1.00000000000000000004"},
+        {"1.000000000000000000000001", "1.000000000000000000000004"}})
+    for (const auto& [square_from_c, real] : {std::pair{"4", std::size_t{0}}, {"1", std::size_t{4}}}) {
+      Problem problem(2);
+      problem.points("p", "c", "q", "b", "r")
+          .squared_distance("c", "r", square_of_c)
+          .squared_distance("p", "b", "1")
+          .squared_distance("q", "c", square_of_c)
+          .squared_distance("r", "q", "4")
+          .squared_distance("b", "q", square_of_b)
+          .squared_distance("p", "c", square_from_c)
+          .squared_distance("b", "r", square_of_b);
+      const Answer answer = gcs::solve(problem, "plan-scan");
+      INFO(square_of_b << ", " << square_from_c << ": " << answer.reason);
+      CHECK(answer.status == RunStatus::complete);
+      CHECK(answer.counts.real_up_to_reflection == real);
+      CHECK(answer.solutions.size() == real);
+    }
+}

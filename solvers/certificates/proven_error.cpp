@@ -1,11 +1,15 @@
 #include "solvers/certificates/proven_error.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "solvers/certificates/krawczyk.hpp"
 #include "solvers/certificates/scene_equations.hpp"
+#include "solvers/figures/complex_distances.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/model/distance_system.hpp"
 #include "solvers/model/wide_reference.hpp"
 
 namespace gcs {
@@ -27,6 +31,28 @@ double error_by_certificate(const Scene& scene, const Figure& figure) {
 }
 
 }  // namespace
+
+std::optional<Candidate> proven_next_to(const Scene& scene, const Figure& figure) {
+  constexpr int precise_bits = 128;
+  constexpr double longest_way = 1e-3;  // relative to 1 + the largest coordinate
+  if (scene.has_lines() || why_not_certified(scene)) return std::nullopt;
+  const SceneEquations equations(scene);
+  if (equations.system().unknowns > most_unknowns_in_balls) return std::nullopt;
+  const std::vector<std::complex<double>> x = equations.coordinates(figure);
+  const Certificate certificate = Certifier(equations.system()).certify(x, precise_bits);
+  if (!certificate.is_proven || certificate.realness != Certificate::Realness::not_real) return std::nullopt;
+  double size = 1, moved = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    size = std::max(size, std::abs(x[i]));
+    moved = std::max(moved, certificate.offset(i, x[i]));
+  }
+  if (!(moved <= longest_way * size)) return std::nullopt;
+  const DistanceSystem system(scene);
+  Figure rounded = complex_figure(
+      system, Eigen::Map<const Eigen::VectorXcd>(certificate.enclosure.mid.data(), system.unknowns()));
+  const double error = equations.distance(rounded, certificate);
+  return Candidate{std::move(rounded), 1, error};
+}
 
 double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure) {
   constexpr double largest_box = 1e-6;

@@ -1,8 +1,10 @@
 #pragma once
 /// How far a solution in doubles is from the solution that it stands for.
 
+#include <optional>
 #include <vector>
 
+#include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/double_double.hpp"
 
@@ -13,5 +15,10 @@ namespace gcs {
 /// Infinite for others, where nothing is proven, and above 300 unknowns (100 for a certificate).
 /// `squares`: see target_squares.
 double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure);
+
+/// The solution, proven to be complex, next to a complex figure of points in the scene's frame, rounded to doubles, with its
+/// error: where these do not hold the distances, a figure is right only as far as it is that. Nothing where there is none
+/// within a thousandth of the figure's size, beside lines, and above 100 unknowns.
+std::optional<Candidate> proven_next_to(const Scene& scene, const Figure& figure);
 
 }  // namespace gcs

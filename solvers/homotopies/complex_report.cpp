@@ -84,12 +84,6 @@ constexpr double regular = 1e4;
 /// The relative residual of a solution for rounded lengths, if that is what it should be.
 constexpr double rounded_lengths = 1e-9;
 
-/// How far from a solution, beside its size, numbers may be that stand for it where their distances are off.
-constexpr double near_enough = 1e-3;
-
-/// A proof in balls takes time cubic in them.
-constexpr int most_unknowns = 100;
-
 bool is_multiple_solution(const Scene& scene, const Figure& figure) {
   return relative_residual(scene, figure) <= double_root_residual &&
          jacobian_condition(scene, figure) >= regular;
@@ -190,27 +184,11 @@ class ComplexReporter {
     const bool is_far = loses_distances(scene_, figure);
     const bool is_off = !figure.is_real() && relative_residual(scene_, figure) > rounded_lengths;
     if (is_far || is_off)
-      if (const auto proven = proven_next_to(figure)) return report_.candidates.push_back(*proven);
+      if (const auto proven = proven_next_to(scene_, figure)) return report_.candidates.push_back(*proven);
     missing_.too_far += is_far;
     report_.candidates.push_back({figure, 1});
     Candidate& candidate = report_.candidates.back();
     if (figure.is_real()) candidate.error = proven_error(scene_, squares_, figure);
-  }
-
-  /// The solution with the file's lengths next to a complex figure, rounded to doubles.
-  std::optional<Candidate> proven_next_to(const Figure& figure) const {
-    constexpr int precise_bits = 128;
-    if (scene_.has_lines() || system_.unknowns() > most_unknowns || why_not_certified(scene_))
-      return std::nullopt;
-    const SceneEquations equations(scene_);
-    const ComplexVectorX x = equations.coordinates(figure);
-    const Certificate certificate = Certifier(equations.system()).certify(x, precise_bits);
-    if (!certificate.is_proven || certificate.realness != Certificate::Realness::not_real)
-      return std::nullopt;
-    const Figure rounded = complex_figure(system_, certificate.enclosure.mid);
-    const double moved = distance(x, certificate.enclosure.mid);
-    if (moved > near_enough * (1 + largest(x))) return std::nullopt;
-    return Candidate{rounded, 1, equations.distance(rounded, certificate)};
   }
 
   /// Of simple complex solutions that their distances alone may not tell apart. There are few.

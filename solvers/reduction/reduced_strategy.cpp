@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solvers/certificates/proven_error.hpp"
 #include "solvers/counting/scene_analysis.hpp"
 #include "solvers/elements/element_order.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
@@ -356,8 +357,11 @@ class ReducedStrategy final : public Strategy {
         whole.candidates.push_back(std::move(candidate));
     if (!claims_all(whole.claim)) totals.real.reset();  // it is the number of those that were found
     std::vector<std::string> undecided = product.undecided();
-    const auto lost = std::ranges::count_if(whole.candidates, [&](const Candidate& candidate) {
-      return loses_distances(request.scene, candidate.figure);
+    const auto lost = std::ranges::count_if(whole.candidates, [&](Candidate& candidate) {
+      if (!loses_distances(request.scene, candidate.figure)) return false;
+      std::optional<Candidate> proven = proven_next_to(request.scene, candidate.figure);
+      if (proven) candidate = *std::move(proven);
+      return !proven;
     });
     if (lost > 0)
       undecided.push_back("the coordinates of " + counted(lost, "solution") + " are " +

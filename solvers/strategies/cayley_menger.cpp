@@ -190,7 +190,11 @@ class Reporter {
   }
 
   void list(Candidate candidate) {
-    some_are_too_far_ |= loses_distances(scene_, candidate.figure);
+    if (loses_distances(scene_, candidate.figure)) {
+      std::optional<Candidate> proven = proven_next_to(scene_, candidate.figure);
+      some_are_too_far_ |= !proven;
+      if (proven) candidate = *std::move(proven);
+    }
     report_.candidates.push_back(std::move(candidate));
   }
 

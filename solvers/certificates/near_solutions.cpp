@@ -67,6 +67,11 @@ std::vector<Point> starts_around(const Point& x) {
   return starts;
 }
 
+BallMatrix real_part(BallMatrix x) {
+  for (slong i = 0; i < x.rows(); ++i) arb_zero(acb_imagref(x(i, 0)));
+  return x;
+}
+
 /// What Newton's method came to.
 struct Visit {
   Point end;
@@ -107,17 +112,27 @@ class Search {
       if (newton.correction <= slow_convergence) newton = system_.refined(newton.x);
     Visit visit{middle_of(newton.x), std::nullopt, std::nullopt};
     const auto proof = newton.converged ? system_.prove(newton.x) : std::nullopt;
-    if (!proof) {
+    if (!proof)
       visit.multiple = multiple_at(newton.x);
-      return visit;
-    }
+    else
+      visit.simple = certificate_of(newton.x, *proof);
+    return visit;
+  }
+
+  /// What doubles round is moved further than another solution may be away: there a proof in the reals says that it is
+  /// real.
+  std::optional<Certificate> certificate_of(const BallMatrix& x, const BallKrawczyk::Proof& proof) const {
     Certificate certificate;
     certificate.is_proven = true;
     certificate.bits = static_cast<int>(search_bits);
-    certificate.enclosure = enclosure_of(*proof);
+    certificate.enclosure = enclosure_of(proof);
     certificate.realness = realness(certificate.enclosure);
-    if (certificate.realness != Certificate::Realness::undecided) visit.simple = std::move(certificate);
-    return visit;
+    if (certificate.realness != Certificate::Realness::undecided) return certificate;
+    const auto in_reals = system_.prove(real_part(x));
+    if (!in_reals) return std::nullopt;
+    certificate.enclosure = enclosure_of(*in_reals);
+    certificate.realness = realness(certificate.enclosure);
+    return certificate.realness == Certificate::Realness::real ? std::optional(certificate) : std::nullopt;
   }
 
   bool satisfies(const BallMatrix& x) const {
@@ -130,8 +145,7 @@ class Search {
 
   std::optional<MultipleSolution> multiple_at(const BallMatrix& x) const {
     if (!satisfies(x)) return std::nullopt;
-    BallMatrix real = x;
-    for (slong i = 0; i < x.rows(); ++i) arb_zero(acb_imagref(real(i, 0)));
+    const BallMatrix real = real_part(x);
     const bool is_real = satisfies(real);
     return MultipleSolution{middle_of(is_real ? real : x), is_real};
   }

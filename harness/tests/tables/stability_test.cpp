@@ -306,6 +306,8 @@ TEST_CASE("two solutions between which a path ends are found from there") {
   // Beside the paths, which meet two real ones there.
   for (const std::string id : {"flat-triangle@1e-8", "double-root@1e-8"})
     check_right(measured({id}, {"full-space", "plan-scan", "monodromy", "polyhedral"}));
+  // So near that their places rounded to doubles are proven to be real in the reals alone.
+  check_right(measured({"double-root@1e-12"}, {"monodromy", "polyhedral"}));
 }
 
 TEST_CASE("solutions too far away for the distances of doubles are found, and proven to be there") {

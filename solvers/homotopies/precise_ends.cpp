@@ -4,6 +4,9 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "solvers/certificates/escapes.hpp"
 #include "solvers/certificates/scene_equations.hpp"

@@ -3,7 +3,6 @@
 #include "solvers/homotopies/precise_ends.hpp"
 
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -301,8 +301,8 @@ class Endgame {
   void confirm_poles(std::vector<ActivePath>& paths, double radius) {
     std::vector<ActivePath> poles;
     for (const ActivePath& path : paths)
-      if (path.last && path.last->kind == CircleReading::Kind::pole)
-        poles.push_back({path.number, path.x, {}, path.last});
+      if (path.last && path.last->kind == CircleReading::Kind::pole) poles.push_back(path);
+    for (ActivePath& pole : poles) pole.between.reset();
     advance(poles, radius, radius * pole_ratio);
     for (ActivePath& path : poles) path.is_steady = true;
     walk(poles, radius * pole_ratio);

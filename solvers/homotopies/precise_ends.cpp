@@ -183,7 +183,8 @@ double power_of(const PathEnd& end) {
   return end.pole_order > 0 ? static_cast<double>(end.pole_order) / end.winding_number : 1;
 }
 
-bool may_escape(const Scene& scene) { return scene.dimension() == 3 && !closed_walks(scene).empty(); }
+/// In the plane no walk need tell.
+bool may_escape(const Scene& scene) { return scene.dimension() == 2 || !closed_walks(scene).empty(); }
 
 void doubt(std::vector<PathEnd>& ends) {
   for (PathEnd& end : ends) {

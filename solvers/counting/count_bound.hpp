@@ -23,7 +23,8 @@ struct SolutionCount {
 /// Bézout for a cubic and a quartic, which has neither reference nor ring.
 struct CountBound {
   SolutionCount count;
-  std::vector<int> reference;          ///< entities that make the frame: d points, or a line and a point
+  std::vector<int>
+      reference;  ///< entities that make the frame: d points, a line and a point, or all given points
   std::vector<std::vector<int>> ring;  ///< the points of the ring's bodies; empty for the m-Bézout bound
   int parts = 1;  ///< of so many parts the bounds are multiplied; the reference is that of the first, no ring
   std::string

@@ -220,6 +220,45 @@ void bound_points_and_line(const ProblemStatement& problem, TheoreticalCounts& c
   counts.bound = CountBound{count_in_frame(problem, smallest->fixed_frame), {line, point}, {}};
 }
 
+std::vector<int> given_points(const ProblemStatement& problem) {
+  std::vector<int> given;
+  for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
+    if (problem.is_fixed(point)) given.push_back(point);
+  return given;
+}
+
+/// Without positions, and with the first two given points at a distance from each other and from all others.
+ProblemStatement with_bars_between(ProblemStatement problem, const std::vector<int>& given) {
+  std::ranges::fill(problem.fixed_points, std::nullopt);
+  problem.fixed_texts.clear();
+  for (std::size_t i = 1; i < given.size(); ++i)
+    for (std::size_t j = 0; j < std::min<std::size_t>(i, 2); ++j)
+      problem.constraints.push_back({"", {given[i], given[j]}, {1, "1"}, false});
+  return problem;
+}
+
+/// In the plane all given points but two have two places each where bars hold them, with equally many figures, as their
+/// positions are one irreducible family. In space they are held in the m-Bézout bound. Either limit holds wherever they are:
+/// isolated figures go on where they are moved.
+void count_around_given_points(const ProblemStatement& problem, const std::vector<int>& given,
+                               const RecursionLimits& limits, TheoreticalCounts& counts) {
+  if (problem.dimension == 2) {
+    const TheoreticalCounts barred = theoretical_counts(with_bars_between(problem, given), limits);
+    if (barred.exact) {
+      Natural count = barred.exact->fixed_frame;
+      for (std::size_t i = 2; i < given.size(); ++i) count = count / 2U;
+      counts.exact = count_in_frame(problem, std::move(count));
+    }
+    counts.why_no_exact = barred.why_no_exact;
+  } else {
+    counts.why_no_exact =
+        "Positions are fixed, and in space the exact number is known only where nothing is.";
+  }
+  const PointGraph graph = whole_graph(problem);
+  counts.bound = bezout_bound_of_points(problem, graph, {given});
+  if (!counts.bound) counts.why_no_bound = bound_takes_too_long;
+}
+
 /// For centres that span space the point of the line is eliminated linearly, and its direction is left to a
 /// cubic and a quartic in the projective plane: 12 lines, by Bézout (Macdonald, Pach, Theobald, Common
 /// tangents to four unit balls in R³, 2001; Hoffmann, Yuan 2000). Isolated lines persist when centres and
@@ -247,7 +286,11 @@ std::optional<CountBound> bound_with_hung_lines(const ProblemStatement& problem)
 }
 
 /// The smaller of two bounds; that by its parts if they are equal.
-void bound_beyond_points(const ProblemStatement& problem, TheoreticalCounts& counts) {
+void bound_beyond_points(const ProblemStatement& problem, const RecursionLimits& limits,
+                         TheoreticalCounts& counts) {
+  if (const std::vector<int> given = given_points(problem);
+      problem.lines.empty() && static_cast<int>(given.size()) >= problem.dimension && !problem.file_frame)
+    return count_around_given_points(problem, given, limits, counts);
   const std::optional<CountBound> by_parts = bound_with_hung_lines(problem);
   counts.why_no_exact = problem.is_anchored() && !by_parts
                             ? "Positions are fixed, and the count is known only where nothing is."
@@ -290,7 +333,7 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std:
   if (problem.lines.empty() && !problem.is_anchored())
     count_points(problem, parts, limits, counts);
   else
-    bound_beyond_points(problem, counts);
+    bound_beyond_points(problem, limits, counts);
   return counts;
 }
 

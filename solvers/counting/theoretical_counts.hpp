@@ -15,9 +15,9 @@ namespace gcs {
 
 /// Precondition: the problem is well posed (see analyse_structure). Takes seconds at most, with the default limits.
 /// Where d points, pairwise at given distances, separate the points, the counts of the parts are multiplied.
-/// Exact: points in the plane, if the core is small enough, and points in space of which all but three can be
-/// placed one by one. Bound, the smaller of the two, the m-Bézout bound if they are equal: points, or points
-/// and one line, and nothing fixed; lines at four distances on anything that has a limit or is given, by 12 each.
+/// Exact: points in the plane, some given perhaps, if the core is small enough, and points in space of which all but three can be
+/// placed one by one. Bound, the smaller of the two, the m-Bézout bound if they are equal: points, some given perhaps, or
+/// points and one line, and nothing fixed; lines at four distances on anything that has a limit or is given, by 12 each.
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const RecursionLimits& limits = {});
 /// `parts`: of decompose(problem, Split::all). Precondition: not a general scene.
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std::vector<Part>& parts,

@@ -203,3 +203,24 @@ TEST_CASE("a point on the line makes no frame with it") {
     if (constraint.between[1] == 5) constraint.given = {0, "0"};
   CHECK_THAT(theoretical_counts(problem).why_no_bound, Catch::Contains("above 0"));
 }
+
+/// A triangle 0 1 2 on as many legs as it has freedoms, from given points 3 4 5.
+ProblemStatement given_platform(int dimension) {
+  Edges edges{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 4}, {2, 5}};
+  if (dimension == 3) edges.insert(edges.end(), {{1, 3}, {2, 4}, {0, 5}});
+  ProblemStatement problem = graph(dimension, 6, edges);
+  problem.fixed_points.resize(6);
+  problem.fixed_points[3] = {0, 0, 0};
+  problem.fixed_points[4] = {5, 0.25, 0};
+  problem.fixed_points[5] = {3.1, 4.7, 0};
+  return problem;
+}
+
+TEST_CASE("figures around given points are counted") {
+  // In the plane 6 postures of either orientation (Hunt 1983), in space 16 on legs that meet in pairs (Griffis, Duffy 1989).
+  const TheoreticalCounts flat = theoretical_counts(given_platform(2));
+  CHECK(exact(flat) == Natural(12));
+  CHECK(flat.exact->up_to_reflection() == Natural(12));
+  CHECK(bound(flat) >= Natural(12));
+  CHECK(bound(theoretical_counts(given_platform(3))) == Natural(16));
+}

@@ -1,7 +1,6 @@
 #include "harness/results/certificate_io.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -32,7 +31,9 @@ JsonValue box_value(JsonMembers members, const DyadicBox& box, bool is_real) {
 }
 
 JsonValue solution_value(const ProvenFigure& proven) {
-  return box_value({{"real", json_boolean(proven.is_real)}}, proven.box, proven.is_real);
+  JsonMembers members{{"real", json_boolean(proven.is_real)}};
+  if (proven.box.solutions > 1) members.emplace_back("multiplicity", json_number(proven.box.solutions));
+  return box_value(std::move(members), proven.box, proven.is_real);
 }
 
 JsonValue escape_value(const ProblemStatement& problem, const std::vector<Escape>& way,
@@ -71,43 +72,30 @@ JsonValue at_infinity_value(const Scene& scene, const Answer& answer) {
                        })}});
 }
 
-/// A signed distance of a point and a plane, or the cosine of two planes.
-bool is_certifiable(const ProblemStatement& problem, const Relation& relation) {
-  using enum OperandKind;
-  std::vector<OperandKind> kinds;
-  for (const Operand& of : relation.of) kinds.push_back(kind_of(problem, of));
-  std::ranges::sort(kinds);
-  return (relation.type == "distance" && kinds == std::vector{point, plane}) ||
-         (relation.form == Relation::Form::cosine && kinds == std::vector{plane, plane});
-}
-
 /// Where the instance has what no certificate states; nothing where it has nothing of the kind.
 const char* beyond_certificates(const ProblemStatement& problem) {
-  if (!problem.bodies.empty()) return "/bodies";
-  if (problem.dimension == 2 && !problem.lines.empty()) return "/lines";
   if (problem.file_frame) return "/fixed";
-  for (int entity = static_cast<int>(problem.points.size()); entity < problem.entity_count(); ++entity)
-    if (problem.is_fixed(entity)) return "/fixed";
-  if (!std::ranges::all_of(problem.relations,
-                           [&](const Relation& r) { return is_certifiable(problem, r); }) ||
-      std::ranges::any_of(problem.constraints, [](const auto& c) { return c.given.value == 0; }))
+  for (int entity = 0; entity < problem.entity_count(); ++entity)
+    if (problem.is_fixed(entity) && !bodies_with(problem, entity).empty()) return "/fixed";
+  if (std::ranges::any_of(problem.relations, [](const Relation& r) { return r.sign != 0; }))
     return "/constraints";
+  if (problem.reference_body >= 0 || problem.has_fixed()) return nullptr;
+  if (!problem.bodies.empty()) return "/bodies";
   const Reference reference = Scene::unchecked(problem).reference();
-  const bool is_of_points = std::ranges::all_of(
-      std::array{reference.origin, reference.axis, problem.dimension == 2 ? reference.axis : reference.plane},
-      [&](int entity) { return entity >= 0 && problem.is_point(entity); });
   const bool has_line = !problem.is_general() && reference.line >= 0;
-  return is_of_points || has_line || problem.has_fixed() ? nullptr : "/reference";
+  const bool has_origin = reference.origin >= 0 && problem.is_point(reference.origin) && reference.axis >= 0;
+  return has_line || has_origin ? nullptr : "/reference";
 }
 
+/// Certified ones, and clusters.
 std::vector<ProvenFigure> proven_figures(const Scene& scene, const Answer& answer) {
-  std::vector<Figure> certified;
-  for (const AssessedSolution& solution : answer.solutions)
-    if (solution.certified) certified.push_back(solution.figure);
-  const auto boxes = dyadic_figures(SceneEquations(scene), scene, certified, answer.threads);
+  std::vector<Figure> listed;
+  for (const AssessedSolution& solution : answer.solutions) listed.push_back(solution.figure);
+  const auto boxes = dyadic_figures(SceneEquations(scene), scene, listed, answer.threads);
   std::vector<ProvenFigure> proven;
   for (std::size_t i = 0; i < boxes.size(); ++i)
-    if (boxes[i]) proven.push_back({*boxes[i], certified[i].is_real()});
+    if (boxes[i] && (answer.solutions[i].certified || boxes[i]->solutions > 1))
+      proven.push_back({*boxes[i], listed[i].is_real() && boxes[i]->solutions == 1});
   return proven;
 }
 
@@ -118,28 +106,29 @@ void require_certifiable(const Instance& instance) {
   if (place == nullptr) return;
   throw InputError(
       instance.origin, place,
-      "a certificate is of points, lines and planes in space with distances above 0 from points and "
-      "cosines between planes, in a frame of points, of a line and a point, or of given points that leave no "
-      "motion",
+      "a certificate is of scenes without orientations, in a frame that begins at a point or has a line and "
+      "a point, in a body, or in given elements of no body that leave no motion",
       "leave out --certificate; --certify proves more");
 }
 
-std::size_t write_certificate(const Instance& instance, const Scene& scene, const Answer& answer,
-                              const TextSink& take) {
+std::uint64_t write_certificate(const Instance& instance, const Scene& scene, const Answer& answer,
+                                const TextSink& take) {
   const std::vector<ProvenFigure> proven = proven_figures(scene, answer);
+  std::uint64_t found = 0;
+  for (const ProvenFigure& one : proven) found += static_cast<std::uint64_t>(one.box.solutions);
   const auto real =
       std::count_if(proven.begin(), proven.end(), [](const ProvenFigure& p) { return p.is_real; });
-  DocumentWriter document("gcsbench-certificate/1", take, answer.threads);
+  DocumentWriter document("gcsbench-certificate/2", take, answer.threads);
   document.member("instance", instance.document);
   document.member("frame", frame_value(scene));
   document.member("unit", json_number(scene.unit_exponent()));
-  document.member("complex", json_count(proven.size()));
+  document.member("complex", json_count(found));
   document.member("real", json_count(static_cast<std::uint64_t>(real)));
   document.member("limit", certificate_limit(scene));
   document.list("solutions", proven, [](const ProvenFigure& p) { return solution_value(p); });
   document.member("at_infinity", at_infinity_value(scene, answer));
   document.end();
-  return proven.size();
+  return found;
 }
 
 }  // namespace gcs

@@ -1,7 +1,7 @@
 #pragma once
-/// Writes gcsbench-certificate/1: what somebody else needs to prove an answer again (scripts/check-certificate).
+/// Writes gcsbench-certificate/2: what somebody else needs to prove an answer again (scripts/check-certificate).
 
-#include <cstddef>
+#include <cstdint>
 
 #include "harness/base/document_text.hpp"
 #include "harness/instances/instance_lookup.hpp"
@@ -9,13 +9,13 @@
 
 namespace gcs {
 
-/// Throws InputError unless the instance is of points, lines and planes with distances from points, and cosines between
-/// planes, in a frame of points, of a line and a point, or of points with given positions that leave no motion.
+/// Throws InputError unless the instance has no orientation and its frame begins at a point, has a line and a point, is a
+/// body, or given by elements of no body with positions that leave no motion.
 void require_certifiable(const Instance& instance);
 
-/// The certified solutions of an answer, piece by piece, and how many there can be. Returns how many it has; those that
-/// it does not have take more than its greatest precision. Precondition: the instance is certifiable.
-std::size_t write_certificate(const Instance& instance, const Scene& scene, const Answer& answer,
-                              const TextSink& take);
+/// The certified solutions of an answer, and clusters, piece by piece, and how many there can be. Returns how many it has,
+/// with multiplicities; those that it does not have take more than its greatest precision. Precondition: the instance is certifiable.
+std::uint64_t write_certificate(const Instance& instance, const Scene& scene, const Answer& answer,
+                                const TextSink& take);
 
 }  // namespace gcs

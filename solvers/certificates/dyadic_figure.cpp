@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <iterator>
-#include <span>
+#include <cstddef>
 #include <string>
 
 #include "solvers/certificates/enclosed_point.hpp"
+#include "solvers/model/frame_choice.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
@@ -81,51 +81,49 @@ bool is_real_within(const BallMatrix& numbers, double reach) {
   return true;
 }
 
-bool has_unknowns(const VectorForm& vector) {
-  return std::ranges::any_of(vector, [](const LinearForm& form) { return !form.terms.empty(); });
+double largest_difference(const ComplexValues& x, const ComplexValues& y) {
+  double largest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i] - y[i]));
+  return largest;
 }
 
 /// What dyadic_figures lists of a scene.
 class Listed {
  public:
   Listed(const SceneEquations& equations, const Scene& scene)
-      : equations_(equations), general_(equations.general()), problem_(scene.problem()) {
-    for (int entity = 0; entity < problem_.entity_count(); ++entity) add_element(entity);
-    for (const DistanceConstraint& distance : problem_.constraints) {
-      const auto& [a, b] = std::minmax(distance.between[0], distance.between[1]);
-      if (problem_.is_line(b)) add_height(point(a), line(b, 1));
-    }
+      : equations_(equations),
+        general_(equations.general()),
+        problem_(scene.problem()),
+        dimension_(static_cast<std::size_t>(scene.dimension())) {
+    for (int entity = 0; entity < problem_.entity_count(); ++entity)
+      if (!rests(entity)) add_element(entity);
   }
 
   /// `unknowns`: of the scene's equations.
   BallMatrix numbers(const BallMatrix& unknowns, slong bits) const {
-    BallMatrix result(static_cast<slong>(forms_.size() + heights_.size()), 1);
+    BallMatrix result(static_cast<slong>(forms_.size()), 1);
     slong row = 0;
     for (const LinearForm& form : forms_) enclose(result(row++, 0), form, unknowns, bits);
-    for (const auto& [point, direction] : heights_) {
-      Ball p, u;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        enclose(p, point[axis], unknowns, bits);
-        enclose(u, direction[axis], unknowns, bits);
-        acb_addmul(result(row, 0), p, u, bits);
-      }
-      ++row;
-    }
     return result;
   }
 
  private:
+  bool rests(int entity) const {
+    return rests_in_frame(problem_, entity) ||
+           std::ranges::count(bodies_with(problem_, entity), problem_.reference_body) > 0;
+  }
+
   static LinearForm form_of(int unknown) { return unknown < 0 ? LinearForm{} : LinearForm{{{unknown}}, {}}; }
 
   VectorForm point(int point) const {
     if (general_) return general_->elements().point(point);
     VectorForm forms;
-    for (std::size_t axis = 0; axis < static_cast<std::size_t>(problem_.dimension); ++axis)
+    for (std::size_t axis = 0; axis < dimension_; ++axis)
       forms[axis] = form_of(equations_.point_unknown(point, static_cast<int>(axis)));
     return forms;
   }
 
-  /// The point nearest to the origin (part 0) or the direction (part 1).
+  /// The point nearest to the origin (part 0) or the direction (part 1), which is that of the x-axis where the frame says it.
   VectorForm line(int entity, int part) const {
     if (general_) {
       const LineForms& line = general_->elements().line(entity);
@@ -134,12 +132,12 @@ class Listed {
     VectorForm forms;
     for (std::size_t axis = 0; axis < 3; ++axis)
       forms[axis] = form_of(equations_.line_unknown(problem_.line_of(entity), part, static_cast<int>(axis)));
+    if (part == 1 && forms[0].terms.empty()) forms[0].constant = exactly(1);
     return forms;
   }
 
-  void add(std::span<const LinearForm> forms) {
-    std::ranges::copy_if(forms, std::back_inserter(forms_),
-                         [](const LinearForm& form) { return !form.terms.empty(); });
+  void add(const VectorForm& forms) {
+    forms_.insert(forms_.end(), forms.begin(), forms.begin() + static_cast<std::ptrdiff_t>(dimension_));
   }
 
   void add_element(int entity) {
@@ -151,24 +149,15 @@ class Listed {
     } else {
       const PlaneForms& plane = general_->elements().plane(entity);
       add(plane.normal);
-      add({&plane.offset, 1});
+      forms_.push_back(plane.offset);
     }
   }
-
-  /// (p − f)·u = p·u
-  void add_height(const VectorForm& point, const VectorForm& direction) {
-    if (has_unknowns(point) && has_unknowns(direction)) heights_.push_back({point, direction});
-  }
-
-  struct Height {
-    VectorForm point, direction;
-  };
 
   const SceneEquations& equations_;
   const SceneSystem* general_;
   const ProblemStatement& problem_;
+  std::size_t dimension_;
   std::vector<LinearForm> forms_;
-  std::vector<Height> heights_;
 };
 
 class DyadicWriter {
@@ -181,7 +170,9 @@ class DyadicWriter {
 
   std::optional<DyadicBox> box(const Figure& near) const {
     const ComplexValues x = equations_.coordinates(near);
-    if (const Certificate certificate = certifier_.certify(x); certificate.is_proven)
+    const Certificate certificate = certifier_.certify(x);
+    if (certificate.cluster > 0) return cluster_box(certificate);
+    if (certificate.is_proven)
       if (auto result = box(place_of(certificate.enclosure), near.is_real())) return result;
     for (const slong bits : ball_precisions)
       if (const auto proof = certifier_.prove(x, bits))
@@ -198,6 +189,21 @@ class DyadicWriter {
         (!is_real && is_real_within(place.numbers, std::ldexp(2 * DyadicBox::radius, *exponent))))
       return std::nullopt;
     return box_of(place.numbers, *exponent);
+  }
+
+  /// Four times as large as the cluster: other coordinates take more room.
+  std::optional<DyadicBox> cluster_box(const Certificate& certificate) const {
+    Enclosure middle = certificate.enclosure;
+    double reach = 0;
+    for (std::complex<double>& radius : middle.radius) {
+      reach = std::max(reach, std::abs(radius));
+      radius = 0;
+    }
+    const int exponent = std::ilogb(8 * reach) - std::ilogb(double{DyadicBox::radius});
+    if (exponent > 0) return std::nullopt;
+    DyadicBox result = box_of(listed_.numbers(balls_of(middle), ball_precisions.front()), exponent);
+    result.solutions = certificate.cluster;
+    return result;
   }
 
   const SceneEquations& equations_;
@@ -228,6 +234,18 @@ std::vector<std::optional<DyadicBox>> dyadic_figures(const SceneEquations& equat
   const DyadicWriter writer(equations, scene);
   std::vector<std::optional<DyadicBox>> boxes(near.size());
   share_on_threads(near.size(), threads, [&](std::size_t i) { boxes[i] = writer.box(near[i]); });
+  std::vector<std::size_t> clusters;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i] || boxes[i]->solutions == 1) continue;
+    const auto meets_this = [&](std::size_t other) {
+      return largest_difference(equations.coordinates(near[i]), equations.coordinates(near[other])) <=
+             DyadicBox::radius * (std::ldexp(1, boxes[i]->exponent) + std::ldexp(1, boxes[other]->exponent));
+    };
+    if (std::ranges::any_of(clusters, meets_this))
+      boxes[i].reset();
+    else
+      clusters.push_back(i);
+  }
   return boxes;
 }
 

@@ -5,18 +5,15 @@ Usage: certificate_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import copy
-import functools
 import json
 import random
 import re
 import subprocess
-import tempfile
-from pathlib import Path
 
 import command_line
+from certificates import SCRIPT, CertificateTest, at, checker, sentence, some_of, verdict, with_value, without
 from command_line import BAD_INPUT, CHECK_FAILED, DONE, SOURCE, run
-
-SCRIPT = SOURCE / "scripts" / "check-certificate"
+from general_scenes import TRIANGLE, distances
 
 # Complex and real solutions up to reflection. K3,3: 16 in the fixed frame (Capco et al. 2018). Prism: two triangles on
 # three legs have 6 postures for each orientation (Hunt 1983), all of them real here by box subdivision. Octahedron: at
@@ -34,10 +31,6 @@ TANGENTS = {"tangents-durand": (12, 4), "tangents-12-real": (12, 12)}
 
 # An octahedron of points and planes has at most 16 figures in its frame (Hoffmann, Yuan 2001).
 OCTAHEDRAL = ("octahedral-5p1h", "octahedral-4p2h", "octahedral-3p3h")
-
-
-def distances(*given):
-    return [{"type": "distance", "between": [a, b], "length": length} for a, b, length in given]
 
 
 # A triangle on three legs from given points: 6 postures of each orientation (Hunt 1983).
@@ -64,15 +57,10 @@ HUNG = {
                              ("r", "s", 2.926), ("h", "p", -0.5), ("q", "h", 1.5), ("s", "h", 2.167), ("m", "p", 0.279),
                              ("m", "q", 2.622), ("s", "m", 0.129), ("m", "r", 2.429))}
 
-checker = command_line.load_script(SCRIPT.name)
-
-
-def sentence(name, found, real, quantity="exactly", counted=" up to reflection"):
-    return f"{name}: {quantity} {found} complex solutions{counted}, {real} of them real: proven."
-
-
-def some_of(name, found, real, most):
-    return sentence(name, found, real, "at least")[:-1] + f"; isolated are at most {most}."
+# Nothing but lines in space.
+SKEW = {"format": "gcsbench-instance/2", "id": "skew", "dimension": 3, "points": [], "lines": ["K", "L", "M"],
+        "constraints": [*distances(("K", "L", 1), ("L", "M", 1.2), ("M", "K", 0.8)),
+                        *({"type": "angle", "between": pair, "degrees": 60} for pair in (["K", "L"], ["L", "M"], ["M", "K"]))]}
 
 
 def restated(scene, name, names, exponent, draw):
@@ -92,69 +80,7 @@ def restated(scene, name, names, exponent, draw):
             "constraints": constraints}
 
 
-def verdict(certificate):
-    """The theorem, or None."""
-    try:
-        return checker.theorem(checker.parsed(json.dumps(certificate)))
-    except (checker.Refused, checker.Unreadable):
-        return None
-
-
-def places(value, path=()):
-    """Paths to all values within one."""
-    if isinstance(value, (dict, list)):
-        for key in value if isinstance(value, dict) else range(len(value)):
-            yield (*path, key)
-            yield from places(value[key], (*path, key))
-
-
-def at(value, path):
-    for key in path:
-        value = value[key]
-    return value
-
-
-def with_value(certificate, path, value):
-    changed = copy.deepcopy(certificate)
-    at(changed, path[:-1])[path[-1]] = value
-    return changed
-
-
-def without(certificate, path):
-    changed = copy.deepcopy(certificate)
-    del at(changed, path[:-1])[path[-1]]
-    return changed
-
-
-def changes(value, draw, names):
-    """Other values in the place of one."""
-    if isinstance(value, bool):
-        return [not value]
-    if isinstance(value, (int, float)):
-        return [value + 1, value - 1, 2 * value, -value]
-    if isinstance(value, str) and value.lstrip("-").isdigit():
-        return [str(int(value) + step) for step in (-(10 ** 9), 10 ** 9, draw.getrandbits(70))]
-    if isinstance(value, str):
-        return [draw.choice(names), ""]
-    if isinstance(value, list) and value:
-        return [value[:-1], value + value[:1], value[::-1]]
-    return [None, {}]
-
-
-@functools.cache
-def written(instance, *options, strategy="monodromy"):
-    with tempfile.TemporaryDirectory() as folder:
-        out = Path(folder) / "certificate.json"
-        done = run("--quiet", "solve", instance, "--strategy", strategy, "--certificate", out, *options)
-        return done.returncode, done.returncode == DONE and out.read_text()
-
-
-class Certificates(command_line.CommandLine):
-    def certificate(self, instance, *options, **strategy):
-        code, text = written(instance, *options, **strategy)
-        self.assertEqual(code, DONE)
-        return json.loads(text)
-
+class Certificates(CertificateTest):
     def checked(self, text):
         return subprocess.run([SCRIPT, "-"], input=text, capture_output=True, text=True, timeout=60, check=False)
 
@@ -270,38 +196,11 @@ class Certificates(command_line.CommandLine):
             self.assertEqual(checker.Realisations().count([(edge, edge) for edge in edges]), known)
 
     def test_a_change_is_refused_or_changes_nothing(self):
-        """Of some hundreds, in every kind of place."""
-        draw = random.Random(7)
         scenes = {name: name for name in ("k33", "octahedron", "escaping@0", "tangents-durand", "octahedral-4p2h")}
         scenes.update((scene["id"], self.write(scene, f"{scene['id']}.json")) for scene in (PLANAR_PLATFORM, HUNG))
         for name, scene in scenes.items():
-            certificate = self.certificate(scene)
-            places_of_a_kind, most_changes = (2, 9) if name == "k33" else (1, 2)
-            true = {verdict(certificate), self.weaker(certificate)}
-            self.assertNotIn(None, true)
-            kinds = {}
-            for path in places(certificate):
-                kinds.setdefault(tuple(key for key in path if isinstance(key, str)), []).append(path)
-            for paths in kinds.values():
-                for path in draw.sample(paths, min(len(paths), places_of_a_kind)):
-                    value = at(certificate, path)
-                    others = changes(value, draw, certificate["instance"]["points"])
-                    changed_ones = [*(with_value(certificate, path, other) for other in others if other != value),
-                                    without(certificate, path)]
-                    for changed in draw.sample(changed_ones, min(len(changed_ones), most_changes)):
-                        with self.subTest(path=path):
-                            proven = verdict(changed)
-                            self.assertIn(proven and self.of(name, changed, proven), (None, *true))
-
-    @staticmethod
-    def weaker(certificate):
-        """What is proven without what is at infinity."""
-        return verdict({**certificate, "at_infinity": None})
-
-    @staticmethod
-    def of(name, changed, proven):
-        """The sentence about the instance, which may have another id."""
-        return proven.replace(changed["instance"]["id"], name, 1)
+            counts = (2, 9) if name == "k33" else (1, 2)
+            self.assert_changes_are_harmless(name, self.certificate(scene), *counts)
 
     def test_what_says_something_else_is_refused(self):
         certificate = self.certificate("k33")
@@ -310,7 +209,7 @@ class Certificates(command_line.CommandLine):
                  "the number of real ones": with_value(certificate, ["real"], 3),
                  "a bound": with_value(certificate, ["limit", 0, "at_most"], 18),
                  "a pair": with_value(certificate, ["solutions", 5], solutions[4]),
-                 "a format": with_value(certificate, ["format"], "gcsbench-certificate/2")}
+                 "a format": with_value(certificate, ["format"], "gcsbench-certificate/1")}
         for number, constraint in enumerate(certificate["instance"]["constraints"]):
             name = "length" if "length" in constraint else "squared"
             place = ["instance", "constraints", number, name]
@@ -382,14 +281,12 @@ class Certificates(command_line.CommandLine):
 
     def test_scenes_and_lists_without_a_certificate(self):
         out = self.folder / "none.json"
-        for instance, place in (("platform", "/bodies"), ("three-points-three-lines-angles", "/constraints")):
-            done = run("solve", instance, "--strategy", "monodromy", "--certificate", out)
+        turning = {**PLANAR_PLATFORM, "format": "gcsbench-instance/2", "fixed": {"a1": [1, 2]}, "constraints": PLANAR_PLATFORM["constraints"] + distances(
+            ("a1", "a2", 5), ("a1", "a3", 5.5), ("a2", "a3", 4.6))}
+        for scene, place in ((TRIANGLE, "/constraints"), (turning, "/fixed"), (SKEW, "/reference")):
+            path = self.write(scene, f"{scene['id']}.json")
+            done = run("solve", path, "--strategy", "monodromy", "--certificate", out)
             self.assert_one_message(done, BAD_INPUT, "--certificate", place)
-        pyramid = json.loads((SOURCE / "instances" / "hoffmann-yuan.json").read_text())
-        on_line = next(constraint for constraint in pyramid["constraints"] if "L" in constraint["between"])
-        on_line["length"] = 0
-        pyramid = self.write({**pyramid, "id": "touching"}, "touching.json")
-        self.assert_one_message(run("solve", pyramid, "--strategy", "monodromy", "--certificate", out), BAD_INPUT, "/constraints")
         nothing = run("--quiet", "solve", "inconsistent@0", "--strategy", "monodromy", "--certificate", out)
         self.assertIn("no certificate is written", nothing.stderr)
         self.assertFalse(out.exists())

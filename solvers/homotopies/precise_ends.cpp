@@ -174,17 +174,22 @@ class PreciseEnd {
   BallMatrix way_;
 };
 
-bool is_open(const PathEnd& end) {
-  return !end.before.empty() && (end.kind == PathEnd::Kind::at_infinity || end.kind == PathEnd::Kind::failed);
+/// Whether the squared lengths in doubles, at which x = 0 misses the system's, are not exactly the file's.
+bool are_rounded(const BallKrawczyk& equations, const ComplexVectorX& squares) {
+  const BallMatrix missed = equations.value(BallMatrix(static_cast<slong>(squares.size()), 1));
+  Ball sum;
+  for (std::size_t e = 0; e < squares.size(); ++e) {
+    acb_set_d_d(sum, squares[e].real(), squares[e].imag());
+    acb_add(sum, sum, missed(static_cast<slong>(e), 0), bits_for(1));
+    if (!acb_is_zero(sum)) return true;
+  }
+  return false;
 }
 
 /// Of one that failed that of most poles.
 double power_of(const PathEnd& end) {
   return end.pole_order > 0 ? static_cast<double>(end.pole_order) / end.winding_number : 1;
 }
-
-/// In the plane no walk need tell.
-bool may_escape(const Scene& scene) { return scene.dimension() == 2 || !closed_walks(scene).empty(); }
 
 void doubt(std::vector<PathEnd>& ends) {
   for (PathEnd& end : ends) {
@@ -202,11 +207,18 @@ bool has_precise_ends(const Scene& scene) {
 
 void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
                    std::vector<PathEnd>& ends, const std::stop_token& stop) {
-  const auto open = static_cast<double>(std::ranges::count_if(ends, is_open));
-  if (open == 0) return;
+  if (std::ranges::all_of(ends, [](const PathEnd& end) { return end.before.empty(); })) return;
   const QuadraticSystem system = SceneEquations(scene).system();
+  const bool in_space = scene.dimension() == 3;
+  const bool is_explained =
+      !are_rounded(BallKrawczyk(system, bits_for(1)), to) || (in_space && !closed_walks(scene).empty());
+  const auto is_open = [&](const PathEnd& end) {
+    return !end.before.empty() &&
+           (end.kind == PathEnd::Kind::failed || (end.kind == PathEnd::Kind::at_infinity && !is_explained));
+  };
+  const auto open = static_cast<double>(std::ranges::count_if(ends, is_open));
   if (open * std::pow(system.unknowns, 3) > most_work) {
-    if (!may_escape(scene)) doubt(ends);
+    if (in_space && !is_explained) doubt(ends);
     return;
   }
   ComplexVectorX way;

@@ -22,9 +22,10 @@ namespace gcs {
 /// Whether ends of its paths are continued: points at distances, with nothing given.
 bool has_precise_ends(const Scene& scene);
 
-/// Makes ends finite that are, of those at infinity and of those that failed beside their end; `from` and `to` are the
-/// squared lengths in doubles that the paths went between. Where that would take more than seconds, ends at infinity are
-/// believed if lengths of the file let points escape (escapes.hpp), and else have failed. Precondition:
+/// Makes ends finite that are, of those that failed beside their end and of those at infinity that the file's lengths do not
+/// explain; `from` and `to` are the squared lengths in doubles that the paths went between. Explained: `to` is exactly the
+/// file's, or in space lengths of the file let points escape (escapes.hpp). Where it would take more than seconds, those that
+/// are not explained are believed in the plane, where they need no such lengths, and in space have failed. Precondition:
 /// has_precise_ends(scene), whose frame the ends are in.
 void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
                    std::vector<PathEnd>& ends, const std::stop_token& stop);

@@ -49,20 +49,21 @@ void add_start(const GenericStart& start, SolveReport& report) {
     report.status = start.is_stopped() ? SolveStatus::stopped : SolveStatus::partial;
 }
 
-/// With two mirror images for each doubling.
-std::optional<std::uint64_t> most_classes(const TheoreticalCounts& counts, int doublings) {
+/// With two mirror images for each doubling. Where given points are in special places there may be fewer.
+std::optional<ClassCount> most_classes(const Scene& scene, const TheoreticalCounts& counts, int doublings) {
   const SolutionCount* limit = counts.upper_limit();
   if (!limit) return std::nullopt;
   const Natural classes = limit->up_to_reflection() * Natural::power_of_two(doublings);
   if (classes > Natural(std::numeric_limits<std::uint32_t>::max())) return std::nullopt;
-  return static_cast<std::uint64_t>(classes.approximate());
+  return ClassCount{static_cast<std::uint64_t>(classes.approximate()), counts.exact && !scene.is_anchored()};
 }
 
 /// Wherever given points are, the scene of the request has no more isolated solutions than its limit.
 ClassLimit limit_of(const SolveRequest& request, int doublings = 0) {
   return [&request, doublings] {
-    return request.analysis ? most_classes(request.analysis->counts(), doublings)
-                            : most_classes(theoretical_counts(request.scene.problem()), doublings);
+    const Scene& scene = request.scene;
+    return request.analysis ? most_classes(scene, request.analysis->counts(), doublings)
+                            : most_classes(scene, theoretical_counts(scene.problem()), doublings);
   };
 }
 

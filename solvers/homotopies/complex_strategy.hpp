@@ -20,9 +20,19 @@ namespace gcs {
 /// Predictions that are rough or fine, of low and of high order.
 std::vector<OptionMap> tracking_accuracy_settings();
 
-/// The number of classes at generic lengths, or at most so many; nothing where nobody knows, or where no list
-/// could be that long. Takes seconds at most.
-using ClassLimit = std::function<std::optional<std::uint64_t>()>;
+/// How many classes there are at generic lengths, exactly or at most.
+struct ClassCount {
+  std::uint64_t classes = 0;
+  bool is_exact = false;
+};
+
+/// Nothing where nobody knows, or where no list could be that long. Takes seconds at most.
+using ClassLimit = std::function<std::optional<ClassCount>()>;
+
+inline bool is_met(const ClassLimit& limit, std::size_t classes) {
+  const std::optional<ClassCount> count = limit();
+  return count && count->classes == classes;
+}
 
 /// The equations of a scene and their solutions at random lengths. Not to be moved: trackers refer to the
 /// system.

@@ -5,7 +5,7 @@
 /// them to the given lengths, where each path ends with a name: regular, singular, at infinity
 /// (homotopies/endgame.hpp). Everything is done modulo reflections in the planes of the frame. The list
 /// is complete when the search has met the theoretical count or bound (counting/theoretical_counts.hpp) and
-/// every path has a decided end. Where no count is known, or every loop leads to known solutions before the
+/// every path has a decided end. Where no exact count is known, and every loop leads to known solutions before a
 /// bound is met, a trace test decides (homotopies/trace_test.hpp): strong evidence that nothing is
 /// missing, and no proof. Without it (trace=off) the report says that the list is as found.
 ///
@@ -49,10 +49,14 @@ std::string why_not_all(const GenericSolutions& generic, const std::optional<Tra
   return found + ", where the trace test finds " + std::to_string(trace->solutions);
 }
 
+std::optional<std::uint64_t> classes_of(const std::optional<ClassCount>& count, int images = 1) {
+  return count ? std::optional(count->classes * static_cast<std::uint64_t>(images)) : std::nullopt;
+}
+
 /// How the search for a list ended that was read: a count decides now as it would have done then.
-SearchEnd end_of_stored(const GenericSolutions& generic, const std::optional<std::uint64_t>& count) {
-  if (count && generic.solutions.size() == *count) return SearchEnd::complete;
-  if (count && generic.solutions.size() > *count) return SearchEnd::inconsistent;
+SearchEnd end_of_stored(const GenericSolutions& generic, const std::optional<ClassCount>& count) {
+  if (count && generic.solutions.size() == count->classes) return SearchEnd::complete;
+  if (count && generic.solutions.size() > count->classes) return SearchEnd::inconsistent;
   return generic.end == SearchEnd::complete ? SearchEnd::quiet : generic.end;
 }
 
@@ -77,8 +81,12 @@ class Found final : public GenericStart {
   StartFamily lengths() const { return start_family(system, axes); }
   bool is_stopped() const override { return generic.end == SearchEnd::stopped; }
   std::string missing() const override {
-    return why_not_all(generic, trace, is_stored ? "the stored start has" : "found");
+    if (generic.end == SearchEnd::quiet && limit && limit->is_exact)
+      return verb() + " " + std::to_string(generic.solutions.size()) + " of " +
+             std::to_string(limit->classes) + " classes at random lengths, to which every loop leads back";
+    return why_not_all(generic, trace, verb());
   }
+  std::string verb() const { return is_stored ? "the stored start has" : "found"; }
   std::vector<Particular> particulars() const override {
     std::vector<Particular> counts;
     if (is_stored)
@@ -87,7 +95,7 @@ class Found final : public GenericStart {
     return counts;
   }
 
-  std::optional<std::uint64_t> limit;
+  std::optional<ClassCount> limit;
   std::vector<int> axes;
   GenericSolutions generic;
   std::optional<TraceTest> trace;  ///< where the limit was not met
@@ -131,7 +139,7 @@ class MonodromyStrategy final : public ComplexStrategy {
                            GeneralStart& start) const override {
     require_store(request);
     if (save_start_) request.starts->reserve(*save_start_);
-    const std::optional<std::uint64_t> most = limit();
+    const std::optional<ClassCount> most = limit();
     StartSystem found = start_ ? request.starts->read(*start_, start_family(start.equations))
                                : search_member(request, most, start);
     if (start_) {
@@ -153,7 +161,7 @@ class MonodromyStrategy final : public ComplexStrategy {
   /// twice as large as in trace tests, random platforms are found along a third of the paths. Where the trace test says
   /// that some are missing, more arcs are tried, which go further out: a point that is 1/δ away has its branch points some
   /// 1/δ² away.
-  StartSystem search_member(const SolveRequest& request, const std::optional<std::uint64_t>& most,
+  StartSystem search_member(const SolveRequest& request, const std::optional<ClassCount>& most,
                             GeneralStart& start) const {
     const auto stopped = [&] { return request.stop.stop_requested(); };
     const auto progress = [&](const char* stage) {
@@ -171,8 +179,8 @@ class MonodromyStrategy final : public ComplexStrategy {
       if (i > 0) search.bend *= 4;
       if (!found.trace || found.trace->solutions != std::ssize(found.generic.solutions))
         found.generic =
-            search_by_monodromy(start.family, start.tracking, {most, nullptr}, search, start.random, stopped,
-                                progress("solutions at random values"), start.work);
+            search_by_monodromy(start.family, start.tracking, {classes_of(most), nullptr}, search,
+                                start.random, stopped, progress("solutions at random values"), start.work);
       if (with_trace_ && found.generic.end != SearchEnd::complete)
         found.trace = test_trace(start.equations, setup_for(request), search, start.random, stopped,
                                  progress("points for the trace test"), start.work);
@@ -204,7 +212,7 @@ class MonodromyStrategy final : public ComplexStrategy {
   void search(const SolveRequest& request, Found& found) const {
     const auto stopped = [&] { return request.stop.stop_requested(); };
     const int images = follows_mirror_images() ? image_count(found.axes) : 1;
-    const double most = found.limit ? static_cast<double>(*found.limit) * images : 0;
+    const double most = found.limit ? static_cast<double>(*classes_of(found.limit, images)) : 0;
     const auto progress = [&](int count) {
       report_progress(request, "solutions at random lengths", most > 0 ? count / most : -1);
     };
@@ -214,15 +222,16 @@ class MonodromyStrategy final : public ComplexStrategy {
                                  progress, found.work);
     };
     const auto all_found = [&] {
-      if (!follows_mirror_images()) return search_in(found.family(), found.limit);
-      const auto all = found.limit ? std::optional(*found.limit * images) : std::nullopt;
+      if (!follows_mirror_images()) return search_in(found.family(), classes_of(found.limit));
+      const auto all = classes_of(found.limit, images);
       GenericSolutions generic = search_in(all_lengths(found.system, divided_by_none(found.axes)), all);
       generic.solutions = one_of_each_class(generic.solutions, found.axes, found.random);
       return generic;
     };
     found.generic = all_found();
     for (int i = 0; with_trace_ && i < most_trace_tests && !found.missing().empty() && !stopped(); ++i) {
-      found.trace = test(request, found);
+      // Where so many are missing, no test needs to say it.
+      if (!found.limit || !found.limit->is_exact) found.trace = test(request, found);
       options.arcs *= 2;
       if (!found.missing().empty() && !stopped()) found.generic = all_found();
     }

@@ -96,7 +96,8 @@ class PolyhedralStrategy final : public ComplexStrategy {
         {request.scene, found->coordinates, found->system, found->placement, formulation_,
          follows_mirror_images(), setup, request.seed, request.stop, progress},
         found->random, found->work);
-    if (!found->generic.missing.empty()) found->are_as_many_as_can_be = limit() == found->solutions().size();
+    if (!found->generic.missing.empty())
+      found->are_as_many_as_can_be = is_met(limit, found->solutions().size());
     found->misses_placement = !has_placement(request, *found);
     return found;
   }
@@ -124,7 +125,7 @@ class PolyhedralStrategy final : public ComplexStrategy {
     start.particulars = particulars_of(paths.counts);
     start.missing = paths.is_stopped ? "stopped on the way to " + destination : paths.missing;
     const bool has_member = sort_in(paths.ends, divided, member.x, start);
-    if (!start.missing.empty() && limit() == start.solutions.size()) start.missing.clear();
+    if (!start.missing.empty() && is_met(limit, start.solutions.size())) start.missing.clear();
     if (start.missing.empty() && !has_member)
       start.missing =
           fmt::format("the random figure that gives the values is not among the {} classes found for them",

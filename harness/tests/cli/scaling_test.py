@@ -35,6 +35,13 @@ class Scaling(command_line.WithFolder):
             self.assertGreaterEqual(real, 1)  # the figure of which the lengths are
             self.assertTrue(all(0 < one.peak_bytes < 1e9 and one.cpu_s < 100 for one in (count, took)))
 
+    def test_more_loops_are_tried_where_the_number_is_known(self):
+        # A graph of which the first loops reach half.
+        problem = scaling.instance(11, 6)
+        solve = scaling.solved(PROGRAM, problem)
+        self.assertTrue(solve.is_complete)
+        self.assertEqual(solve.classes, scaling.counted(PROGRAM, problem)[0])
+
     def test_the_table_and_the_plot_show_medians(self):
         solves = [scaling.Solve(10, True, 100, paths, 5000, s, 10**9, {}) for paths, s in ((300, 0.01), (200, 0.02), (400, 0.03))]
         stopped = scaling.Solve(10, False, 900, 100, 4000, 0.04, 10**9, {})

@@ -55,7 +55,7 @@ TEST_CASE("solutions that rounded lengths send to infinity are found where the f
       CHECK(answer.counts.at_infinity == 0u);
       std::vector<double> found;
       for (const auto& solution : answer.solutions) {
-        const Eigen::Vector3cd beside = solution.complex_point("p") - solution.complex_point("b");
+        const Eigen::VectorXcd beside = solution.complex_point("p") - solution.complex_point("b");
         found.push_back(beside.imag().cwiseAbs().maxCoeff());
       }
       std::sort(found.begin(), found.end());

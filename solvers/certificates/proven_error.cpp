@@ -25,12 +25,16 @@ double error_by_certificate(const Scene& scene, const Figure& figure) {
   const SceneEquations equations(scene);
   QuadraticSystem system = equations.system();
   if (system.unknowns > most_unknowns_in_balls) return unknown;
-  const Figure framed = scene.in_frame(figure);
-  const Certificate certificate = Certifier(std::move(system)).certify(equations.coordinates(framed));
-  return certificate.is_proven ? equations.distance(framed, certificate) : unknown;
+  return certified_error(equations, Certifier(std::move(system)), scene.in_frame(figure));
 }
 
 }  // namespace
+
+double certified_error(const SceneEquations& equations, const Certifier& certifier, const Figure& framed) {
+  const Certificate certificate = certifier.certify(equations.coordinates(framed));
+  return certificate.is_proven ? equations.distance(framed, certificate)
+                               : std::numeric_limits<double>::infinity();
+}
 
 std::optional<Candidate> proven_next_to(const Scene& scene, const Figure& figure) {
   constexpr int precise_bits = 128;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "solvers/certificates/scene_equations.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/double_double.hpp"
@@ -15,6 +16,10 @@ namespace gcs {
 /// Infinite for others, where nothing is proven, and above 300 unknowns (100 for a certificate).
 /// `squares`: see target_squares.
 double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure);
+
+/// Of a figure in the scene's unit and frame, by a certificate of the scene's equations, whatever its condition; infinity if
+/// it proves none.
+double certified_error(const SceneEquations& equations, const Certifier& certifier, const Figure& framed);
 
 /// The solution, proven to be complex, next to a complex figure of points in the scene's frame, rounded to doubles, with its
 /// error: where these do not hold the distances, a figure is right only as far as it is that. Nothing where there is none

@@ -173,8 +173,8 @@ class Endgame {
     std::vector<ActivePath> paths;
     for (std::size_t i = 0; i < starts.size(); ++i) paths.push_back({i, starts[i]});
     advance(paths, 1, first_radius);
-    for (ActivePath& path : paths) path.before = path.x;
     approach(paths, first_radius, direct_step);
+    for (ActivePath& path : paths) path.before = path.x;
     for (double radius = first_radius; !paths.empty() && !stopped_(); radius *= radius_ratio) {
       if (radius < smallest_radius) {
         approach(paths, radius, 0);
@@ -189,7 +189,7 @@ class Endgame {
     }
     if (stopped_())
       for (const ActivePath& path : paths)
-        ends_[path.number] = {PathEnd::Kind::stopped, path.x, 1, 0, {}, true, "stopped on the way"};
+        ends_[path.number] = {PathEnd::Kind::stopped, path.x, 1, 0, true, "stopped on the way"};
     return std::move(ends_);
   }
 
@@ -228,7 +228,7 @@ class Endgame {
       if (path.is_lost)
         ends_[path.number] = path.between
                                  ? singular_end(*path.between)
-                                 : PathEnd{PathEnd::Kind::failed, path.x, 1, 0, path.before, false, cause};
+                                 : PathEnd{PathEnd::Kind::failed, path.x, 1, 0, false, cause, path.before};
       return path.is_lost;
     });
   }
@@ -243,7 +243,7 @@ class Endgame {
     const std::vector<LegResult> results = follow(pointers(paths), radius, 0, shortest_step);
     for (std::size_t i = 0; i < paths.size(); ++i)
       if (results[i].state.end == LegEnd::arrived)
-        ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, {}, true, ""};
+        ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, true, ""};
     remove_ended(paths);
   }
 
@@ -323,7 +323,7 @@ class Endgame {
     const double change = distance(before.leading, now.leading) / largest(now.leading);
     if (now.kind == CircleReading::Kind::pole && now.is_at_infinity() && change <= agreed_pole)
       ends_[path.number] = {
-          PathEnd::Kind::at_infinity, path.x, now.winding_number, now.pole_order, path.before, true, ""};
+          PathEnd::Kind::at_infinity, path.x, now.winding_number, now.pole_order, true, "", path.before};
     if (now.kind != CircleReading::Kind::finite || change > agreed_end) return;
     if (may_lie_between(now, radius))
       path.between = now;
@@ -332,7 +332,7 @@ class Endgame {
   }
 
   static PathEnd singular_end(const CircleReading& reading) {
-    return {PathEnd::Kind::singular, reading.leading, reading.winding_number, 0, {}, false, ""};
+    return {PathEnd::Kind::singular, reading.leading, reading.winding_number, 0, false, ""};
   }
 
   /// A path that closes after one round and has a constant term may end at a regular point, beside a pole.

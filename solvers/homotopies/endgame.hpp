@@ -25,13 +25,12 @@ inline constexpr double first_radius = 0.1;
 struct PathEnd {
   enum class Kind { regular, singular, at_infinity, failed, stopped };
   Kind kind = Kind::failed;
-  ComplexVectorX
-      x;  ///< of a finite end; else the path's last point, on a circle or before a step that failed
-  int winding_number = 1;   ///< w
-  int pole_order = 0;       ///< k: at infinity like σ^(−k/w)
-  ComplexVectorX before{};  ///< x at σ = first_radius, of an end at infinity or one that failed; may be empty
+  ComplexVectorX x;        ///< of a finite end; else where the path was last, on a circle or before a failure
+  int winding_number = 1;  ///< w
+  int pole_order = 0;      ///< k: at infinity like σ^(−k/w)
   bool is_settled = false;  ///< Newton's method was tried on it
   std::string cause;        ///< why it failed, in words
+  ComplexVectorX before{};  ///< x at σ = first_radius, of an end at infinity or one that failed; may be empty
   bool is_precise = false;  ///< every entry of x is right to its own rounding, however small beside others
 };
 

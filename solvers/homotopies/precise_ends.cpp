@@ -226,7 +226,7 @@ void continue_ends(const Scene& scene, const ComplexVectorX& from, const Complex
   for (PathEnd& end : ends) {
     if (!is_open(end) || stop.stop_requested()) continue;
     const auto finite = PreciseEnd(system, bits_for(power_of(end)), way).run(end.before);
-    if (finite) end = {PathEnd::Kind::regular, *finite, 1, 0, {}, true, "", true};
+    if (finite) end = {PathEnd::Kind::regular, *finite, 1, 0, true, "", {}, true};
   }
 }
 

@@ -62,9 +62,6 @@ Quotients<Number> quotients(int dimension, const Squares<Number>& squares) {
   return dimension == 2 ? in_plane(squares) : in_space(squares);
 }
 
-/// The pairs of base points whose distances count.
-int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
-
 /// Of the terms that cancel in D or V: a height of 1e-4 of the size, where condition numbers reach 1e4.
 constexpr double stiff = 1e-8;
 

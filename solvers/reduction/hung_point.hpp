@@ -30,6 +30,8 @@ std::string why_not_on_base(const Scene& scene, const Part& part);
 
 /// The numbers of two points of a base, for its squared distances: in the plane the first pair.
 inline constexpr std::array<std::array<int, 2>, 3> base_pairs{{{0, 1}, {0, 2}, {1, 2}}};
+/// So many of them count.
+constexpr int pairs_in(int dimension) { return dimension == 2 ? 1 : 3; }
 
 /// Squared distances of a base's points, in the scene's unit, to a relative error.
 struct MeasuredSquares {

@@ -59,10 +59,8 @@ ReflectionClasses classes_told_apart(const Scene& scene, const std::vector<Figur
   const SceneEquations equations(scene);
   const Certifier certifier(equations.system());
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    const Figure framed = scene.in_frame(figures[i]);
-    const Certificate certificate = certifier.certify(equations.coordinates(framed));
-    if (certificate.is_proven)
-      accuracies[i].error = std::min(accuracies[i].error, equations.distance(framed, certificate));
+    const double error = certified_error(equations, certifier, scene.in_frame(figures[i]));
+    accuracies[i].error = std::min(accuracies[i].error, error);
   }
   return solution_classes(scene, figures, accuracies);
 }

@@ -44,7 +44,7 @@ std::optional<MeasuredSquares> precise_base(const Scene& scene, const PartProble
   };
   MeasuredSquares result;
   double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t pair = 0; pair < (base.size() == 2 ? 1 : 3); ++pair) {
+  for (int pair = 0; pair < pairs_in(scene.dimension()); ++pair) {
     const auto& [a, b] = base_pairs[pair];
     Rational square;
     for (int axis = 0; axis < scene.dimension(); ++axis) {

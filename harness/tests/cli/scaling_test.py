@@ -25,7 +25,7 @@ class Scaling(command_line.WithFolder):
 
     def test_what_is_counted_is_found_and_proven(self):
         for seed in (1, 2):
-            problem = scaling.instance(8, seed)
+            problem = scaling.instance(f"random-8-{seed}")
             classes, count = scaling.counted(PROGRAM, problem)
             solve = scaling.solved(PROGRAM, problem)
             self.assertTrue(solve.is_complete)
@@ -37,10 +37,25 @@ class Scaling(command_line.WithFolder):
 
     def test_more_loops_are_tried_where_the_number_is_known(self):
         # A graph of which the first loops reach half.
-        problem = scaling.instance(11, 6)
+        problem = scaling.instance("random-11-6")
         solve = scaling.solved(PROGRAM, problem)
         self.assertTrue(solve.is_complete)
         self.assertEqual(solve.classes, scaling.counted(PROGRAM, problem)[0])
+
+    def test_a_code_is_the_upper_triangle_of_the_adjacency_matrix(self):
+        # The prism: OEIS A306420 has 24 for 6 points at 7916.
+        problem = scaling.instance("coded-6-7916")
+        self.assertEqual(len(problem["constraints"]), 9)
+        self.assertEqual(scaling.counted(PROGRAM, problem)[0], 12)
+
+    def test_rows_that_are_not_measured_stay(self):
+        scaling.TABLE = self.folder / "scaling.md"
+        scaling.TABLE.write_text("growth" + scaling.whole_text(["| coded-18 | 1 |", "| random-8-1 | 2 |"]), encoding="utf-8")
+        scaling.write_whole(PROGRAM, "random-8-1")
+        growth, rows = scaling.parts()
+        self.assertEqual((growth, rows[0], len(rows)), ("growth", "| coded-18 | 1 |", 2))
+        count = scaling.counted(PROGRAM, scaling.instance("random-8-1"))[0]
+        self.assertRegex(rows[1], rf"^\| random-8-1 \| {count} \| .* \| {count} \| [0-9]+ \| yes \| ")
 
     def test_the_table_and_the_plot_show_medians(self):
         solves = [scaling.Solve(10, True, 100, paths, 5000, s, 10**9, {}) for paths, s in ((300, 0.01), (200, 0.02), (400, 0.03))]

@@ -8,7 +8,7 @@ namespace gcs::contract {
 Violations check_certificates(const Scene& scene, const SolveReport& report) {
   Violations found;
   Assessment assessment = assess(scene, report);
-  certify(scene, theoretical_counts(scene.problem()), report.generic_member, 2, nullptr, assessment);
+  certify(scene, theoretical_counts(scene.problem()), report.generic_member, {.threads = 2}, assessment);
   for (const FailedCheck& check : assessment.failed_checks)
     if (check.name == "certificate") found.push_back({"certificate", check.what});
   const Proofs& proofs = *assessment.proofs;

@@ -335,9 +335,8 @@ Violations check_reuse(const Subject& subject, const Scene& prepared, const Scen
   return finder.take();
 }
 
-Violations check_stop(const Subject& subject, const Scene& scene) {
+Violations check_stop(const Subject& subject, const Scene& scene, const SolveReport& whole) {
   Finder finder;
-  const SolveReport whole = solve_anew(subject, scene);
   std::stop_source at_once;
   at_once.request_stop();
   const SolveReport stopped = solve_anew(subject, {scene, {.stop = at_once.get_token()}});

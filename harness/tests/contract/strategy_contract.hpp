@@ -75,9 +75,9 @@ Violations check_repeatability(const Subject& subject, const Scene& scene, const
 Violations check_reuse(const Subject& subject, const Scene& prepared, const Scene& scene);
 
 /// `stop`: a request that stands from the beginning ends the solve with the status stopped and less than a
-/// quarter of the work; one that comes on the way ends it too. What is reported is valid and part of the
-/// whole.
-Violations check_stop(const Subject& subject, const Scene& scene);
+/// quarter of the work; one that comes on the way ends it too. What is reported is valid and part of
+/// `whole`, which the subject reports when nothing stops it.
+Violations check_stop(const Subject& subject, const Scene& scene, const SolveReport& whole);
 
 /// Other names, orders, a mirror image and other units.
 std::vector<Restatement> restatements(const ProblemStatement& problem, std::mt19937_64& random);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/tests/contract/count_limits.hpp"
@@ -80,35 +81,8 @@ void on_small_instances(const Check& check) {
     }
 }
 
-/// A tenth of a second or so.
-constexpr std::int64_t much_work = 20000;
-
-/// The instances that the subject supports, least work first, and of those that are much work to it the third that is
-/// least.
-std::vector<Instance> cheaper_instances(const Subject& subject, const std::vector<Instance>& instances) {
-  std::vector<std::pair<std::int64_t, std::size_t>> order;
-  for (std::size_t i = 0; i < instances.size(); ++i)
-    if (const Scene scene(instances[i].problem); supports(subject, scene))
-      order.emplace_back(effort(solve_anew(subject, scene).work), i);
-  std::sort(order.begin(), order.end());
-  const auto laborious = std::lower_bound(order.begin(), order.end(), std::pair{much_work, std::size_t{0}});
-  order.erase(laborious + (order.end() - laborious) / 3, order.end());
-  std::vector<Instance> cheaper;
-  for (const auto& [work, i] : order) cheaper.push_back(instances[i]);
-  return cheaper;
-}
-
-/// The same for checks that solve many times.
-template <class Check>
-void on_cheaper_instances(const Check& check) {
-  const std::vector<Instance> instances = small_instances();
-  for (const Subject& subject : subjects())
-    for (const Instance& instance : cheaper_instances(subject, instances))
-      expect_none(subject, instance.id, check(subject, instance, Scene(instance.problem)));
-}
-
-struct LabelledReport {
-  std::string label;
+struct SubjectReport {
+  Subject subject;
   SolveReport report;
 };
 
@@ -120,39 +94,55 @@ bool lists_multiple_solutions_alone(const SolveReport& report) {
 }
 
 /// What each subject that supports the scene reports, checked for itself.
-std::vector<LabelledReport> reports_on(const Scene& scene, const TheoreticalCounts& counts,
-                                       const std::vector<Subject>& all, const std::string& instance) {
-  std::vector<LabelledReport> reports;
-  std::vector<const Subject*> solved_by;
+std::vector<SubjectReport> reports_on(const Scene& scene, const TheoreticalCounts& counts,
+                                      const std::vector<Subject>& all, const std::string& instance) {
+  std::vector<SubjectReport> reports;
   for (const Subject& subject : all) {
     if (!supports(subject, scene)) continue;
-    reports.push_back({subject.label(), solve_anew(subject, scene)});
+    reports.push_back({subject, solve_anew(subject, scene)});
     const SolveReport& report = reports.back().report;
-    solved_by.push_back(&subject);
     expect_none(subject, instance, check_report(scene, report));
     expect_none(subject, instance, check_limits(scene, counts, report));
   }
   const bool has_simple_solutions = std::ranges::none_of(
-      reports, [](const LabelledReport& one) { return lists_multiple_solutions_alone(one.report); });
-  for (std::size_t i = 0; i < reports.size(); ++i)
-    expect_none(*solved_by[i], instance, check_completion(reports[i].report, has_simple_solutions));
+      reports, [](const SubjectReport& one) { return lists_multiple_solutions_alone(one.report); });
+  for (const auto& [subject, report] : reports)
+    expect_none(subject, instance, check_completion(report, has_simple_solutions));
   return reports;
 }
 
-void check_agreement(const Scene& scene, const std::vector<LabelledReport>& reports,
+void check_agreement(const Scene& scene, const std::vector<SubjectReport>& reports,
                      const std::string& instance) {
   for (std::size_t j = 0; j < reports.size(); ++j)
     for (std::size_t i = 0; i < j; ++i) {
       const auto found = contradiction(scene, reports[i].report, reports[j].report);
-      INFO(reports[i].label << " and " << reports[j].label << " on " << instance << ": "
-                            << found.value_or(""));
+      INFO(reports[i].subject.label()
+           << " and " << reports[j].subject.label() << " on " << instance << ": " << found.value_or(""));
       CHECK_FALSE(found);
     }
 }
 
+/// A tenth of a second or so.
+constexpr std::int64_t much_work = 20000;
+
+/// What a solve took, and the instance.
+using Solved = std::pair<std::int64_t, std::string>;
+
+/// All that is not much work, and of the rest the third that is least.
+std::vector<std::string> cheaper(std::vector<Solved> solved) {
+  std::sort(solved.begin(), solved.end());
+  const auto laborious = std::lower_bound(solved.begin(), solved.end(), Solved{much_work, ""});
+  solved.erase(laborious + (solved.end() - laborious) / 3, solved.end());
+  std::vector<std::string> instances;
+  for (const auto& [work, instance] : solved) instances.push_back(instance);
+  return instances;
+}
+
 }  // namespace
 
-TEST_CASE("every instance is solved as claimed or refused with a sentence, and all strategies agree") {
+// One test, since each solve of all instances by all strategies is half a minute.
+TEST_CASE("all instances are solved as claimed, stopped, repeated and restated, and strategies agree") {
+  std::map<std::string, std::vector<Solved>> solved_by;
   for (const std::string& id : shipped_instances()) {
     std::vector<Subject> all = subjects();
     if (is_in(published_mode, id))
@@ -160,14 +150,25 @@ TEST_CASE("every instance is solved as claimed or refused with a sentence, and a
     const ProblemStatement problem = load_instance(id).problem;
     const Scene scene(problem);
     for (const Subject& subject : all) expect_none(subject, id, check_refusal(subject, scene));
-    const std::vector<LabelledReport> reports = reports_on(scene, theoretical_counts(problem), all, id);
-    for (const auto& [label, report] : reports) {
-      INFO(label);
+    const std::vector<SubjectReport> reports = reports_on(scene, theoretical_counts(problem), all, id);
+    for (const auto& [subject, report] : reports) {
+      INFO(subject.label());
       CHECK(in_words(check_counts(id, scene, report)) == "");
       CHECK(in_words(check_certificates(scene, report)) == "");
+      expect_none(subject, id, check_stop(subject, scene, report));
+      if (!is_in(large, id)) solved_by[subject.label()].emplace_back(effort(report.work), id);
     }
     check_agreement(scene, reports, id);
   }
+
+  std::mt19937_64 random(20160101);
+  const Scene other(load_instance("octahedron").problem);
+  for (const Subject& subject : subjects())
+    for (const std::string& id : cheaper(solved_by[subject.label()])) {
+      const ProblemStatement problem = load_instance(id).problem;
+      expect_none(subject, id, check_repeatability(subject, Scene(problem), other));
+      expect_none(subject, id, check_restatements(subject, problem, restatements(problem, random)));
+    }
 }
 
 TEST_CASE("every strategy supports an instance") {
@@ -179,13 +180,6 @@ TEST_CASE("every strategy supports an instance") {
   }
 }
 
-TEST_CASE("a solve can be repeated bit for bit") {
-  const Scene other(load_instance("octahedron").problem);
-  on_cheaper_instances([&](const Subject& subject, const Instance&, const Scene& scene) {
-    return check_repeatability(subject, scene, other);
-  });
-}
-
 TEST_CASE("what was prepared serves other lengths") {
   std::mt19937_64 random(2016);
   on_small_instances([&](const Subject& subject, const Instance& instance, const Scene& scene) {
@@ -193,24 +187,6 @@ TEST_CASE("what was prepared serves other lengths") {
     ProblemStatement other = with_random_targets(instance.problem, random);
     other.interpolation = instance.problem.interpolation;
     return check_reuse(subject, scene, Scene(other));
-  });
-}
-
-TEST_CASE("a strategy stops when it is asked to") {
-  on_small_instances(
-      [](const Subject& subject, const Instance&, const Scene& scene) { return check_stop(subject, scene); });
-}
-
-TEST_CASE("a long solve stops on the way") {
-  const Scene scene(load_instance("icosahedron").problem);
-  for (const Subject& subject : subjects())
-    if (supports(subject, scene)) expect_none(subject, "icosahedron", check_stop(subject, scene));
-}
-
-TEST_CASE("neither names, orders, mirrors nor units matter") {
-  std::mt19937_64 random(20160101);
-  on_cheaper_instances([&](const Subject& subject, const Instance& instance, const Scene&) {
-    return check_restatements(subject, instance.problem, restatements(instance.problem, random));
   });
 }
 
@@ -231,9 +207,9 @@ TEST_CASE("all strategies agree on random lengths") {
     for (int i = 0; i < 8; ++i) {
       const Scene scene(with_random_targets(problem, random));
       const std::string name = id + " with random lengths " + std::to_string(i);
-      const std::vector<LabelledReport> reports = reports_on(scene, counts, subjects(), name);
+      const std::vector<SubjectReport> reports = reports_on(scene, counts, subjects(), name);
       check_agreement(scene, reports, name);
-      for (const auto& [label, report] : reports) solutions += report.candidates.size();
+      for (const SubjectReport& one : reports) solutions += one.report.candidates.size();
     }
     CHECK(solutions > 0);
   }

@@ -53,7 +53,9 @@ Checks caught_by_repeatability(const StrategyEntry& entry) {
   return names_of(check_repeatability({entry}, octahedron(), disulfide()));
 }
 
-Checks caught_by_stop(const StrategyEntry& entry) { return names_of(check_stop({entry}, octahedron())); }
+Checks caught_by_stop(const StrategyEntry& entry) {
+  return names_of(check_stop({entry}, octahedron(), solve_anew({entry}, octahedron())));
+}
 
 Checks caught_by_restatements(const StrategyEntry& entry) {
   std::mt19937_64 random(1);
@@ -329,7 +331,8 @@ TEST_CASE("not stopping, and not honestly, are caught") {
   CHECK(caught_by_stop(deaf<pretend_to_stop>()) == stop);
   CHECK(caught_by_stop(spoiled<make_things_up>()) == stop);
   const Scene long_path(load_instance("icosahedron").problem);
-  CHECK(names_of(check_stop({wrong_entry<HardOfHearing>()}, long_path)) == stop);
+  const Subject hard_of_hearing{wrong_entry<HardOfHearing>()};
+  CHECK(names_of(check_stop(hard_of_hearing, long_path, solve_anew(hard_of_hearing, long_path))) == stop);
 }
 
 namespace {

@@ -18,6 +18,8 @@
 #include "harness/ranks/rank_crew.hpp"
 #include "harness/ranks/ranks.hpp"
 #include "harness/tables/table_run.hpp"
+#include "solvers/answers/certificate_member.hpp"
+#include "solvers/homotopies/leg_member.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/reading/json_document.hpp"
 #include "solvers/reading/nearest_name.hpp"
@@ -138,6 +140,7 @@ ExitCode parse_and_run(int argc, char** argv, gcs::Crew* crew, int ranks_here) {
 /// Of what commands hand out to other ranks.
 gcs::ItemWork begin_task(const std::string& task) {
   if (gcs::ItemWork cells = gcs::begin_cells(task)) return cells;
+  if (gcs::ItemWork certificates = gcs::begin_certificates(task)) return certificates;
   return gcs::begin_legs(task);
 }
 

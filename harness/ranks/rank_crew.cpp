@@ -6,13 +6,11 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 
 #include "harness/base/errors.hpp"
-#include "solvers/homotopies/leg_member.hpp"
 
 namespace gcs {
 namespace {
@@ -191,11 +189,6 @@ std::string failure_of(Work work) {
 }
 
 }  // namespace
-
-ItemWork begin_legs(const std::string& task) {
-  const auto legs = std::make_shared<LegMember>(task);
-  return [legs](const std::string& item) { return legs->result(item); };
-}
 
 void serve(const MessagePassing& passing, const std::string& build,
            const std::function<ItemWork(const std::string& task)>& begin) {

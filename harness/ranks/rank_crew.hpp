@@ -43,12 +43,6 @@ class RankCrew final : public Crew {
   std::vector<std::string> told_;  ///< of each rank, its last task
 };
 
-/// What a rank does of each item of one task; throws where it cannot.
-using ItemWork = std::function<std::string(const std::string& item)>;
-
-/// Of a task of paths: they are followed.
-ItemWork begin_legs(const std::string& task);
-
 /// Of every other rank: does what the first one sends, until it lets go. `build` as above; `begin` makes what is to be done
 /// of the bytes of a task.
 void serve(const MessagePassing& passing, const std::string& build,

@@ -23,10 +23,10 @@ constexpr int precise_bits = 128;
 
 class Verifier {
  public:
-  Verifier(const StoredResult& result, int threads, Monitor* monitor)
-      : result_(result), scene_(result.scene), threads_(threads), monitor_(monitor), equations_(scene_) {
+  Verifier(const StoredResult& result, const ProofSetup& setup)
+      : result_(result), scene_(result.scene), setup_(setup), equations_(scene_) {
     for (const AssessedSolution& solution : result.answer.solutions) figures_.push_back(solution.figure);
-    proofs_ = prove_solutions(equations_, figures_, threads, monitor);
+    proofs_ = prove_solutions(equations_, figures_, setup_);
     standings_.assign(proofs_.size(), Standing::as_stated);
   }
 
@@ -223,14 +223,13 @@ class Verifier {
       proofs.most_bits = std::max(proofs.most_bits, certificate.bits);
     }
     count_clusters(proofs_, proofs);
-    prove_escaping(scene_, result_.answer.escaping, threads_, monitor_, proofs);
+    prove_escaping(scene_, result_.answer.escaping, setup_, proofs);
     set_limit(theoretical_counts(scene_.problem()), proofs);
   }
 
   const StoredResult& result_;
   const Scene& scene_;
-  int threads_;
-  Monitor* monitor_;
+  ProofSetup setup_;
   const SceneEquations equations_;
   const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
   std::vector<Figure> figures_;
@@ -242,7 +241,7 @@ class Verifier {
 }  // namespace
 
 Verification verify(const StoredResult& result, int threads, Monitor* monitor) {
-  return Verifier(result, threads, monitor).run();
+  return Verifier(result, {.threads = threads, .monitor = monitor}).run();
 }
 
 }  // namespace gcs

@@ -347,7 +347,7 @@ RunFile run_tables(const TableRequest& request, const Publications& publications
   return record;
 }
 
-std::function<std::string(const std::string& item)> begin_cells(const std::string& task) {
+ItemWork begin_cells(const std::string& task) {
   if (!task.starts_with(cells_task)) return {};
   const JsonValue document = parse_json(std::string_view(task).substr(cells_task.size()), "cells");
   TableRequest request;

@@ -20,6 +20,6 @@ RunFile run_tables(const TableRequest& request, const Publications& publications
                    Crew* crew = nullptr);
 
 /// What another process of the crew does of each item, where `task` is one of run_tables; otherwise empty.
-std::function<std::string(const std::string& item)> begin_cells(const std::string& task);
+ItemWork begin_cells(const std::string& task);
 
 }  // namespace gcs

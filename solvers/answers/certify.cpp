@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <utility>
 
+#include "solvers/answers/certificate_member.hpp"
 #include "solvers/certificates/coincidences.hpp"
 #include "solvers/certificates/decimal_figure.hpp"
 #include "solvers/certificates/enclosed_point.hpp"
@@ -21,37 +21,6 @@ namespace gcs {
 namespace {
 
 using Point = std::vector<std::complex<double>>;
-
-/// Reports from any thread how many points are certified.
-class CertificateProgress {
- public:
-  CertificateProgress(Monitor* monitor, std::size_t points) : monitor_(monitor), points_(points) {}
-
-  void one_more() {
-    if (monitor_ == nullptr) return;
-    const std::lock_guard lock(mutex_);
-    monitor_->progress("proving solutions", static_cast<double>(++done_) / static_cast<double>(points_));
-  }
-
- private:
-  Monitor* monitor_;
-  std::size_t points_;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-};
-
-/// Untried ones where stop is asked for.
-std::vector<Certificate> certificates(const Certifier& certifier, const std::vector<Point>& points,
-                                      int threads, Monitor* monitor, const std::stop_token& stop) {
-  std::vector<Certificate> results(points.size());
-  CertificateProgress progress(monitor, points.size());
-  share_on_threads(points.size(), threads, [&](std::size_t i) {
-    if (stop.stop_requested()) return;
-    results[i] = certifier.certify(points[i]);
-    progress.one_more();
-  });
-  return results;
-}
 
 /// A pair by the places that its solutions have among all certificates.
 std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certificates,
@@ -72,9 +41,9 @@ std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certifi
 }
 
 /// How many classes the points are proven to be, each next to a solution of its own.
-std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point>& points, int threads,
-                             Monitor* monitor, const std::stop_token& stop) {
-  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor, stop);
+std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point>& points,
+                             const ProofSetup& setup) {
+  const std::vector<Certificate> all = certificates(certifier, points, setup);
   std::vector<bool> counts;
   for (const Certificate& certificate : all) counts.push_back(certificate.is_proven);
   for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror))
@@ -107,11 +76,12 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
 }
 
 /// Of proven solutions that doubles do not hold. Where stop is asked for none for those that are left.
-void find_decimals(const SceneEquations& equations, const Scene& scene, int threads,
-                   std::vector<AssessedSolution>& solutions, const std::stop_token& stop) {
-  share_on_threads(solutions.size(), threads, [&](std::size_t i) {
+void find_decimals(const SceneEquations& equations, const Scene& scene, const ProofSetup& setup,
+                   std::vector<AssessedSolution>& solutions) {
+  share_on_threads(solutions.size(), setup.threads, [&](std::size_t i) {
     AssessedSolution& solution = solutions[i];
-    if (!solution.certified || !loses_distances(scene, solution.figure) || stop.stop_requested()) return;
+    if (!solution.certified || !loses_distances(scene, solution.figure) || setup.stop.stop_requested())
+      return;
     const int digits = digits_that_hold(scene, solution.figure);
     if (auto decimals = decimal_figure(equations, scene, solution.figure, digits))
       solution.decimals = std::make_shared<const DecimalFigure>(*std::move(decimals));
@@ -138,12 +108,11 @@ std::uint64_t proven_undecided(const Assessment& assessment) {
 }  // namespace
 
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
-                                           const std::vector<Figure>& figures, int threads, Monitor* monitor,
-                                           const std::stop_token& stop) {
+                                           const std::vector<Figure>& figures, const ProofSetup& setup) {
   std::vector<Point> points;
   for (const Figure& figure : figures) points.push_back(equations.coordinates(figure));
   const Certifier certifier(equations.system());
-  const std::vector<Certificate> all = certificates(certifier, points, threads, monitor, stop);
+  const std::vector<Certificate> all = certificates(certifier, points, setup);
   std::vector<SolutionProof> proofs;
   for (std::size_t i = 0; i < all.size(); ++i) {
     proofs.push_back({all[i]});
@@ -164,13 +133,11 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
   return proofs;
 }
 
-std::size_t prove_errors(const Scene& scene, int threads, std::vector<Candidate>& candidates,
-                         const std::stop_token& stop) {
+std::size_t prove_errors(const Scene& scene, const ProofSetup& setup, std::vector<Candidate>& candidates) {
   if (why_not_certified(scene)) return 0;
   std::vector<Figure> figures;
   for (const Candidate& candidate : candidates) figures.push_back(scene.in_frame(candidate.figure));
-  const std::vector<SolutionProof> proofs =
-      prove_solutions(SceneEquations(scene), figures, threads, nullptr, stop);
+  const std::vector<SolutionProof> proofs = prove_solutions(SceneEquations(scene), figures, setup);
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (proofs[i].certificate.is_proven)
       candidates[i].error = std::min(candidates[i].error, proofs[i].distance);
@@ -200,7 +167,7 @@ void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs)
 }
 
 void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
-             int threads, Monitor* monitor, Assessment& assessment, const std::stop_token& stop) {
+             const ProofSetup& setup, Assessment& assessment) {
   Proofs& proofs = assessment.proofs.emplace();
   if (auto reason = why_not_certified(scene)) {
     proofs.why_none = std::move(*reason);
@@ -210,7 +177,7 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
   std::vector<Figure> figures;
   for (const AssessedSolution& solution : assessment.solutions) figures.push_back(solution.figure);
   const std::vector<StatedSign> signs = stated_signs(scene.problem());
-  const std::vector<SolutionProof> all = prove_solutions(equations, figures, threads, monitor, stop);
+  const std::vector<SolutionProof> all = prove_solutions(equations, figures, setup);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!all[i].certificate.is_tried()) continue;
     AssessedSolution& solution = assessment.solutions[i];
@@ -232,26 +199,26 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
     proofs.classes += solution.certified ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
   }
-  find_decimals(equations, scene, threads, assessment.solutions, stop);
+  find_decimals(equations, scene, setup, assessment.solutions);
   count_clusters(all, proofs);
   proofs.real = proven_real(assessment);
   proofs.undecided = proven_undecided(assessment);
   assessment.counts.certified = proofs.classes;
   if (!signs.empty()) recount(assessment);
   if (generic)
-    proofs.generic = proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions,
-                                    threads, monitor, stop);
-  prove_escaping(scene, assessment.escaping, threads, monitor, proofs, stop);
+    proofs.generic =
+        proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions, setup);
+  prove_escaping(scene, assessment.escaping, setup, proofs);
   set_limit(limits, proofs);
 }
 
-void prove_escaping(const Scene& scene, const std::vector<Figure>& escaping, int threads, Monitor* monitor,
-                    Proofs& proofs, const std::stop_token& stop) {
+void prove_escaping(const Scene& scene, const std::vector<Figure>& escaping, const ProofSetup& setup,
+                    Proofs& proofs) {
   if (escaping.empty()) return;
-  if (monitor != nullptr) monitor->progress("proving solutions at infinity", 0);
+  if (setup.monitor != nullptr) setup.monitor->progress("proving solutions at infinity", 0);
   std::vector<Figure> near;
   for (const Figure& figure : escaping) near.push_back(scene.in_scene_unit(figure));
-  ProvenAtInfinity proven = prove_at_infinity(scene, near, threads, stop);
+  ProvenAtInfinity proven = prove_at_infinity(scene, near, setup.threads, setup.stop);
   proofs.at_infinity = proven.classes;
   proofs.why_not_at_infinity = std::move(proven.why_not_all);
   proofs.most_bits = std::max(proofs.most_bits, proven.most_bits);

@@ -3,11 +3,10 @@
 /// listed and in a class of its own, and that the list is complete where its length meets a limit that
 /// nothing exceeds. (Krawczyk's test with the decimal lengths of the file; solvers/certificates/.)
 
-#include <stop_token>
-
 #include "solvers/answers/assess.hpp"
 #include "solvers/certificates/certificate.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/running/proof_setup.hpp"
 
 namespace gcs {
 
@@ -33,25 +32,23 @@ struct SolutionProof {
 /// Adds the clusters to `proofs`.
 void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs);
 
-/// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). The same for
-/// any number of threads, unless stopped: then some are not tried. `monitor` may be null.
+/// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). Stopped, some are not
+/// tried.
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
-                                           const std::vector<Figure>& figures, int threads, Monitor* monitor,
-                                           const std::stop_token& stop = {});
+                                           const std::vector<Figure>& figures, const ProofSetup& setup);
 
 /// Sets `error` of the candidates that are proven, so that assess tells apart what doubles do not. Untried ones where stop is
 /// asked for. How many of them are proven to be different classes.
-std::size_t prove_errors(const Scene& scene, int threads, std::vector<Candidate>& candidates,
-                         const std::stop_token& stop = {});
+std::size_t prove_errors(const Scene& scene, const ProofSetup& setup, std::vector<Candidate>& candidates);
 
 /// What signs say of the real solution that is proven next to a figure: of its enclosure or, where that is too wide, of
 /// one in a higher precision. Preconditions: the scene is general, the certificate is the figure's and proves it real.
 SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
                          const Figure& figure, const Certificate& certificate);
 
-/// Sets proofs.at_infinity, of Assessment::escaping. `monitor` may be null.
-void prove_escaping(const Scene& scene, const std::vector<Figure>& escaping, int threads, Monitor* monitor,
-                    Proofs& proofs, const std::stop_token& stop = {});
+/// Sets proofs.at_infinity, of Assessment::escaping.
+void prove_escaping(const Scene& scene, const std::vector<Figure>& escaping, const ProofSetup& setup,
+                    Proofs& proofs);
 
 /// Sets what no list is longer than.
 void set_limit(const TheoreticalCounts& limits, Proofs& proofs);
@@ -59,8 +56,8 @@ void set_limit(const TheoreticalCounts& limits, Proofs& proofs);
 /// Fills in `certified`, `error_bound`, `signs`, counts.certified and `proofs` of an assessment, and brings the
 /// counts in line with `signs`. What cannot be proven becomes a failed check by the name of "certificate", or
 /// "singular" where it is listed as multiple. Where certificates do not reach the scene proofs.why_none says why.
-/// Stopped, it leaves the rest uncertified. `monitor` may be null.
+/// Stopped, it leaves the rest uncertified.
 void certify(const Scene& scene, const TheoreticalCounts& limits, const std::optional<GenericMember>& generic,
-             int threads, Monitor* monitor, Assessment& assessment, const std::stop_token& stop = {});
+             const ProofSetup& setup, Assessment& assessment);
 
 }  // namespace gcs

@@ -1,66 +1,9 @@
 #include "solvers/homotopies/leg_message.hpp"
 
-#include <cstring>
-#include <stdexcept>
-#include <type_traits>
+#include "solvers/running/message_bytes.hpp"
 
 namespace gcs {
 namespace {
-
-template <class T>
-concept Plain = std::is_trivially_copyable_v<T>;
-
-class Writer {
- public:
-  template <Plain T>
-  void operator()(const T& value) {
-    append(&value, sizeof value);
-  }
-  template <Plain T>
-  void operator()(const std::vector<T>& values) {
-    (*this)(values.size());
-    append(values.data(), values.size() * sizeof(T));
-  }
-
-  std::string message;
-
- private:
-  void append(const void* bytes, std::size_t size) { message.append(static_cast<const char*>(bytes), size); }
-};
-
-class Reader {
- public:
-  explicit Reader(std::string_view message) : rest_(message) {}
-
-  template <Plain T>
-  void operator()(T& value) {
-    take(&value, sizeof value);
-  }
-  template <Plain T>
-  void operator()(std::vector<T>& values) {
-    std::size_t size = 0;
-    (*this)(size);
-    if (size > rest_.size() / sizeof(T)) throw std::invalid_argument("a message ends early");
-    values.resize(size);
-    take(values.data(), size * sizeof(T));
-  }
-
- private:
-  void take(void* place, std::size_t size) {
-    if (size > rest_.size()) throw std::invalid_argument("a message ends early");
-    if (size > 0) std::memcpy(place, rest_.data(), size);
-    rest_.remove_prefix(size);
-  }
-
-  std::string_view rest_;
-};
-
-// Each calls `visit` with all members, to be written or read.
-
-template <class Fields>
-void visit_all(Fields& visit, auto&... members) {
-  (visit(members), ...);
-}
 
 template <class System>
 void visit_squares(auto& visit, System& s) {
@@ -95,7 +38,7 @@ std::vector<Leg> SentLegs::legs() const {
 }
 
 std::string to_message(const LegTask& task) {
-  Writer write;
+  MessageWriter write;
   const auto* squares = std::get_if<SquareSystem>(&task.system);
   write(squares != nullptr);
   if (squares != nullptr)
@@ -108,7 +51,7 @@ std::string to_message(const LegTask& task) {
 }
 
 LegTask read_task(std::string_view message) {
-  Reader read(message);
+  MessageReader read(message);
   LegTask task;
   bool are_squares = false;
   read(are_squares);
@@ -122,7 +65,7 @@ LegTask read_task(std::string_view message) {
 }
 
 std::string to_message(std::span<const Leg> legs, int unknowns) {
-  Writer write;
+  MessageWriter write;
   std::vector<const Route*> routes;
   std::vector<int> route_of;
   for (const Leg& leg : legs) {
@@ -141,7 +84,7 @@ std::string to_message(std::span<const Leg> legs, int unknowns) {
 }
 
 SentLegs read_legs(std::string_view message) {
-  Reader read(message);
+  MessageReader read(message);
   SentLegs sent;
   std::size_t routes = 0;
   read(routes);
@@ -153,13 +96,13 @@ SentLegs read_legs(std::string_view message) {
 }
 
 std::string to_message(const FollowedLegs& followed) {
-  Writer write;
+  MessageWriter write;
   write(to_block(followed));
   return std::move(write.message);
 }
 
 FollowedLegs read_followed(std::string_view message) {
-  Reader read(message);
+  MessageReader read(message);
   Journal::Block block;
   read(block);
   return from_block(block);

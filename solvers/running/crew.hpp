@@ -7,6 +7,9 @@
 
 namespace gcs {
 
+/// What another process does of each item of one task; throws where it cannot.
+using ItemWork = std::function<std::string(const std::string& item)>;
+
 class Crew {
  public:
   virtual ~Crew() = default;

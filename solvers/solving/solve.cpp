@@ -164,8 +164,9 @@ class Solve {
 
   /// By proven errors; those that are proven to be different and have the same doubles are missing in the list.
   void tell_apart(SolveReport& report) {
-    const std::size_t different =
-        prove_errors(scene_, settings_.threads, report.candidates, surroundings_.stop);
+    const std::size_t different = prove_errors(
+        scene_, {.threads = settings_.threads, .stop = surroundings_.stop, .crew = surroundings_.crew},
+        report.candidates);
     static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
     if (!report.totals && different > answer_.solutions.size())
       set_unlisted(Natural(different), "doubles do not tell all apart");
@@ -210,8 +211,12 @@ class Solve {
     const bool was_stopped = is_stopped();
     const std::stop_token stop =
         was_stopped ? std::stop_token() : surroundings_.stop_proofs.value_or(surroundings_.stop);
-    certify(scene_, counts, report.generic_member, settings_.threads, was_stopped ? nullptr : monitor_,
-            answer_, stop);
+    certify(scene_, counts, report.generic_member,
+            {.threads = settings_.threads,
+             .monitor = was_stopped ? nullptr : monitor_,
+             .stop = stop,
+             .crew = surroundings_.crew},
+            answer_);
     if (!stop.stop_requested()) return believe_proofs();
     set_stopped(SolveStage::proving);
     answer_.reason += " while solutions were proven";

@@ -75,7 +75,7 @@ TEST_CASE("certificates are the same for any number of threads") {
   const SolveReport report = solved(scene, "monodromy", {}, 4);
   const auto proven = [&](int threads) {
     Assessment assessment = assess(scene, report);
-    certify(scene, theoretical_counts(problem), report.generic_member, threads, nullptr, assessment);
+    certify(scene, theoretical_counts(problem), report.generic_member, {.threads = threads}, assessment);
     return assessment;
   };
   const Assessment one = proven(1), four = proven(4);

@@ -115,7 +115,7 @@ TEST_CASE("touching spheres have clusters of four tangents, which are all there 
     run.failed_checks.clear();
     run.solutions[0].multiplicity = 3;
     run.solutions.push_back(run.solutions[1]);
-    certify(scene, theoretical_counts(scene.problem()), {}, 1, nullptr, run);
+    certify(scene, theoretical_counts(scene.problem()), {}, {}, run);
     CHECK(run.failed_checks[0].name == "certificate");
     CHECK(run.proofs->in_clusters == 12);
   }
@@ -144,7 +144,7 @@ TEST_CASE("proofs that are stopped leave a list without objections") {
   SolveRun run = run_strategy(find_strategy("cayley-menger"), {}, scene, {});
   std::stop_source stop;
   stop.request_stop();
-  certify(scene, theoretical_counts(scene.problem()), {}, 1, nullptr, run, stop.get_token());
+  certify(scene, theoretical_counts(scene.problem()), {}, {.stop = stop.get_token()}, run);
   CHECK(run.failed_checks.empty());
   CHECK(run.proofs->classes == 0);
   CHECK(run.solutions.size() == 8);

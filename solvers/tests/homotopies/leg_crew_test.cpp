@@ -1,7 +1,6 @@
 /// Legs that other processes follow: here by messages alone, within one.
 
 #include <catch2/catch.hpp>
-#include <functional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -9,8 +8,11 @@
 #include <vector>
 
 #include "solvers/homotopies/leg_member.hpp"
+#include "solvers/homotopies/leg_message.hpp"
+#include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/scene.hpp"
+#include "solvers/tests/fake_crew.hpp"
 #include "solvers/tests/sample_problems.hpp"
 
 using namespace gcs;
@@ -18,24 +20,6 @@ using namespace gcs;
 namespace {
 
 bool is_stopped() { return false; }
-
-/// Does every other item by a member of its own, the last items first.
-class FakeCrew final : public Crew {
- public:
-  int members() const override { return 3; }
-  std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                   const std::function<std::string(std::size_t)>& here,
-                                   const std::function<bool()>& stopped) override {
-    LegMember member(task);
-    std::vector<std::string> done(items.size());
-    for (std::size_t i = items.size(); i-- > 0 && !stopped();)
-      done[i] = i % 2 == 0 ? here(i) : member.result(items[i]);
-    handed_out += items.size() / 2;
-    return done;
-  }
-
-  std::size_t handed_out = 0;
-};
 
 /// From zeros at random parameters to others.
 template <class System>
@@ -109,7 +93,7 @@ void check_crew(const Task<System>& task, const Elimination& elimination) {
     TrackingSetup setup{{}, widest_instruction_set(), 1, nullptr, all_wide};
     WorkCounters work, work_of_crew;
     LegTracking alone(task.system, elimination, setup);
-    FakeCrew crew;
+    FakeCrew crew(begin_legs);
     setup.crew = &crew;
     LegTracking together(task.system, elimination, setup);
     const std::vector<LegResult> expected = alone.follow(task.legs(), is_stopped, work);
@@ -140,7 +124,7 @@ TEST_CASE("what a crew was stopped before is not followed") {
   std::mt19937_64 random(32);
   const Task<SquareSystem> task = square_task(200, random);
   const Elimination elimination = order_elimination(task.system, random);
-  FakeCrew crew;
+  FakeCrew crew(begin_legs);
   TrackingSetup setup{{}, widest_instruction_set(), 1};
   setup.crew = &crew;
   LegTracking tracking(task.system, elimination, setup);
@@ -161,12 +145,11 @@ TEST_CASE("messages that end early are refused") {
   const std::string whole =
       to_message(LegTask{task.system, elimination, {}, InstructionSet::portable, 1, false});
   const std::string legs = to_message(task.legs(), task.system.unknowns);
-  LegMember member(whole);
-  const std::string result = member.result(legs);
+  const ItemWork member = begin_legs(whole);
+  const std::string result = member(legs);
   for (const std::size_t part : {1, 3, 10}) {
-    CHECK_THROWS_AS(LegMember(std::string_view(whole).substr(0, whole.size() - part)), std::invalid_argument);
-    CHECK_THROWS_AS(member.result(std::string_view(legs).substr(0, legs.size() - part)),
-                    std::invalid_argument);
+    CHECK_THROWS_AS(begin_legs(whole.substr(0, whole.size() - part)), std::invalid_argument);
+    CHECK_THROWS_AS(member(legs.substr(0, legs.size() - part)), std::invalid_argument);
     CHECK_THROWS_AS(read_followed(std::string_view(result).substr(0, result.size() - part)),
                     std::invalid_argument);
   }

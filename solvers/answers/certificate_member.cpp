@@ -1,0 +1,177 @@
+#include "solvers/answers/certificate_member.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "solvers/running/message_bytes.hpp"
+#include "solvers/running/run_on_threads.hpp"
+
+namespace gcs {
+namespace {
+
+using Point = std::vector<std::complex<double>>;
+
+constexpr std::string_view certificates_task = "certificates\n";
+
+/// Of points for each thread: of a hundredth of a second or so, against which messages cost nothing.
+constexpr std::size_t batch_for_a_thread = 64;
+
+void visit_number(auto& visit, auto& number) {
+  visit_all(visit, number.decimal, number.value, number.exponent, number.is_squared, number.is_negative,
+            number.is_cosine_of_degrees);
+  visit_each(visit, number.divided_by_norm_of, [](auto& v, auto& part) { visit_number(v, part); });
+}
+
+void visit_form(auto& visit, auto& form) {
+  visit_each(visit, form.terms, [](auto& v, auto& term) {
+    v(term.unknown);
+    visit_number(v, term.coefficient);
+  });
+  visit_number(visit, form.constant);
+}
+
+void visit_equation(auto& visit, auto& equation) {
+  visit_each(visit, equation.products, [](auto& v, auto& product) {
+    visit_form(v, product.left);
+    visit_form(v, product.right);
+  });
+  visit_number(visit, equation.given);
+}
+
+void visit_certificate(auto& visit, auto& c) {
+  visit_all(visit, c.is_proven, c.cluster, c.bits, c.enclosure.mid, c.enclosure.radius, c.enclosure.unique,
+            c.realness, c.cause);
+}
+
+std::string to_task(const QuadraticSystem& system, int threads) {
+  MessageWriter write;
+  write.message = certificates_task;
+  write(threads);
+  write(system.unknowns);
+  visit_each(write, system.equations, [](auto& v, auto& equation) { visit_equation(v, equation); });
+  write(std::vector<SignMask>(system.mirror.begin(), system.mirror.end()));
+  return std::move(write.message);
+}
+
+QuadraticSystem read_system(MessageReader& read) {
+  QuadraticSystem system;
+  read(system.unknowns);
+  visit_each(read, system.equations, [](auto& v, auto& equation) { visit_equation(v, equation); });
+  std::vector<SignMask> masks;
+  read(masks);
+  system.mirror = SignMasks(std::move(masks));
+  return system;
+}
+
+std::string to_message(std::span<const Point> points) {
+  MessageWriter write;
+  write(points.size());
+  for (const Point& point : points) write(point);
+  return std::move(write.message);
+}
+
+std::vector<Point> read_points(std::string_view message) {
+  MessageReader read(message);
+  std::vector<Point> points;
+  visit_each(read, points, [](auto& v, auto& point) { v(point); });
+  return points;
+}
+
+std::string to_message(const std::vector<Certificate>& certificates) {
+  MessageWriter write;
+  visit_each(write, certificates, [](auto& v, auto& certificate) { visit_certificate(v, certificate); });
+  return std::move(write.message);
+}
+
+/// Reports from any thread how much is certified.
+class CertificateProgress {
+ public:
+  CertificateProgress() = default;
+  CertificateProgress(Monitor* monitor, std::size_t all) : monitor_(monitor), all_(all) {}
+
+  void one_more() {
+    const std::lock_guard lock(mutex_);
+    reach(++done_);
+  }
+  /// By one thread at a time.
+  void reach(std::size_t done) const {
+    if (monitor_ != nullptr)
+      monitor_->progress("proving solutions", static_cast<double>(done) / static_cast<double>(all_));
+  }
+
+ private:
+  Monitor* monitor_ = nullptr;
+  std::size_t all_ = 0;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+std::vector<Certificate> certificates_here(const Certifier& certifier, std::span<const Point> points,
+                                           int threads, const std::stop_token& stop,
+                                           CertificateProgress& progress) {
+  std::vector<Certificate> results(points.size());
+  share_on_threads(points.size(), threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    results[i] = certifier.certify(points[i]);
+    progress.one_more();
+  });
+  return results;
+}
+
+std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::span<const Point> points,
+                                              const ProofSetup& setup) {
+  const std::size_t batch = batch_for_a_thread * static_cast<std::size_t>(setup.threads);
+  std::vector<std::span<const Point>> batches;
+  for (std::size_t first = 0; first < points.size(); first += batch)
+    batches.push_back(points.subspan(first, std::min(batch, points.size() - first)));
+  std::vector<std::string> items;
+  for (const std::span<const Point> some : batches) items.push_back(to_message(some));
+  CertificateProgress handed_out(setup.monitor, batches.size());
+  const auto here = [&](std::size_t i) {
+    handed_out.reach(i);
+    CertificateProgress unheard;
+    return to_message(certificates_here(certifier, batches[i], setup.threads, setup.stop, unheard));
+  };
+  const auto is_stopped = [&] { return setup.stop.stop_requested(); };
+  const std::vector<std::string> results =
+      setup.crew->results(to_task(certifier.system(), setup.threads), items, here, is_stopped);
+  std::vector<Certificate> all;
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    std::vector<Certificate> some;
+    MessageReader read(results[i]);
+    if (!results[i].empty())
+      visit_each(read, some, [](auto& v, auto& certificate) { visit_certificate(v, certificate); });
+    some.resize(batches[i].size());
+    std::move(some.begin(), some.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Certificate> certificates(const Certifier& certifier, const std::vector<Point>& points,
+                                      const ProofSetup& setup) {
+  if (setup.crew != nullptr && points.size() > batch_for_a_thread)
+    return certificates_by_crew(certifier, points, setup);
+  CertificateProgress progress(setup.monitor, points.size());
+  return certificates_here(certifier, points, setup.threads, setup.stop, progress);
+}
+
+ItemWork begin_certificates(const std::string& task) {
+  if (!task.starts_with(certificates_task)) return {};
+  MessageReader read(std::string_view(task).substr(certificates_task.size()));
+  int threads = 1;
+  read(threads);
+  const auto certifier = std::make_shared<const Certifier>(read_system(read));
+  return [certifier, threads](const std::string& item) {
+    const std::vector<Point> points = read_points(item);
+    CertificateProgress unheard;
+    return to_message(certificates_here(*certifier, points, threads, {}, unheard));
+  };
+}
+
+}  // namespace gcs

@@ -1,0 +1,19 @@
+#pragma once
+/// Who proves, and how far.
+
+#include <stop_token>
+
+#include "solvers/running/crew.hpp"
+#include "solvers/running/work.hpp"
+
+namespace gcs {
+
+/// What is proven is the same for any number of threads, and any crew, unless it is stopped.
+struct ProofSetup {
+  int threads = 1;
+  Monitor* monitor = nullptr;
+  std::stop_token stop{};
+  Crew* crew = nullptr;
+};
+
+}  // namespace gcs

@@ -199,11 +199,12 @@ ReferenceList list_found_now(const Instance& instance, const Scene& scene, doubl
   RunLimits limits;
   limits.time_limit_s = limit_s;
   const std::optional<Natural> most = most_solutions(instance);
-  // Homotopies first, whose paths a journal keeps: they know when nothing is missing, or that there is no end of it.
+  // Homotopies first: they know when nothing is missing, or that there is no end of it.
   std::vector<const StrategyEntry*> order;
   for (const StrategyEntry& entry : all_strategies()) order.push_back(&entry);
-  std::stable_partition(order.begin(), order.end(),
-                        [](const StrategyEntry* entry) { return entry->keeps_journal; });
+  std::stable_partition(order.begin(), order.end(), [](const StrategyEntry* entry) {
+    return entry->name == "monodromy" || entry->name == "polyhedral";
+  });
   for (const StrategyEntry* entry : order) {
     if (interrupted() || maker.has_all(most)) break;
     progress.progress("reference, " + std::string(entry->name), -1);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "solvers/exploring/random_starts.hpp"
+#include "solvers/exploring/report_block.hpp"
 #include "solvers/exploring/unseen_classes.hpp"
 #include "solvers/running/run_on_threads.hpp"
 #include "solvers/running/words.hpp"
@@ -49,7 +51,11 @@ bool Exploration::has_path() const {
 /// By S, or by Newton's method from the sketch; random starts are what is left to try then.
 void Exploration::find_first() {
   if (!request_.scene.sketch()) return;
-  if (has_path()) take(follow_scene_path(request_.scene, walks_.tracking, {request_.stop, request_.monitor}));
+  if (has_path())
+    take(recalled_or({}, [&] {
+           return Reports{
+               follow_scene_path(request_.scene, walks_.tracking, {request_.stop, request_.monitor})};
+         }).front());
   if (graph_.size() > 0 || request_.stop.stop_requested()) return;
   constexpr double settled = 1e-10;
   Eigen::VectorXd x = explored_->unknowns(*request_.scene.sketch());
@@ -58,9 +64,9 @@ void Exploration::find_first() {
   if (refinement.converged) graph_.take({{explored_->target().figure(x)}});
 }
 
-void Exploration::take(const SolveReport& path) {
-  add(path.work, work_);
-  graph_.take(path.candidates);
+void Exploration::take(const SolveReport& found) {
+  add(found.work, work_);
+  graph_.take(found.candidates);
 }
 
 bool Exploration::may_go_on() const {
@@ -91,16 +97,36 @@ std::vector<Exploration::Walk> Exploration::next_round() {
 }
 
 void Exploration::walk(const std::vector<Walk>& round) {
-  std::vector<SolveReport> reports(round.size());
-  share_on_threads(round.size(), request_.threads, [&](std::size_t i) {
-    const Figure& start = graph_.solutions()[static_cast<std::size_t>(round[i].start)].figure;
-    reports[i] = walk_curve(request_.scene, *explored_, releasable_[round[i].value],
-                            explored_->unknowns(start), walks_, context_);
-  });
-  take(round, std::move(reports));
+  std::vector<Eigen::VectorXd> starts;
+  Digest digest;
+  for (const Walk& one : round) {
+    starts.push_back(explored_->unknowns(graph_.solutions()[static_cast<std::size_t>(one.start)].figure));
+    digest.add(one.value);
+    digest.add(std::span(starts.back().data(), static_cast<std::size_t>(starts.back().size())));
+  }
+  take(round, recalled_or(digest, [&] {
+         Reports reports(round.size());
+         share_on_threads(round.size(), request_.threads, [&](std::size_t i) {
+           reports[i] = walk_curve(request_.scene, *explored_, releasable_[round[i].value], starts[i], walks_,
+                                   context_);
+         });
+         return reports;
+       }));
 }
 
-void Exploration::take(const std::vector<Walk>& round, std::vector<SolveReport> reports) {
+/// What the journal has of the next step, or what it gives now.
+Exploration::Reports Exploration::recalled_or(const Digest& step, const std::function<Reports()>& compute) {
+  if (request_.journal == nullptr) return compute();
+  Reports reports;
+  const auto block = request_.journal->result(step.value(), [&]() -> std::optional<Journal::Block> {
+    reports = compute();
+    if (request_.stop.stop_requested()) return std::nullopt;
+    return to_block(reports);
+  });
+  return block ? reports_from(*block) : reports;
+}
+
+void Exploration::take(const std::vector<Walk>& round, Reports reports) {
   std::vector<Candidate> found;
   for (const SolveReport& report : reports)
     found.insert(found.end(), report.candidates.begin(), report.candidates.end());
@@ -126,15 +152,24 @@ void Exploration::take(const std::vector<Walk>& round, std::vector<SolveReport> 
 bool Exploration::start_anew() {
   if (request_.monitor != nullptr) request_.monitor->progress("random starts", graph_.walked_part());
   const int known = graph_.size();
-  std::vector<Candidate> found;
-  for (StartEnd& end : ends_of_starts(request_, started_, started_ + limits_.starts)) {
-    add(end.work, work_);
-    singular_starts_ += end.is_singular ? 1 : 0;
-    if (end.is_solution) found.push_back({std::move(end.figure), 1, end.accuracy.error});
-  }
+  Digest digest;
+  digest.add(static_cast<std::uint64_t>(started_));
+  const SolveReport ends = recalled_or(digest, [&] { return Reports{report_on_starts()}; }).front();
   started_ += limits_.starts;
-  graph_.take(found);
+  singular_starts_ += static_cast<int>(ends.particulars.front().value);
+  take(ends);
   return graph_.size() > known;
+}
+
+SolveReport Exploration::report_on_starts() const {
+  SolveReport report;
+  report.particulars = {{"singular", 0}};
+  for (StartEnd& end : ends_of_starts(request_, started_, started_ + limits_.starts)) {
+    add(end.work, report.work);
+    report.particulars.front().value += end.is_singular ? 1 : 0;
+    if (end.is_solution) report.candidates.push_back({std::move(end.figure), 1, end.accuracy.error});
+  }
+  return report;
 }
 
 std::string Exploration::shortcomings() const {

@@ -2,12 +2,14 @@
 /// Walks from solution to solution until no curve is left.
 ///
 /// In each round one curve for every value that has any left is walked, from the solution that was found first, so that no
-/// two of a round are the same and their number does not depend on the threads.
+/// two of a round are the same and their number does not depend on the threads. A journal has S, the rounds, and the random
+/// starts.
 
 #include "solvers/exploring/curve_walk.hpp"
 #include "solvers/exploring/explored_scene.hpp"
 #include "solvers/exploring/solution_graph.hpp"
 #include "solvers/interface/strategy_interface.hpp"
+#include "solvers/numeric/digest.hpp"
 
 namespace gcs {
 
@@ -26,6 +28,7 @@ class Exploration {
   SolveReport run();
 
  private:
+  using Reports = std::vector<SolveReport>;
   struct Walk {
     std::size_t value = 0;  ///< number among the equations that may be released
     int start = 0;
@@ -38,8 +41,10 @@ class Exploration {
   bool may_go_on() const;
   std::vector<Walk> next_round();
   void walk(const std::vector<Walk>& round);
-  void take(const std::vector<Walk>& round, std::vector<SolveReport> reports);
-  void take(const SolveReport& path);
+  void take(const std::vector<Walk>& round, Reports reports);
+  void take(const SolveReport& found);
+  SolveReport report_on_starts() const;
+  Reports recalled_or(const Digest& step, const std::function<Reports()>& compute);
   bool has_proven_components() const;
   SolveReport report() const;
   std::string shortcomings() const;

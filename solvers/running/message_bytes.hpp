@@ -2,6 +2,7 @@
 /// Values as bytes for another process on a machine of the same kind (see Crew), and back.
 
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,6 +24,11 @@ class MessageWriter {
   void operator()(const std::vector<T>& values) {
     (*this)(values.size());
     append(values.data(), values.size() * sizeof(T));
+  }
+  template <Plain T>
+  void operator()(const std::optional<T>& value) {
+    (*this)(value.has_value());
+    (*this)(value.value_or(T()));
   }
   void operator()(const std::string& text) {
     (*this)(text.size());
@@ -48,6 +54,14 @@ class MessageReader {
   void operator()(std::vector<T>& values) {
     values.resize(size_of(sizeof(T)));
     take(values.data(), values.size() * sizeof(T));
+  }
+  template <Plain T>
+  void operator()(std::optional<T>& value) {
+    bool is_there = false;
+    (*this)(is_there);
+    T there{};
+    (*this)(there);
+    value = is_there ? std::optional(there) : std::nullopt;
   }
   void operator()(std::string& text) {
     text.resize(size_of(1));

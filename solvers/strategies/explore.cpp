@@ -59,6 +59,7 @@ StrategyEntry explore_entry() {
   entry.citation = "Diener 1986 (trajectory nets); Moré 1978 for random starts";
   entry.accuracy_settings = {{{"tolerance", "1e-9"}}};
   entry.knows_general_scenes = true;
+  entry.keeps_journal = true;
   return entry;
 }
 

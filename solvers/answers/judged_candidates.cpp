@@ -4,9 +4,11 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <utility>
 
 #include "solvers/answers/settled_figure.hpp"
+#include "solvers/figures/point_conditions.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
@@ -122,22 +124,40 @@ SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, c
   return verdict_on(signs, judged.representative, error);
 }
 
-/// Judges one candidate at a time, on any thread.
+/// Judges some candidates at a time, on any thread.
 class CandidateJudge {
  public:
   CandidateJudge(const Scene& scene, const FigureJudge& judge) : scene_(scene), judge_(judge) {}
 
-  std::optional<Judged> judged(const Candidate& candidate, std::size_t number) const {
-    if (!is_usable(scene_, candidate)) return std::nullopt;
-    Judged judged{number, scene_.representative(candidate.figure), 0, candidate.multiplicity,
-                  candidate.error};
-    judged.condition = judge_.condition(judged.representative);
-    settle(judged, candidate.figure);
-    judged.signs = signs_of(scene_, signs_, judged);
-    return judged;
+  /// Fills a place for each; the first has that number.
+  void judge(std::span<const Candidate> candidates, std::size_t first,
+             std::span<std::optional<Judged>> places) const {
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (is_usable(scene_, candidates[i]))
+        places[i] = Judged{first + i, scene_.representative(candidates[i].figure), 0,
+                           candidates[i].multiplicity, candidates[i].error};
+    find_conditions(places);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (!places[i]) continue;
+      settle(*places[i], candidates[i].figure);
+      places[i]->signs = signs_of(scene_, signs_, *places[i]);
+    }
   }
 
  private:
+  void find_conditions(std::span<std::optional<Judged>> places) const {
+    std::vector<Judged*> judged;
+    std::vector<const Figure*> figures;
+    for (std::optional<Judged>& place : places)
+      if (place) {
+        judged.push_back(&*place);
+        figures.push_back(&place->representative);
+      }
+    const std::vector<double> conditions = points_ ? points_->conditions(figures) : std::vector<double>();
+    for (std::size_t i = 0; i < judged.size(); ++i)
+      judged[i]->condition = points_ ? conditions[i] : judge_.condition(*figures[i]);
+  }
+
   /// Of general scenes: their strategies take residuals in doubles.
   void settle(Judged& judged, const Figure& figure) const {
     const bool is_ill = judged.condition > ill_condition && judged.condition < singular_condition;
@@ -149,6 +169,7 @@ class CandidateJudge {
 
   const Scene& scene_;
   const FigureJudge& judge_;
+  const std::optional<PointConditions> points_ = PointConditions::of(scene_);
   const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
   mutable std::once_flag is_set_up_;
   mutable std::optional<FigureSettler> settler_;  ///< where it is needed
@@ -173,8 +194,12 @@ std::vector<std::optional<Judged>> judged_candidates(const Scene& scene, const F
                                                      const std::vector<Candidate>& candidates, int threads) {
   const CandidateJudge of_candidates(scene, judge);
   std::vector<std::optional<Judged>> judged(candidates.size());
-  share_on_threads(candidates.size(), threads,
-                   [&](std::size_t i) { judged[i] = of_candidates.judged(candidates[i], i); });
+  constexpr std::size_t at_once = 64;  // as many as fill the lanes, and far fewer than threads share
+  share_on_threads((candidates.size() + at_once - 1) / at_once, threads, [&](std::size_t block) {
+    const std::size_t first = block * at_once, some = std::min(at_once, candidates.size() - first);
+    of_candidates.judge(std::span(candidates).subspan(first, some), first,
+                        std::span(judged).subspan(first, some));
+  });
   return judged;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "solvers/figures/general_figures.hpp"
+#include "solvers/figures/point_conditions.hpp"
 #include "solvers/figures/singular_ratio.hpp"
 #include "solvers/figures/sparse_condition.hpp"
 #include "solvers/model/complex_lines.hpp"
@@ -42,20 +43,22 @@ double distance(const ProblemStatement& problem, const Figure& figure, std::arra
   return sqrt(squared_distance(first, Eigen::Vector3d(figure.points.col(between[1])), 3)).value();
 }
 
+Eigen::Vector3cd complex_point(const Figure& figure, int point) {
+  Eigen::Vector3cd position = figure.points.col(point).cast<std::complex<double>>();
+  position.imag() = figure.imaginary.col(point);
+  return position;
+}
+
 /// d² − length² of a complex figure.
 std::complex<double> complex_excess(const ProblemStatement& problem, const Figure& figure,
                                     std::array<int, 2> between, double length) {
   if (!problem.is_point(between[0])) std::swap(between[0], between[1]);
-  const ComplexPoints points = complex_points(figure);
-  const Eigen::Vector3cd first = points.col(between[0]);
+  const Eigen::Vector3cd first = complex_point(figure, between[0]);
   const DoubleDouble square = two_product(length, length);
   if (problem.is_point(between[1]))
-    return squared_distance_excess(first, Eigen::Vector3cd(points.col(between[1])), square);
+    return squared_distance_excess(first, complex_point(figure, between[1]), square);
   return squared_distance_excess(first, complex_lines(figure)[between[1] - problem.points.size()], square);
 }
-
-/// Above, a singular value decomposition takes tenths of a second and more.
-constexpr int most_dense_unknowns = 300;
 
 /// What residuals are relative to where lengths are shorter still.
 double shortest_length(const Scene& scene) { return 1e-3 * scene.size(); }
@@ -123,10 +126,9 @@ double residual_of_distances(const Scene& scene, const Figure& figure) {
 
 double condition_of_distances(const Scene& scene, const Figure& figure) {
   if (scene.has_lines()) return singular_ratio(normalised_line_jacobian(scene, figure));
-  const DistanceSystem system(scene);
-  if (system.unknowns() > most_dense_unknowns) return sparse_jacobian_condition(scene, figure);
-  return figure.is_real() ? singular_ratio(real_jacobian(system, figure))
-                          : rounded_singular_ratio(complex_jacobian(system, figure));
+  const Figure* const one = &figure;
+  if (const auto points = PointConditions::of(scene)) return points->conditions({&one, 1}).front();
+  return sparse_jacobian_condition(scene, figure);
 }
 
 }  // namespace

@@ -19,8 +19,7 @@ double relative_residual(const Scene& scene, const Figure& figure);
 inline constexpr double double_root_residual = 1e-13;
 
 /// 2-norm condition number of the Jacobian of the distances at the figure, its rows normalised, in the
-/// frame's free coordinates; to as many digits as rounding leaves, of a complex figure and in general scenes to seven at
-/// most.
+/// frame's free coordinates; to as many digits as rounding leaves, in general scenes to seven at most.
 /// Above 300 unknown coordinates of points an estimate from below (sparse_condition.hpp). Infinity at a
 /// singular figure. Dimensionless.
 double jacobian_condition(const Scene& scene, const Figure& figure);

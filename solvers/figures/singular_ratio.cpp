@@ -57,7 +57,6 @@ double rounded_ratio_of(const Matrix& matrix) {
 
 }  // namespace
 
-double singular_ratio(const Eigen::MatrixXd& matrix) { return ratio_of(matrix); }
 double singular_ratio(const Eigen::MatrixXcd& matrix) { return ratio_of(matrix); }
 double rounded_singular_ratio(const Eigen::MatrixXd& matrix) { return rounded_ratio_of(matrix); }
 double rounded_singular_ratio(const Eigen::MatrixXcd& matrix) { return rounded_ratio_of(matrix); }

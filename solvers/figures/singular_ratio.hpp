@@ -6,7 +6,6 @@
 namespace gcs {
 
 /// Of the largest singular value to the smallest.
-double singular_ratio(const Eigen::MatrixXd& matrix);
 double singular_ratio(const Eigen::MatrixXcd& matrix);
 
 /// The same to seven digits, or to the roundings that a large one magnifies, several times faster.

@@ -1,0 +1,46 @@
+#include "solvers/lanes/distance_conditions.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "solvers/model/distance_system.hpp"
+
+namespace gcs {
+namespace {
+
+ConditionFunction function_of(InstructionSet set) {
+#ifdef GCS_X86
+  if (set == InstructionSet::avx512) return avx512_conditions();
+  if (set == InstructionSet::avx2) return avx2_conditions();
+#endif
+  static_cast<void>(set);
+  return portable_conditions();
+}
+
+}  // namespace
+
+DifferenceMatrix difference_matrix(const DistanceSystem& system) {
+  DifferenceMatrix matrix{system.equations(), system.unknowns(), {}};
+  for (int row = 0; row < system.equations(); ++row) {
+    const auto [a, b] = system.edges()[row];
+    for (int axis = 0; axis < system.dimension(); ++axis) {
+      const int of_a = 3 * a + axis, of_b = 3 * b + axis;
+      if (const int column = system.unknown(a, axis); column >= 0)
+        matrix.entries.push_back({row, column, of_a, of_b});
+      if (const int column = system.unknown(b, axis); column >= 0)
+        matrix.entries.push_back({row, column, of_b, of_a});
+    }
+  }
+  return matrix;
+}
+
+std::vector<double> normalised_conditions(const DifferenceMatrix& matrix,
+                                          std::span<const PointCoordinates> figures, InstructionSet set) {
+  std::vector<double> conditions(figures.size());
+  function_of(set)(matrix, figures, conditions.data());
+  for (double& condition : conditions)
+    if (std::isnan(condition)) condition = std::numeric_limits<double>::infinity();
+  return conditions;
+}
+
+}  // namespace gcs

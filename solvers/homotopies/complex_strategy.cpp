@@ -5,6 +5,7 @@
 #include "solvers/counting/scene_analysis.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/homotopies/complex_report.hpp"
+#include "solvers/homotopies/conjugate_ends.hpp"
 #include "solvers/homotopies/precise_ends.hpp"
 #include "solvers/homotopies/released_report.hpp"
 
@@ -159,6 +160,8 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   if (has_precise_ends(request.scene))
     continue_ends(request.scene, start.squares(), squares, ends, request.stop);
   std::mt19937_64 random(request.seed);
+  end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(start.system, x); },
+                    mirror_axes(request.scene, start.coordinates), random, ends);
   SolveReport report = complex_report(request.scene, start.coordinates, ends, work, random, request.stop);
   add_start(start, report);
   return report;

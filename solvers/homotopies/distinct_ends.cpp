@@ -1,11 +1,18 @@
 #include "solvers/homotopies/distinct_ends.hpp"
 
+#include <complex>
+
 namespace gcs {
 namespace {
 
 double uncertainty(bool is_singular) { return is_singular ? singular_uncertainty : regular_uncertainty; }
 
 }  // namespace
+
+ComplexVectorX conjugate(ComplexVectorX x) {
+  for (std::complex<double>& value : x) value = std::conj(value);
+  return x;
+}
 
 DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, std::mt19937_64& random)
     : set_(std::move(signs), random) {
@@ -25,9 +32,7 @@ DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, st
 }
 
 bool DistinctEnds::has_conjugate(int i) const {
-  ComplexVectorX conjugate = set_[i];
-  for (std::complex<double>& value : conjugate) value = std::conj(value);
-  return set_.find(conjugate, uncertainty(singular_[i]), size_[i]) >= 0;
+  return set_.find(conjugate(set_[i]), uncertainty(singular_[i]), size_[i]) >= 0;
 }
 
 int DistinctEnds::jumps() const {

@@ -13,6 +13,9 @@ namespace gcs {
 /// rounding of its samples, which a double root feels by its square root.
 inline constexpr double singular_uncertainty = 1e-7;
 
+/// Of every entry.
+ComplexVectorX conjugate(ComplexVectorX x);
+
 /// The finite ends, distinct up to signs, with the number of paths that end at each.
 class DistinctEnds {
  public:

@@ -1,5 +1,6 @@
 #include "solvers/homotopies/general_start.hpp"
 
+#include "solvers/homotopies/conjugate_ends.hpp"
 #include "solvers/homotopies/general_report.hpp"
 
 namespace gcs {
@@ -40,9 +41,11 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request,
     return is_zero_at(given.system, given.coefficients, x);
   };
   WorkCounters all_work = work;
-  const std::vector<PathEnd> ends = follow_to_end(tracking, solutions, parameters, given.coefficients,
-                                                  is_zero, stopped, progress, all_work);
+  std::vector<PathEnd> ends = follow_to_end(tracking, solutions, parameters, given.coefficients, is_zero,
+                                            stopped, progress, all_work);
   std::mt19937_64 keys(request.seed);
+  end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(given.system, given.coefficients, x); },
+                    given.signs, keys, ends);
   SolveReport report = general_report(system, given, ends, all_work, keys, request.stop);
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
   if (missing.empty()) {

@@ -1,0 +1,73 @@
+#include "solvers/homotopies/conjugate_ends.hpp"
+
+#include <catch2/catch.hpp>
+#include <complex>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "solvers/homotopies/distinct_ends.hpp"
+
+using namespace gcs;
+
+namespace {
+
+PathEnd regular(ComplexVectorX x) { return {PathEnd::Kind::regular, std::move(x), 1, 0, true, ""}; }
+
+/// Lost at a place that says nothing.
+PathEnd failed() { return {PathEnd::Kind::failed, {5, 7}, 1, 0, false, "its steps became too small"}; }
+
+ComplexVectorX identity(const ComplexVectorX&) { return {1, 0, 0, 1}; }
+ComplexVectorX of_rank_one(const ComplexVectorX&) { return {1, 1, 1, 1}; }
+
+void complete(std::vector<PathEnd>& ends, const SignMasks& signs = {-1, -1},
+              ComplexVectorX (*jacobian)(const ComplexVectorX&) = identity) {
+  std::mt19937_64 random(1);
+  end_at_conjugates(jacobian, signs, random, ends);
+}
+
+const ComplexVectorX z{{1, 2}, {3, -1}}, w{{0.5, -4}, {2, 0.25}}, real{{1.5, 0}, {-2, 0}};
+
+}  // namespace
+
+TEST_CASE("a path that was lost ends at the conjugate at which no other one does") {
+  std::vector<PathEnd> ends{regular(z), failed(), regular(real), regular(w), regular(conjugate(w))};
+  complete(ends);
+  CHECK(ends[1].kind == PathEnd::Kind::regular);
+  CHECK(ends[1].x == conjugate(z));
+  CHECK(ends[1].cause.empty());
+  CHECK(ends[2].x == real);
+}
+
+TEST_CASE("paths that were lost where no conjugate is missing stay lost") {
+  std::vector<PathEnd> ends{regular(z), failed(), regular(conjugate(z)), regular(real)};
+  complete(ends);
+  CHECK(ends[1].kind == PathEnd::Kind::failed);
+}
+
+TEST_CASE("of several paths that were lost as many end at conjugates as these are missing") {
+  std::vector<PathEnd> ends{failed(), regular(z), failed()};
+  complete(ends);
+  CHECK(ends[0].kind == PathEnd::Kind::regular);
+  CHECK(ends[0].x == conjugate(z));
+  CHECK(ends[2].kind == PathEnd::Kind::failed);
+}
+
+TEST_CASE("where more conjugates are missing than paths were lost, a step has jumped, and nothing is known") {
+  std::vector<PathEnd> ends{failed(), regular(z), regular(w)};
+  complete(ends);
+  CHECK(ends[0].kind == PathEnd::Kind::failed);
+}
+
+TEST_CASE("a conjugate that is a mirror image is not missing") {
+  const ComplexVectorX imaginary{{1, 0}, {0, 3}};
+  std::vector<PathEnd> ends{failed(), regular(imaginary)};
+  complete(ends, {-1, 0});
+  CHECK(ends[0].kind == PathEnd::Kind::failed);
+}
+
+TEST_CASE("an end at which the equations lose rank tells nothing of its conjugate") {
+  std::vector<PathEnd> ends{failed(), regular(z)};
+  complete(ends, {-1, -1}, of_rank_one);
+  CHECK(ends[0].kind == PathEnd::Kind::failed);
+}

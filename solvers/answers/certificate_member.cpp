@@ -1,9 +1,9 @@
 #include "solvers/answers/certificate_member.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -67,10 +67,12 @@ QuadraticSystem read_system(MessageReader& read) {
   return system;
 }
 
-std::string to_message(std::span<const Point> points) {
+using PointOf = std::function<Point(std::size_t)>;
+
+std::string to_message(std::size_t first, std::size_t last, const PointOf& point_of) {
   MessageWriter write;
-  write(points.size());
-  for (const Point& point : points) write(point);
+  write(last - first);
+  for (std::size_t i = first; i < last; ++i) write(point_of(i));
   return std::move(write.message);
 }
 
@@ -122,30 +124,31 @@ std::vector<Certificate> certificates_here(const Certifier& certifier, std::span
   return results;
 }
 
-std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::span<const Point> points,
-                                              const ProofSetup& setup) {
+std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::size_t points,
+                                              const PointOf& point_of, const ProofSetup& setup) {
   const std::size_t batch = batch_for_a_thread * static_cast<std::size_t>(setup.threads);
-  std::vector<std::span<const Point>> batches;
-  for (std::size_t first = 0; first < points.size(); first += batch)
-    batches.push_back(points.subspan(first, std::min(batch, points.size() - first)));
+  const auto end_of = [&](std::size_t item) { return std::min((item + 1) * batch, points); };
   std::vector<std::string> items;
-  for (const std::span<const Point> some : batches) items.push_back(to_message(some));
-  CertificateProgress handed_out(setup.monitor, batches.size());
+  for (std::size_t i = 0; i * batch < points; ++i)
+    items.push_back(to_message(i * batch, end_of(i), point_of));
+  CertificateProgress handed_out(setup.monitor, items.size());
   const auto here = [&](std::size_t i) {
     handed_out.reach(i);
     CertificateProgress unheard;
-    return to_message(certificates_here(certifier, batches[i], setup.threads, setup.stop, unheard));
+    const auto point_of_item = [&](std::size_t j) { return point_of(i * batch + j); };
+    return to_message(certificates_here(certifier, end_of(i) - i * batch, point_of_item, setup.threads,
+                                        setup.stop, unheard));
   };
   const auto is_stopped = [&] { return setup.stop.stop_requested(); };
   const std::vector<std::string> results =
       setup.crew->results(to_task(certifier.system(), setup.threads), items, here, is_stopped);
   std::vector<Certificate> all;
-  for (std::size_t i = 0; i < batches.size(); ++i) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
     std::vector<Certificate> some;
     MessageReader read(results[i]);
     if (!results[i].empty())
       visit_each(read, some, [](auto& v, auto& certificate) { visit_certificate(v, certificate); });
-    some.resize(batches[i].size());
+    some.resize(end_of(i) - i * batch);
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }
   return all;
@@ -153,12 +156,12 @@ std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::s
 
 }  // namespace
 
-std::vector<Certificate> certificates(const Certifier& certifier, const std::vector<Point>& points,
+std::vector<Certificate> certificates(const Certifier& certifier, std::size_t points, const PointOf& point_of,
                                       const ProofSetup& setup) {
-  if (setup.crew != nullptr && points.size() > batch_for_a_thread)
-    return certificates_by_crew(certifier, points, setup);
-  CertificateProgress progress(setup.monitor, points.size());
-  return certificates_here(certifier, points, setup.threads, setup.stop, progress);
+  if (setup.crew != nullptr && points > batch_for_a_thread)
+    return certificates_by_crew(certifier, points, point_of, setup);
+  CertificateProgress progress(setup.monitor, points);
+  return certificates_here(certifier, points, point_of, setup.threads, setup.stop, progress);
 }
 
 ItemWork begin_certificates(const std::string& task) {
@@ -170,7 +173,8 @@ ItemWork begin_certificates(const std::string& task) {
   return [certifier, threads](const std::string& item) {
     const std::vector<Point> points = read_points(item);
     CertificateProgress unheard;
-    return to_message(certificates_here(*certifier, points, threads, {}, unheard));
+    const auto point_of = [&](std::size_t i) { return points[i]; };
+    return to_message(certificates_here(*certifier, points.size(), point_of, threads, {}, unheard));
   };
 }
 

@@ -2,6 +2,7 @@
 /// Certificates that other processes prove.
 
 #include <complex>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,11 @@
 
 namespace gcs {
 
-/// Those of Certifier::certify, on threads and, where there is one, by the crew. Untried ones where stop is asked for.
-std::vector<Certificate> certificates(const Certifier& certifier,
-                                      const std::vector<std::vector<std::complex<double>>>& points,
-                                      const ProofSetup& setup);
+/// Those of Certifier::certify of so many points, on threads and, where there is one, by the crew. Untried ones where stop
+/// is asked for. `point_of`: called from any thread.
+std::vector<Certificate> certificates(
+    const Certifier& certifier, std::size_t points,
+    const std::function<std::vector<std::complex<double>>(std::size_t)>& point_of, const ProofSetup& setup);
 
 /// The other side. Empty where the task is none of certificates; throws std::invalid_argument for bytes that are none.
 ItemWork begin_certificates(const std::string& task);

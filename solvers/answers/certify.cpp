@@ -22,17 +22,18 @@ namespace {
 
 using Point = std::vector<std::complex<double>>;
 
-/// A pair by the places that its solutions have among all certificates.
-std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certificates,
-                                         const SignMasks& mirror) {
+/// A pair by the places that its solutions have among all certificates. The enclosures of long lists are lent, not copied.
+std::vector<Coincidence> coincidences_of(std::vector<Certificate>& certificates, const SignMasks& mirror) {
   std::vector<Enclosure> enclosures;
   std::vector<int> place;
   for (std::size_t i = 0; i < certificates.size(); ++i) {
     if (!certificates[i].is_isolated()) continue;
-    enclosures.push_back(certificates[i].enclosure);
+    enclosures.push_back(std::move(certificates[i].enclosure));
     place.push_back(static_cast<int>(i));
   }
   std::vector<Coincidence> pairs = coincidences(enclosures, mirror);
+  for (std::size_t i = 0; i < place.size(); ++i)
+    certificates[static_cast<std::size_t>(place[i])].enclosure = std::move(enclosures[i]);
   for (Coincidence& pair : pairs) {
     pair.first = place[static_cast<std::size_t>(pair.first)];
     pair.second = place[static_cast<std::size_t>(pair.second)];
@@ -43,7 +44,8 @@ std::vector<Coincidence> coincidences_of(const std::vector<Certificate>& certifi
 /// How many classes the points are proven to be, each next to a solution of its own.
 std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point>& points,
                              const ProofSetup& setup) {
-  const std::vector<Certificate> all = certificates(certifier, points, setup);
+  std::vector<Certificate> all = certificates(
+      certifier, points.size(), [&](std::size_t i) { return points[i]; }, setup);
   std::vector<bool> counts;
   for (const Certificate& certificate : all) counts.push_back(certificate.is_proven);
   for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror))
@@ -105,20 +107,55 @@ std::uint64_t proven_undecided(const Assessment& assessment) {
       }));
 }
 
+/// What is proven of the solutions of an assessment, each for itself and among the others. Their figures are lent, not
+/// copied, as lists may be long.
+void prove_listed(const SceneEquations& equations, const Scene& scene, const ProofSetup& setup,
+                  Assessment& assessment) {
+  Proofs& proofs = *assessment.proofs;
+  std::vector<Figure> figures;
+  for (AssessedSolution& solution : assessment.solutions) figures.push_back(std::move(solution.figure));
+  const std::vector<StatedSign> signs = stated_signs(scene.problem());
+  const std::vector<SolutionProof> all = prove_solutions(equations, figures, setup);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    AssessedSolution& solution = assessment.solutions[i];
+    solution.figure = std::move(figures[i]);
+    if (!all[i].certificate.is_tried()) continue;
+    const std::string what = objection(solution, all[i]);
+    if (!what.empty()) {
+      const Certificate& certificate = all[i].certificate;
+      const bool is_multiple =
+          !certificate.is_proven &&
+          (certificate.cluster == 0 ? solution.multiplicity > 1 : all[i].fits(solution.multiplicity));
+      assessment.failed_checks.push_back(
+          {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
+    }
+    if (all[i].certificate.is_proven)
+      solution.error_bound = error_in_file(solution.figure, all[i].distance, scene.size(),
+                                           scene.unit_exponent(), scene.problem().file_frame);
+    if (!signs.empty() && proves_real(all[i].certificate) && solution.is_real())
+      solution.signs = proven_signs(equations, signs, solution.figure, all[i].certificate);
+    solution.certified = what.empty();
+    proofs.classes += solution.certified ? 1 : 0;
+    proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
+  }
+  count_clusters(all, proofs);
+}
+
 }  // namespace
 
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
                                            const std::vector<Figure>& figures, const ProofSetup& setup) {
-  std::vector<Point> points;
-  for (const Figure& figure : figures) points.push_back(equations.coordinates(figure));
   const Certifier certifier(equations.system());
-  const std::vector<Certificate> all = certificates(certifier, points, setup);
-  std::vector<SolutionProof> proofs;
+  std::vector<Certificate> all = certificates(
+      certifier, figures.size(), [&](std::size_t i) { return equations.coordinates(figures[i]); }, setup);
+  const std::vector<Coincidence> pairs = coincidences_of(all, certifier.system().mirror);
+  std::vector<SolutionProof> proofs(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    proofs.push_back({all[i]});
-    if (all[i].is_isolated()) proofs.back().distance = equations.distance(figures[i], all[i]);
+    proofs[i].certificate = std::move(all[i]);
+    if (proofs[i].certificate.is_isolated())
+      proofs[i].distance = equations.distance(figures[i], proofs[i].certificate);
   }
-  for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror)) {
+  for (const Coincidence& pair : pairs) {
     SolutionProof& later = proofs[static_cast<std::size_t>(pair.second)];
     if (later.is_proven_same || (later.same_as >= 0 && !pair.is_proven)) continue;
     later.same_as = pair.first;
@@ -174,37 +211,12 @@ void certify(const Scene& scene, const TheoreticalCounts& limits, const std::opt
     return;
   }
   const SceneEquations equations(scene);
-  std::vector<Figure> figures;
-  for (const AssessedSolution& solution : assessment.solutions) figures.push_back(solution.figure);
-  const std::vector<StatedSign> signs = stated_signs(scene.problem());
-  const std::vector<SolutionProof> all = prove_solutions(equations, figures, setup);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!all[i].certificate.is_tried()) continue;
-    AssessedSolution& solution = assessment.solutions[i];
-    const std::string what = objection(solution, all[i]);
-    if (!what.empty()) {
-      const Certificate& certificate = all[i].certificate;
-      const bool is_multiple =
-          !certificate.is_proven &&
-          (certificate.cluster == 0 ? solution.multiplicity > 1 : all[i].fits(solution.multiplicity));
-      assessment.failed_checks.push_back(
-          {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
-    }
-    if (all[i].certificate.is_proven)
-      solution.error_bound = error_in_file(solution.figure, all[i].distance, scene.size(),
-                                           scene.unit_exponent(), scene.problem().file_frame);
-    if (!signs.empty() && proves_real(all[i].certificate) && solution.is_real())
-      solution.signs = proven_signs(equations, signs, solution.figure, all[i].certificate);
-    solution.certified = what.empty();
-    proofs.classes += solution.certified ? 1 : 0;
-    proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
-  }
+  prove_listed(equations, scene, setup, assessment);
   find_decimals(equations, scene, setup, assessment.solutions);
-  count_clusters(all, proofs);
   proofs.real = proven_real(assessment);
   proofs.undecided = proven_undecided(assessment);
   assessment.counts.certified = proofs.classes;
-  if (!signs.empty()) recount(assessment);
+  if (!stated_signs(scene.problem()).empty()) recount(assessment);
   if (generic)
     proofs.generic =
         proven_classes(Certifier(equations.system_at(generic->squares)), generic->solutions, setup);

@@ -47,7 +47,7 @@ class Solve {
     answer_.options = complete_options(entry, given);
     answer_.seed = settings_.seed;
     answer_.threads = settings_.threads;
-    const auto strategy = entry.make(answer_.options);
+    auto strategy = entry.make(answer_.options);
     const SolveRequest request = asked();
     if (auto reason = why_not(entry, *strategy, request)) {
       answer_.status = RunStatus::unsupported;
@@ -55,11 +55,15 @@ class Solve {
       return std::move(answer_);
     }
     SolveReport report = ask(*strategy, request);
+    strategy.reset();  // with what it prepared, which may be as large as its report
     enter(SolveStage::assessing);
     take(report);
+    const std::size_t candidates = report.candidates.size();
+    report.candidates = std::vector<Candidate>();
+    report.paths = std::vector<PathRecord>();
     if (settings_.checks_counts || settings_.certify) hold_against_counts(report);
     enter(SolveStage::listing);
-    list(report.candidates.size());
+    list(candidates);
     if (settings_.digits > 0) refine();
     enter(SolveStage::done);
     return std::move(answer_);

@@ -61,6 +61,12 @@ std::vector<Point> points_about(const std::vector<Point>& centres, int copies) {
   return points;
 }
 
+std::vector<Certificate> all_certificates(const Certifier& certifier, const std::vector<Point>& points,
+                                          const ProofSetup& setup) {
+  return certificates(
+      certifier, points.size(), [&](std::size_t i) { return points[i]; }, setup);
+}
+
 void check_same(const Certificate& a, const Certificate& b) {
   CHECK(a.is_proven == b.is_proven);
   CHECK(a.cluster == b.cluster);
@@ -80,15 +86,15 @@ TEST_CASE("what a crew proves has the same bits") {
   const std::vector<Point> twofold = points_about({{0, 1}}, 100);
   for (const auto& [certifier, points] : {std::pair{&simple, four}, std::pair{&multiple, twofold}}) {
     FakeCrew crew(begin_certificates);
-    const std::vector<Certificate> alone = certificates(*certifier, points, {});
-    const std::vector<Certificate> together = certificates(*certifier, points, {.crew = &crew});
+    const std::vector<Certificate> alone = all_certificates(*certifier, points, {});
+    const std::vector<Certificate> together = all_certificates(*certifier, points, {.crew = &crew});
     CHECK(crew.handed_out > 0);
     REQUIRE(together.size() == points.size());
     REQUIRE(alone.size() == points.size());
     for (std::size_t i = 0; i < points.size(); ++i) check_same(alone[i], together[i]);
   }
-  CHECK(certificates(simple, four, {})[0].realness == Certificate::Realness::real);
-  CHECK(certificates(multiple, twofold, {})[0].cluster == 2);
+  CHECK(all_certificates(simple, four, {})[0].realness == Certificate::Realness::real);
+  CHECK(all_certificates(multiple, twofold, {})[0].cluster == 2);
 }
 
 TEST_CASE("what a crew was stopped before is not tried") {
@@ -96,8 +102,8 @@ TEST_CASE("what a crew was stopped before is not tried") {
   FakeCrew crew(begin_certificates);
   std::stop_source stop;
   stop.request_stop();
-  const std::vector<Certificate> none = certificates(certifier, points_about({{2.499, 0.1046}}, 100),
-                                                     {.stop = stop.get_token(), .crew = &crew});
+  const std::vector<Certificate> none = all_certificates(certifier, points_about({{2.499, 0.1046}}, 100),
+                                                         {.stop = stop.get_token(), .crew = &crew});
   REQUIRE(none.size() == 100);
   for (const Certificate& certificate : none) CHECK_FALSE(certificate.is_tried());
 }
@@ -116,7 +122,8 @@ TEST_CASE("tasks and points that end early are refused, and other tasks left to 
     }
     std::string task_, item_;
   } listener;
-  certificates(Certifier(circle_and_hyperbola()), points_about({{2.499, 0.1046}}, 100), {.crew = &listener});
+  all_certificates(Certifier(circle_and_hyperbola()), points_about({{2.499, 0.1046}}, 100),
+                   {.crew = &listener});
   const ItemWork member = begin_certificates(listener.task_);
   CHECK_FALSE(member(listener.item_).empty());
   for (const std::size_t part : {1, 3, 10, 100}) {

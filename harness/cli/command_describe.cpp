@@ -81,6 +81,9 @@ void add_describe_command(CLI::App& app, Invocation& invocation) {
       "lengths and with the driving parameters of the sketch, and the figures that come out.\n"
       "\nEquations: text has one a line, with the numbers of the file; phc is the input of PHCpack, with\n"
       "doubles. They are what certificates prove, in the frame and a unit of length that a remark names.\n"
+      "reduced is the same after Gaussian elimination, without unknowns that are known up to signs: far\n"
+      "fewer paths. Both end with a line of JSON: the positions of a solution in the frame and unit of the\n"
+      "file, as linear forms in the unknowns.\n"
       "Unknowns: of a point P_x, P_y, P_z; of a line its point nearest to the origin L_x ..., its direction\n"
       "L_ux ..., and the vector product of both L_mx ...; of a plane its normal H_nx ... and its offset "
       "H_h;\n"
@@ -88,7 +91,7 @@ void add_describe_command(CLI::App& app, Invocation& invocation) {
       "u1, u2, ... what else keeps them of degree two. Of each class every choice of signs that the\n"
       "frame leaves open is a solution.\n"
       "\nExamples:\n  gcsbench describe disulfide --json\n  gcsbench describe qk33 --tree qk33.svg\n"
-      "  gcsbench describe ./my.json --equations phc > my.phc && phc -b my.phc my.out\n");
+      "  gcsbench describe ./my.json --equations reduced > my.phc && phc -b my.phc my.out\n");
   command->callback(
       [&invocation, arguments] { invocation.action = [arguments] { return run(*arguments); }; });
 }

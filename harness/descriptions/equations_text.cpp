@@ -7,8 +7,11 @@
 #include <cmath>
 #include <set>
 
+#include "harness/descriptions/reduced_system.hpp"
+#include "harness/descriptions/scene_forms.hpp"
 #include "harness/descriptions/unknown_names.hpp"
 #include "harness/solving/frame_view.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {
@@ -161,6 +164,59 @@ Names phc_names(const Names& names) {
   return result;
 }
 
+/// Names and numbers of unknowns, and where elements are in the words of these.
+class Positions {
+ public:
+  Positions(const Scene& scene, const SceneForms& forms, const Notation& notation,
+            const std::map<int, double>& numbers)
+      : problem_(scene.problem()),
+        dimension_(scene.dimension()),
+        forms_(forms),
+        notation_(notation),
+        numbers_(numbers) {}
+
+  std::string json() const {
+    JsonMembers points, lines, planes;
+    for (std::size_t i = 0; i < forms_.points.size(); ++i)
+      points.emplace_back(problem_.points[i], vector(forms_.points[i]));
+    for (std::size_t i = 0; i < forms_.lines.size(); ++i)
+      lines.emplace_back(problem_.lines[i], json_object({{"point", vector(forms_.lines[i].foot)},
+                                                         {"direction", vector(forms_.lines[i].direction)}}));
+    for (std::size_t i = 0; i < forms_.planes.size(); ++i)
+      planes.emplace_back(problem_.planes[i], json_object({{"normal", vector(forms_.planes[i].normal)},
+                                                           {"offset", form(forms_.planes[i].offset)}}));
+    return to_text(json_object({{"points", json_object(points)},
+                                {"lines", json_object(lines)},
+                                {"planes", json_object(planes)}}),
+                   -1);
+  }
+
+ private:
+  JsonValue vector(const VectorForm& forms) const {
+    std::vector<JsonValue> components;
+    for (int axis = 0; axis < dimension_; ++axis)
+      components.push_back(form(forms[static_cast<std::size_t>(axis)]));
+    return json_array(components);
+  }
+
+  JsonValue form(LinearForm form) const {
+    std::erase_if(form.terms, [&](const ScaledUnknown& term) {
+      const auto number = numbers_.find(term.unknown);
+      if (number == numbers_.end()) return false;
+      form.constant =
+          exactly(rounded_to_double(form.constant) + number->second * rounded_to_double(term.coefficient));
+      return true;
+    });
+    return json_text(form_text(form, notation_));
+  }
+
+  const ProblemStatement& problem_;
+  int dimension_;
+  const SceneForms& forms_;
+  const Notation& notation_;
+  const std::map<int, double>& numbers_;
+};
+
 std::string frame_words(const Scene& scene) {
   std::vector<std::string> parts;
   for (const auto& [part, name] : frame_parts(scene)) parts.push_back(part + " " + name);
@@ -174,10 +230,26 @@ std::string remark(const Scene& scene) {
                      std::ldexp(1.0, scene.unit_exponent()), frame_words(scene));
 }
 
+std::string plain_text(const Scene& scene, const QuadraticSystem& system, const Notation& notation) {
+  std::string text = "# " + remark(scene) + "\n";
+  for (const QuadraticEquation& equation : system.equations) text += equation_text(equation, notation) + "\n";
+  return text;
+}
+
+std::string phc_text(const ReducedSystem& reduced, const Notation& notation) {
+  const std::size_t equations = reduced.system.equations.size();
+  const std::size_t unknowns = static_cast<std::size_t>(reduced.system.unknowns) - reduced.numbers.size();
+  std::string text =
+      fmt::format("{}{}\n", equations, equations == unknowns ? "" : fmt::format(" {}", unknowns));
+  for (const QuadraticEquation& equation : reduced.system.equations)
+    text += polynomial_text(equation, notation) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string_view word(EquationsForm form) {
-  constexpr std::array<std::string_view, all_equations_forms.size()> words{"text", "phc"};
+  constexpr std::array<std::string_view, all_equations_forms.size()> words{"text", "phc", "reduced"};
   return words[static_cast<std::size_t>(form)];
 }
 
@@ -187,21 +259,14 @@ std::optional<std::string> why_no_equations(const Scene& scene) {
 
 std::string equations_text(const Scene& scene, EquationsForm form) {
   const SceneEquations equations(scene);
-  const QuadraticSystem system = equations.system();
   const Names names = unknown_names(scene, equations);
-  std::string text;
-  if (form == EquationsForm::text) {
-    text = "# " + remark(scene) + "\n";
-    for (const QuadraticEquation& equation : system.equations)
-      text += equation_text(equation, {exact_magnitude, names}) + "\n";
-    return text;
-  }
-  const bool is_square = static_cast<int>(system.equations.size()) == system.unknowns;
-  text = fmt::format("{}{}\n", system.equations.size(), is_square ? "" : fmt::format(" {}", system.unknowns));
+  if (form == EquationsForm::text) return plain_text(scene, equations.system(), {exact_magnitude, names});
+  ReducedSystem reduced{equations.system(), {}};
+  if (form == EquationsForm::reduced) reduced = reduced_system(reduced.system);
+  const SceneForms forms = in_file(scene_forms(scene, equations), scene);
   const Notation notation{double_magnitude, phc_names(names)};
-  for (const QuadraticEquation& equation : system.equations)
-    text += polynomial_text(equation, notation) + "\n";
-  return text + "\n" + remark(scene) + "\n";
+  return phc_text(reduced, notation) + "\n" + remark(scene) + "\n" +
+         Positions(scene, forms, notation, reduced.numbers).json() + "\n";
 }
 
 }  // namespace gcs

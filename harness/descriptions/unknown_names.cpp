@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include "harness/descriptions/scene_forms.hpp"
+
 namespace gcs {
 namespace {
 
@@ -43,46 +45,36 @@ class Names {
   std::vector<std::string> names_;
 };
 
-void name_general(const SystemBuilder& forms, Names& names) {
-  const ProblemStatement& problem = forms.problem();
-  // First, since a point of a body may be its origin.
-  for (const NamedVector& vector : forms.named()) names.set(vector.forms, vector.name);
-  for (int entity = 0; entity < problem.entity_count(); ++entity) {
-    const std::string& name = problem.name(entity);
-    if (problem.is_point(entity)) {
-      names.set(forms.point(entity), name + "_");
-    } else if (problem.is_line(entity)) {
-      names.set(forms.line(entity).foot, name + "_");
-      names.set(forms.line(entity).direction, name + "_u");
-    } else {
-      names.set(forms.plane(entity).normal, name + "_n");
-      names.set(unknown_of(forms.plane(entity).offset), name + "_h");
-    }
+void name_elements(const ProblemStatement& problem, const SceneForms& forms, Names& names) {
+  for (std::size_t i = 0; i < forms.points.size(); ++i) names.set(forms.points[i], problem.points[i] + "_");
+  for (std::size_t i = 0; i < forms.lines.size(); ++i) {
+    names.set(forms.lines[i].foot, problem.lines[i] + "_");
+    names.set(forms.lines[i].direction, problem.lines[i] + "_u");
+  }
+  for (std::size_t i = 0; i < forms.planes.size(); ++i) {
+    names.set(forms.planes[i].normal, problem.planes[i] + "_n");
+    names.set(unknown_of(forms.planes[i].offset), problem.planes[i] + "_h");
   }
 }
 
-void name_distances(const ProblemStatement& problem, const SceneEquations& equations, Names& names) {
-  for (int point = 0; point < static_cast<int>(problem.points.size()); ++point)
-    for (int axis = 0; axis < problem.dimension; ++axis)
-      names.set(equations.point_unknown(point, axis),
-                fmt::format("{}_{}", problem.name(point), axes[static_cast<std::size_t>(axis)]));
-  constexpr std::array<std::string_view, 3> parts{"", "u", "m"};
+void name_moments(const ProblemStatement& problem, const SceneEquations& equations, Names& names) {
   for (int line = 0; line < static_cast<int>(problem.lines.size()); ++line)
-    for (int part = 0; part < 3; ++part)
-      for (int axis = 0; axis < 3; ++axis)
-        names.set(equations.line_unknown(line, part, axis),
-                  fmt::format("{}_{}{}", problem.lines[static_cast<std::size_t>(line)],
-                              parts[static_cast<std::size_t>(part)], axes[static_cast<std::size_t>(axis)]));
+    for (int axis = 0; axis < 3; ++axis)
+      names.set(equations.line_unknown(line, 2, axis),
+                fmt::format("{}_m{}", problem.lines[static_cast<std::size_t>(line)],
+                            axes[static_cast<std::size_t>(axis)]));
 }
 
 }  // namespace
 
 std::vector<std::string> unknown_names(const Scene& scene, const SceneEquations& equations) {
   Names names(equations.system().unknowns);
+  // First, since a point of a body may be its origin.
   if (const SceneSystem* general = equations.general())
-    name_general(general->elements(), names);
+    for (const NamedVector& vector : general->elements().named()) names.set(vector.forms, vector.name);
   else
-    name_distances(scene.problem(), equations, names);
+    name_moments(scene.problem(), equations, names);
+  name_elements(scene.problem(), scene_forms(scene, equations), names);
   return names.finish();
 }
 

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <system_error>
+#include <utility>
 
 #include "harness/base/child_process.hpp"
 #include "harness/base/errors.hpp"
@@ -63,8 +66,10 @@ std::optional<std::string> failure(const CommandOutcome& outcome) {
 /// Every line with a direction of length 1.
 Candidate candidate_of(const AssessedSolution& solution) {
   const Figure& given = solution.figure;
-  return {figure_of(complex_points(given), normalised(complex_lines(given)), given.is_real()),
-          solution.multiplicity};
+  Figure figure = figure_of(complex_points(given), normalised(complex_lines(given)), given.is_real());
+  figure.planes = given.planes;
+  figure.imaginary_planes = given.imaginary_planes;
+  return {std::move(figure), solution.multiplicity};
 }
 
 /// The path that a program says to be closed. A result has one representative of each class, and S meets a
@@ -111,6 +116,12 @@ SolveReport report_of(const Scene& scene, const Answer& answer) {
   return report;
 }
 
+/// Its file; empty where the system does not say.
+std::string this_program() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown).string();
+}
+
 class ExecStrategy final : public Strategy {
  public:
   explicit ExecStrategy(std::string command) : command_(std::move(command)) {}
@@ -122,7 +133,8 @@ class ExecStrategy final : public Strategy {
     if (request.monitor != nullptr) request.monitor->progress("external program", -1);
     const CommandOutcome outcome = run_command(
         command_, problem_text(request.scene),
-        {fmt::format("GCSBENCH_SEED={}", request.seed), fmt::format("GCSBENCH_THREADS={}", request.threads)},
+        {fmt::format("GCSBENCH_SEED={}", request.seed), fmt::format("GCSBENCH_THREADS={}", request.threads),
+         "GCSBENCH_PROGRAM=" + this_program()},
         request.stop);
     SolveReport report;
     try {

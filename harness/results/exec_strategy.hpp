@@ -19,7 +19,7 @@ std::optional<std::string> exec_command(std::string_view strategy);
 ///   status      as in a result; default: complete
 ///   reason      why it is not complete
 ///   path        as in a result, for the claim "on path"
-/// GCSBENCH_SEED and GCSBENCH_THREADS are in its environment. What it claims is its own claim: its solutions
+/// GCSBENCH_SEED, GCSBENCH_THREADS and GCSBENCH_PROGRAM, the file of the program that runs it, are in its environment. What it claims is its own claim: its solutions
 /// are assessed like those of any strategy. An exit status other than 0, and output that cannot be read, make
 /// it give up, with the cause and the last line of standard error.
 /// `name` must outlive the entry. Throws UsageError when there is no command in it.

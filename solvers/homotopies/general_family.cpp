@@ -1,7 +1,6 @@
 #include "solvers/homotopies/general_family.hpp"
 
 #include <Eigen/LU>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -11,7 +10,6 @@ namespace gcs {
 namespace {
 
 using Complex = std::complex<double>;
-using Expansion = std::map<std::pair<int, int>, Complex>;  // {−1, −1}: the constant
 
 void add_term(Expansion& expansion, int u, int v, Complex coefficient) {
   if (u < v) std::swap(u, v);
@@ -28,13 +26,6 @@ void add_product(Expansion& expansion, const LinearForm& left, const LinearForm&
   };
   for (const auto& [u, a] : terms(left))
     for (const auto& [v, b] : terms(right)) add_term(expansion, u, v, a * b);
-}
-
-Expansion expanded(const QuadraticEquation& equation) {
-  Expansion expansion;
-  for (const FormProduct& product : equation.products) add_product(expansion, product.left, product.right);
-  add_term(expansion, -1, -1, -rounded_to_double(equation.given));
-  return expansion;
 }
 
 /// Of the products of numbers alone.
@@ -54,6 +45,13 @@ std::vector<int> without_value(const GeneralEquations& equations) {
 }
 
 }  // namespace
+
+Expansion expanded(const QuadraticEquation& equation) {
+  Expansion expansion;
+  for (const FormProduct& product : equation.products) add_product(expansion, product.left, product.right);
+  add_term(expansion, -1, -1, -rounded_to_double(equation.given));
+  return expansion;
+}
 
 GeneralEquations general_equations(const SceneSystem& scene) {
   GeneralEquations result;

@@ -5,7 +5,10 @@
 /// All figures that meet what has no value, with the values that they give, are the graph of a polynomial map; monodromy
 /// over the values reaches all solutions of a random member that are on one component of it with the first.
 
+#include <complex>
+#include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "solvers/elements/scene_system.hpp"
@@ -14,6 +17,12 @@
 #include "solvers/lanes/monomial_system.hpp"
 
 namespace gcs {
+
+/// Of each product of two unknowns, the higher one first, its coefficient; −1 stands for a factor 1.
+using Expansion = std::map<std::pair<int, int>, std::complex<double>>;
+
+/// Σ left·right − given, multiplied out in doubles.
+Expansion expanded(const QuadraticEquation& equation);
 
 /// Sparse equations with coefficients.
 struct GeneralEquations {

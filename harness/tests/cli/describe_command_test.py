@@ -15,6 +15,12 @@ from general_scenes import PLATFORM, distances, planes
 DISTANCES_ALONE = ["core to solve", "construction plan", "lengths >= 0", "placed after it"]
 
 
+def leaves(node):
+    """Of lists and objects, in order."""
+    parts = node.values() if isinstance(node, dict) else node if isinstance(node, list) else None
+    return [node] if parts is None else [leaf for part in parts for leaf in leaves(part)]
+
+
 class Describe(command_line.CommandLine):
     def instance(self, scene):
         return self.write(scene, f"{scene['id']}.json")
@@ -87,6 +93,33 @@ class Describe(command_line.CommandLine):
         for solution in self.solved("k33", "monodromy"):
             self.assert_hold(lines, {f"{name}_{axis}": x / unit for name, point in solution["points"].items()
                                      for axis, x in zip("xyz", point)})
+
+    def equations_and_positions(self, instance, form):
+        """For PHCpack, and the positions in their unknowns."""
+        done = run("describe", instance, "--equations", form)
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        lines = done.stdout.splitlines()
+        return [line.rstrip(";") for line in lines[1:int(lines[0]) + 1]], json.loads(lines[-1])
+
+    def test_equations_hold_where_positions_are_a_solution(self):
+        """Each unknown is a coordinate of one, times a number. Of the points of a frame, two in the plane and three in space,
+        all coordinates are numbers in the end."""
+        for instance, frame in [(self.instance(planes(0.1)), ["e1", "e2", "e3"]), ("k33", ["p1", "p2"])]:
+            for form in ["phc", "reduced"]:
+                equations, positions = self.equations_and_positions(instance, form)
+                for solution in self.solved(instance, "monodromy"):
+                    known = leaves({kind: solution.get(kind, {}) for kind in positions})
+                    values = {}
+                    for text, number in zip(leaves(positions), known):
+                        factor, name = re.fullmatch(r"(?:(.*)\*)?(\w+)|.*", text).groups()
+                        if name and not name[0].isdigit():
+                            values[name] = number / float(factor or 1)
+                    for text, number in zip(leaves(positions), known):
+                        self.assertAlmostEqual(eval(text, dict(values)), number, delta=1e-12)  # pylint: disable=eval-used
+                    self.assert_hold([f"{equation} = 0" for equation in equations], values)
+            for name in frame:
+                for coordinate in positions["points"][name]:
+                    float(coordinate)
 
     def test_equations_alone_are_asked_for(self):
         self.assert_usage_error(run("describe", "k33", "--equations", "latex"), "--equations")

@@ -131,6 +131,7 @@ class ExternalProgram(command_line.WithFolder):
     def test_gcsbench_is_an_external_program_too(self):
         for instance, strategy, count in [("k33", "rcp", "on_path"), ("octahedron", "monodromy", "complex_up_to_reflection"),
                                           ("hoffmann-yuan", "theta-scan", "real_up_to_reflection"),
+                                          ("octahedral-3p3h", "monodromy", "complex_up_to_reflection"),
                                           ("tangents-durand", "sphere-tangents", "complex_up_to_reflection")]:
             inner = self.solve(strategy, instance=instance).result
             command = "exec:" + shlex.join(argv("--quiet", "solve", "-", "--strategy", strategy, "--out", "-"))
@@ -141,6 +142,10 @@ class ExternalProgram(command_line.WithFolder):
             self.assertEqual(len(done.result["solutions"]), len(inner["solutions"]))
             self.assertEqual(done.result["path"], inner["path"])
             self.assertGreater(done.result["timing"]["cpu_s"], 0)
+
+    def test_a_program_knows_which_one_runs_it(self):
+        done = self.solve('exec:"$GCSBENCH_PROGRAM" --quiet solve - --strategy monodromy --out -')
+        self.assertEqual((done.returncode, len(done.result["solutions"])), (0, 1), done.stderr)
 
     def test_what_a_program_says_of_itself_is_passed_on(self):
         done = self.solve(self.prints(answer(RIGHT, status="partial", reason="out of luck")))

@@ -1,0 +1,21 @@
+#pragma once
+/// Equations with fewer solutions to find and fewer monomials, for solvers that follow as many paths as their mixed volume.
+
+#include <map>
+
+#include "solvers/model/quadratic_system.hpp"
+
+namespace gcs {
+
+struct ReducedSystem {
+  QuadraticSystem system;         ///< unknowns keep their numbers
+  std::map<int, double> numbers;  ///< the unknowns that it has no more
+};
+
+/// After Gaussian elimination of the monomials (polyhedral/eliminated_equations.hpp), in doubles. An unknown of which an
+/// equation gives the value is replaced by it, and one of which it gives the square by the positive root, where the sign is
+/// one that `mirror` leaves open: of solutions that are not counted apart one is left, or more. Precondition: the
+/// equations are independent.
+ReducedSystem reduced_system(const QuadraticSystem& system);
+
+}  // namespace gcs

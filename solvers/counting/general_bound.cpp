@@ -5,6 +5,7 @@
 #include <set>
 
 #include "solvers/counting/ring_bound.hpp"
+#include "solvers/counting/three_lines_bound.hpp"
 #include "solvers/structure/octahedral_pairs.hpp"
 
 namespace gcs {
@@ -124,6 +125,12 @@ void bound_octahedron_with_planes(const ProblemStatement& problem, TheoreticalCo
   counts.bound->theorem = "an octahedron of points and planes: three elements, each on a conic, by Bézout";
 }
 
+void bound_three_lines(const ProblemStatement& problem, std::uint64_t most, TheoreticalCounts& counts) {
+  counts.bound = CountBound{{Natural(most), frame_images(problem)}, {}, {}};
+  counts.bound->theorem =
+      "three points and three lines: the lines at given distances from the points, by their directions";
+}
+
 }  // namespace
 
 std::vector<bool> hung_lines(const ProblemStatement& problem) {
@@ -147,13 +154,15 @@ TheoreticalCounts general_counts(const ProblemStatement& problem, const std::opt
     bound_hinged_ring(problem, counts);
   else if (!problem.is_anchored() && find_octahedron_with_planes(problem))
     bound_octahedron_with_planes(problem, counts);
+  else if (const auto most = three_lines_bound(problem))
+    bound_three_lines(problem, *most, counts);
   else if (order)
     bound_in_order(problem, *order, counts_of, counts);
   else
     counts.why_no_bound =
         "The bound is known for distances of points, of one line, of two bodies alone, for six in a ring, "
         "for "
-        "octahedra of points and planes, and for what hangs on these.";
+        "octahedra of points and planes, for three points and three lines, and for what hangs on these.";
   return counts;
 }
 

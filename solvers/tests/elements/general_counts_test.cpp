@@ -8,6 +8,7 @@
 #include "solvers/solving/solve.hpp"
 #include "solvers/strategies/monodromy.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
+#include "solvers/tests/tracking/general_path_samples.hpp"
 
 using namespace gcs;
 using samples::random_octahedral;
@@ -148,6 +149,28 @@ TEST_CASE("an octahedral scene with given positions, or with other pairs, has no
   CHECK_FALSE(theoretical_counts(turned).upper_limit());
   problem.fixed_points.assign(problem.points.size(), Eigen::Vector3d::Zero());
   CHECK_FALSE(theoretical_counts(problem).upper_limit());
+}
+
+TEST_CASE("three points and three lines have as many figures as the curves of their directions meet in") {
+  // 12³ less 6·128, and 12 for each angle and 24 for each distance: three_lines_bound.hpp.
+  RandomNumbers random(18);
+  ProblemStatement problem = samples::sketched_points_and_lines(random);
+  const auto most = [](const ProblemStatement& scene) {
+    const TheoreticalCounts counts = theoretical_counts(scene);
+    return counts.upper_limit() == nullptr ? Natural(0) : counts.upper_limit()->up_to_reflection();
+  };
+  CHECK(most(problem) == Natural(960));
+  ProblemStatement given = problem, parallel = problem;
+  given.fixed_points.assign(given.points.size(), Eigen::Vector3d::Zero());
+  CHECK(most(given) == Natural(0));
+  parallel.relations.back().type = "parallel";
+  CHECK(most(parallel) == Natural(0));
+  for (const int expected : {12 * 12 * 24, 12 * 24 * 24, 24 * 24 * 24}) {
+    const auto angle = std::ranges::find(problem.relations, "angle", &Relation::type);
+    angle->type = "distance";
+    angle->form = Relation::Form::length;
+    CHECK(most(problem) == Natural(static_cast<std::uint64_t>(expected)));
+  }
 }
 
 TEST_CASE("loops find the postures of a general platform along a few times as many paths") {

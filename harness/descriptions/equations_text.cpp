@@ -164,16 +164,16 @@ Names phc_names(const Names& names) {
   return result;
 }
 
-/// Names and numbers of unknowns, and where elements are in the words of these.
+/// Where elements are, in the words of the unknowns.
 class Positions {
  public:
   Positions(const Scene& scene, const SceneForms& forms, const Notation& notation,
-            const std::map<int, double>& numbers)
+            const std::map<int, LinearForm>& replaced)
       : problem_(scene.problem()),
         dimension_(scene.dimension()),
         forms_(forms),
         notation_(notation),
-        numbers_(numbers) {}
+        replaced_(replaced) {}
 
   std::string json() const {
     JsonMembers points, lines, planes;
@@ -199,22 +199,15 @@ class Positions {
     return json_array(components);
   }
 
-  JsonValue form(LinearForm form) const {
-    std::erase_if(form.terms, [&](const ScaledUnknown& term) {
-      const auto number = numbers_.find(term.unknown);
-      if (number == numbers_.end()) return false;
-      form.constant =
-          exactly(rounded_to_double(form.constant) + number->second * rounded_to_double(term.coefficient));
-      return true;
-    });
-    return json_text(form_text(form, notation_));
+  JsonValue form(const LinearForm& form) const {
+    return json_text(form_text(substituted(form, replaced_), notation_));
   }
 
   const ProblemStatement& problem_;
   int dimension_;
   const SceneForms& forms_;
   const Notation& notation_;
-  const std::map<int, double>& numbers_;
+  const std::map<int, LinearForm>& replaced_;
 };
 
 std::string frame_words(const Scene& scene) {
@@ -238,7 +231,7 @@ std::string plain_text(const Scene& scene, const QuadraticSystem& system, const 
 
 std::string phc_text(const ReducedSystem& reduced, const Notation& notation) {
   const std::size_t equations = reduced.system.equations.size();
-  const std::size_t unknowns = static_cast<std::size_t>(reduced.system.unknowns) - reduced.numbers.size();
+  const std::size_t unknowns = static_cast<std::size_t>(reduced.system.unknowns) - reduced.replaced.size();
   std::string text =
       fmt::format("{}{}\n", equations, equations == unknowns ? "" : fmt::format(" {}", unknowns));
   for (const QuadraticEquation& equation : reduced.system.equations)
@@ -266,7 +259,7 @@ std::string equations_text(const Scene& scene, EquationsForm form) {
   const SceneForms forms = in_file(scene_forms(scene, equations), scene);
   const Notation notation{double_magnitude, phc_names(names)};
   return phc_text(reduced, notation) + "\n" + remark(scene) + "\n" +
-         Positions(scene, forms, notation, reduced.numbers).json() + "\n";
+         Positions(scene, forms, notation, reduced.replaced).json() + "\n";
 }
 
 }  // namespace gcs

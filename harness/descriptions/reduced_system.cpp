@@ -55,61 +55,85 @@ class Reduction {
 
   ReducedSystem run() {
     do equations_ = eliminated(equations_, reduced_.system.unknowns);
-    while (put_number());
+    while (replace_one());
     for (const Expansion& equation : equations_) reduced_.system.equations.push_back(written(equation));
+    for (const auto& [unknown, form] : replaced_) reduced_.replaced.emplace(unknown, linear(form));
     return std::move(reduced_);
   }
 
  private:
-  bool put_number() {
+  bool replace_one() {
     for (std::size_t e = 0; e < equations_.size(); ++e) {
-      const auto found = number(equations_[e]);
+      const auto found = replacement(equations_[e]);
       if (!found) continue;
+      const auto& [unknown, form] = *found;
       equations_.erase(equations_.begin() + static_cast<std::ptrdiff_t>(e));
-      reduced_.numbers.insert(*found);
-      for (Expansion& equation : equations_) equation = with_number(equation, found->first, found->second);
+      for (Expansion& equation : equations_) equation = with(equation, unknown, form);
+      for (auto& [other, known] : replaced_) known = with(known, unknown, form);
+      replaced_.emplace(unknown, form);
       return true;
     }
     return false;
   }
 
-  /// The unknown that the equation gives, with its value.
-  std::optional<std::pair<int, double>> number(const Expansion& equation) {
+  /// An unknown that the equation gives, and what it is.
+  std::optional<std::pair<int, Expansion>> replacement(const Expansion& equation) {
     if (equation.empty() || equation.rbegin()->first == one) return std::nullopt;
-    const auto [u, v] = equation.rbegin()->first;
-    if (equation.size() > 2 || (equation.size() == 2 && equation.begin()->first != one)) return std::nullopt;
-    const double constant = equation.size() == 2 ? equation.begin()->second.real() : 0;
-    const double value = -constant / equation.rbegin()->second.real();
-    if (v < 0) return std::pair(u, value);
-    if (u != v || value <= 0 || !has_either_sign(u)) return std::nullopt;
-    signs_.add(mirror_[static_cast<std::size_t>(u)], false);
-    return std::pair(u, std::sqrt(value));
+    const bool is_linear =
+        std::ranges::all_of(equation, [](const auto& term) { return term.first.second < 0; });
+    return is_linear ? std::optional(from_linear(equation)) : root(equation);
   }
 
-  /// Among the changes of signs that leave the unknowns that are numbers.
+  /// That with the largest coefficient.
+  static std::pair<int, Expansion> from_linear(Expansion equation) {
+    const auto [factors, coefficient] = *std::ranges::max_element(
+        equation, {}, [](const auto& term) { return term.first == one ? 0 : std::abs(term.second); });
+    equation.erase(factors);
+    for (auto& [others, value] : equation) value /= -coefficient;
+    return {factors.first, std::move(equation)};
+  }
+
+  std::optional<std::pair<int, Expansion>> root(const Expansion& equation) {
+    const auto [u, v] = equation.rbegin()->first;
+    if (u != v || equation.size() != 2 || equation.begin()->first != one || !has_either_sign(u))
+      return std::nullopt;
+    const double square = -equation.begin()->second.real() / equation.rbegin()->second.real();
+    if (square <= 0) return std::nullopt;
+    signs_.add(mirror_[static_cast<std::size_t>(u)], false);
+    return std::pair(u, Expansion{{one, std::sqrt(square)}});
+  }
+
+  /// Among the changes of signs that leave the unknowns that have one.
   bool has_either_sign(int unknown) const {
     SignEquations signs = signs_;
     return signs.add(mirror_[static_cast<std::size_t>(unknown)], true);
   }
 
-  static Expansion with_number(const Expansion& equation, int unknown, double value) {
+  static Expansion with(const Expansion& equation, int unknown, const Expansion& form) {
     constexpr double cancelled = 1e-12;  // of what a coefficient is the sum of: less is rounding
     Expansion result, sizes;
-    for (const auto& [monomial, before] : equation) {
-      Factors factors = monomial;
-      std::complex<double> coefficient = before;
-      for (int* factor : {&factors.first, &factors.second})
-        if (*factor == unknown) {
-          *factor = -1;
-          coefficient *= value;
+    const auto factor = [&](int u) { return u == unknown ? form : Expansion{{{u, -1}, 1.0}}; };
+    for (const auto& [factors, coefficient] : equation)
+      for (const auto& [left, a] : factor(factors.first))
+        for (const auto& [right, b] : factor(factors.second)) {
+          const Factors both = std::minmax(left.first, right.first);
+          const std::complex<double> product = coefficient * a * b;
+          result[{both.second, both.first}] += product;
+          sizes[{both.second, both.first}] += std::abs(product);
         }
-      if (factors.first < factors.second) std::swap(factors.first, factors.second);
-      result[factors] += coefficient;
-      sizes[factors] += std::abs(coefficient);
-    }
     std::erase_if(result, [&](const auto& term) {
       return std::abs(term.second) <= cancelled * std::abs(sizes[term.first]);
     });
+    return result;
+  }
+
+  static LinearForm linear(const Expansion& form) {
+    LinearForm result;
+    for (const auto& [factors, coefficient] : form)
+      if (factors == one)
+        result.constant = exactly(coefficient);
+      else
+        result.terms.push_back({factors.first, exactly(coefficient)});
     return result;
   }
 
@@ -131,6 +155,7 @@ class Reduction {
   SignMasks mirror_;
   SignEquations signs_;
   std::vector<Expansion> equations_;
+  std::map<int, Expansion> replaced_;  ///< linear
   ReducedSystem reduced_;
 };
 

@@ -8,13 +8,13 @@
 namespace gcs {
 
 struct ReducedSystem {
-  QuadraticSystem system;         ///< unknowns keep their numbers
-  std::map<int, double> numbers;  ///< the unknowns that it has no more
+  QuadraticSystem system;              ///< unknowns keep their numbers
+  std::map<int, LinearForm> replaced;  ///< the unknowns that it has no more, in terms of the others
 };
 
-/// After Gaussian elimination of the monomials (polyhedral/eliminated_equations.hpp), in doubles. An unknown of which an
-/// equation gives the value is replaced by it, and one of which it gives the square by the positive root, where the sign is
-/// one that `mirror` leaves open: of solutions that are not counted apart one is left, or more. Precondition: the
+/// After Gaussian elimination of the monomials (polyhedral/eliminated_equations.hpp), in doubles. An unknown of each
+/// linear equation is replaced by what that says, and one of which an equation gives the square by the positive root, where the
+/// sign is one that `mirror` leaves open: of solutions that are not counted apart one is left, or more. Precondition: the
 /// equations are independent.
 ReducedSystem reduced_system(const QuadraticSystem& system);
 

@@ -1,6 +1,8 @@
 #include "harness/descriptions/scene_forms.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "solvers/model/given_numbers.hpp"
 
@@ -46,7 +48,7 @@ class Combination {
  public:
   Combination& plus(double factor, const LinearForm& form) {
     for (const ScaledUnknown& term : form.terms)
-      sum_.terms.push_back({term.unknown, exactly(factor * rounded_to_double(term.coefficient))});
+      add(term.unknown, factor * rounded_to_double(term.coefficient));
     return plus(factor * rounded_to_double(form.constant).real());
   }
   Combination& plus(double constant) {
@@ -56,6 +58,14 @@ class Combination {
   LinearForm form() const { return sum_; }
 
  private:
+  void add(int unknown, std::complex<double> coefficient) {
+    const auto found = std::ranges::find(sum_.terms, unknown, &ScaledUnknown::unknown);
+    if (found == sum_.terms.end())
+      sum_.terms.push_back({unknown, exactly(coefficient)});
+    else
+      found->coefficient.value += coefficient;
+  }
+
   LinearForm sum_;
 };
 
@@ -115,6 +125,17 @@ SceneForms scene_forms(const Scene& scene, const SceneEquations& equations) {
     else
       forms.planes.push_back(general->elements().plane(entity));
   return forms;
+}
+
+LinearForm substituted(const LinearForm& form, const std::map<int, LinearForm>& replaced) {
+  Combination sum;
+  sum.plus(rounded_to_double(form.constant).real());
+  for (const ScaledUnknown& term : form.terms) {
+    const auto found = replaced.find(term.unknown);
+    sum.plus(rounded_to_double(term.coefficient).real(),
+             found == replaced.end() ? LinearForm{{{term.unknown}}, {}} : found->second);
+  }
+  return sum.form();
 }
 
 SceneForms in_file(const SceneForms& forms, const Scene& scene) {

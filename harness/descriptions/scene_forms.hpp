@@ -1,6 +1,7 @@
 #pragma once
 /// Where the elements of a scene are, as linear forms in the unknowns of its equations.
 
+#include <map>
 #include <vector>
 
 #include "solvers/certificates/scene_equations.hpp"
@@ -16,6 +17,9 @@ struct SceneForms {
 
 /// In the scene's frame and unit.
 SceneForms scene_forms(const Scene& scene, const SceneEquations& equations);
+
+/// With forms in the place of unknowns, in doubles.
+LinearForm substituted(const LinearForm& form, const std::map<int, LinearForm>& replaced);
 
 /// From there to the frame and unit of the scene's file, in doubles.
 SceneForms in_file(const SceneForms& forms, const Scene& scene);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "harness/results/exec_strategy.hpp"
 #include "harness/tables/table_entries.hpp"
 #include "harness/tables/tables.hpp"
 
@@ -108,6 +109,9 @@ std::vector<Table> build_general(const RunFile& run, const Publication& known) {
       if (cell != nullptr && cell->status != RunStatus::unsupported)
         table.rows.push_back(found_row(table, instance, *cell));
     }
+    for (const CellRecord& cell : run.cells)
+      if (cell.spec.instance == instance.id && exec_command(cell.spec.strategy))
+        table.rows.push_back(found_row(table, instance, cell));
   }
   table.remarks = {
       "Beside each scene stands which figures are one solution. A strategy that is not listed there cannot "

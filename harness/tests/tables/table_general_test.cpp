@@ -63,6 +63,16 @@ TEST_CASE("the table of general scenes is the approved one", "[approved]") {
   check_approved("general.md", to_markdown(set.tables.front()));
 }
 
+TEST_CASE("the table of general scenes has external programs that were measured") {
+  RunFile run = general_run();
+  const std::size_t rows = build_tables(run, load_publications()).tables.front().rows.size();
+  CellRecord cell = toy::with_all(toy::cell({"platform", "exec:./solver", {}}, 0, 0, 0.3), 2, 40);
+  run.cells.push_back(certified(cell, Claim::all_complex, {40, 2, true, true}));
+  const Table table = build_tables(run, load_publications()).tables.front();
+  CHECK(table.rows.size() == rows + 1);
+  CHECK(std::ranges::count(table.rows, "exec:solver", &TableRow::label) == 1);
+}
+
 TEST_CASE("known numbers of general scenes are those that their instances cite, in their conventions") {
   const Publication known = load_publication("general-scenes");
   const auto is_in_both = [&](const std::string& id, const std::string& quantity, double value,

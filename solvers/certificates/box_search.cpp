@@ -14,13 +14,56 @@ constexpr double worth_a_pass = 0.5;
 /// Of the coordinates' rounding: a shorter part is not told from its neighbours.
 constexpr double narrowest = 16 * epsilon;
 
+class SearchedDistances {
+ public:
+  SearchedDistances(const DistanceSystem& system, const std::vector<DoubleDouble>& squares)
+      : system_(system), squares_(squares) {}
+
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const {
+    Eigen::MatrixXd result(system_.equations(), system_.unknowns());
+    system_.jacobian(system_.figure(x).points, result);
+    return result;
+  }
+  std::optional<KrawczykImage<double>> image(const Eigen::MatrixXd& axes, const SkewBox& box) const {
+    return krawczyk_image(system_, squares_, axes, box);
+  }
+  bool has_one_solution(const Box& box) const {
+    return krawczyk(system_, squares_, box) == BoxContent::one_solution;
+  }
+  bool refine(Eigen::VectorXd& x) const { return gcs::refine(system_, squares_, x).converged; }
+
+ private:
+  const DistanceSystem& system_;
+  const std::vector<DoubleDouble>& squares_;
+};
+
+class SearchedSystem {
+ public:
+  explicit SearchedSystem(const KrawczykTest& test) : test_(test) {}
+
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const { return test_.jacobian(x); }
+  std::optional<KrawczykImage<double>> image(const Eigen::MatrixXd& axes, const SkewBox& box) const {
+    return test_.image(axes, box);
+  }
+  bool has_one_solution(const Box& box) const {
+    const auto image = test_.image(box);
+    return image && image->is_inside(box.radius);
+  }
+  bool refine(Eigen::VectorXd& x) const {
+    std::int64_t iterations = 0;
+    return test_.refine(x, iterations);
+  }
+
+ private:
+  const KrawczykTest& test_;
+};
+
+/// Equations: one of the two above.
+template <class Equations>
 class BoxSearch {
  public:
-  BoxSearch(const DistanceSystem& system, const std::vector<DoubleDouble>& squares, const Box& box)
-      : system_(system), squares_(squares), box_(box) {
-    Eigen::MatrixXd jacobian(system.equations(), system.unknowns());
-    system.jacobian(system.figure(box.mid).points, jacobian);
-    axes_ = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian, Eigen::ComputeFullV).matrixV();
+  BoxSearch(const Equations& equations, const Box& box) : equations_(equations), box_(box) {
+    axes_ = Eigen::JacobiSVD<Eigen::MatrixXd>(equations.jacobian(box.mid), Eigen::ComputeFullV).matrixV();
     const auto m = static_cast<double>(axes_.rows());
     const Eigen::MatrixXd products = axes_.transpose() * axes_;
     const Eigen::MatrixXd defect = products - Eigen::MatrixXd::Identity(axes_.rows(), axes_.rows());
@@ -57,7 +100,7 @@ class BoxSearch {
 
   /// False where the part cannot be decided.
   bool visit(const SkewBox& part) {
-    const auto image = krawczyk_image(system_, squares_, axes_, part);
+    const auto image = equations_.image(axes_, part);
     if (image && image->misses(part.radius)) return true;
     if (image && is_one_at_most(*image, part) && is_taken(part)) return true;
     if (!(part.radius.maxCoeff() > narrowest * size_of(part.mid))) return false;
@@ -78,14 +121,14 @@ class BoxSearch {
   /// the rounding of the solution, and as little as can be beside other solutions.
   bool is_taken(const SkewBox& part) {
     Eigen::VectorXd x = part.mid;
-    if (!refine(system_, squares_, x).converged) return false;
+    if (!equations_.refine(x)) return false;
     const Eigen::VectorXd way = along_axes((x - part.mid).cwiseAbs());
     SkewBox around{x, (part.radius + way) * (1 + 4 * epsilon) + rounding_of(x)};
     // Hardly larger along the coordinates, and with room for a box along them.
     const double even = around.radius.maxCoeff() / (4 * static_cast<double>(x.size()));
     const auto is_kept = [&](double room) {
       around.radius = around.radius.cwiseMax(std::max(even, room * size_of(x)));
-      const auto image = krawczyk_image(system_, squares_, axes_, around);
+      const auto image = equations_.image(axes_, around);
       return image && image->is_inside(around.radius) && keep(around);
     };
     return is_kept(0) || is_kept(0x1p8 * epsilon) || is_kept(0x1p14 * epsilon);
@@ -94,7 +137,7 @@ class BoxSearch {
   /// The solution in `around`, by a box along the coordinates, unless that misses the box searched.
   bool keep(const SkewBox& around) {
     Box tight{around.mid, (axes_.cwiseAbs() * around.radius) * (1 + 4 * epsilon)};
-    while (krawczyk(system_, squares_, tight) != BoxContent::one_solution || !holds(around, tight)) {
+    while (!equations_.has_one_solution(tight) || !holds(around, tight)) {
       tight.radius *= 0.125;
       if (!(size_of(tight.radius) > epsilon * size_of(tight.mid))) return false;
     }
@@ -134,8 +177,7 @@ class BoxSearch {
     return {x, radius * (1 + 4 * epsilon) + rounding};
   }
 
-  const DistanceSystem& system_;
-  const std::vector<DoubleDouble>& squares_;
+  const Equations& equations_;
   const Box& box_;
   Eigen::MatrixXd axes_;
   double skew_ = 0;  ///< bound on |axes⁻¹ − axesᵀ| by rows, relative to what axesᵀ gives
@@ -148,7 +190,13 @@ class BoxSearch {
 std::optional<std::vector<Box>> solutions_in(const DistanceSystem& system,
                                              const std::vector<DoubleDouble>& squares, const Box& box,
                                              int most_parts) {
-  return BoxSearch(system, squares, box).run(most_parts);
+  const SearchedDistances equations(system, squares);
+  return BoxSearch(equations, box).run(most_parts);
+}
+
+std::optional<std::vector<Box>> solutions_in(const KrawczykTest& test, const Box& box, int most_parts) {
+  const SearchedSystem equations(test);
+  return BoxSearch(equations, box).run(most_parts);
 }
 
 }  // namespace gcs

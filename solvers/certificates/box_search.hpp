@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solvers/certificates/krawczyk.hpp"
+#include "solvers/certificates/krawczyk_test.hpp"
 
 namespace gcs {
 
@@ -19,5 +20,8 @@ namespace gcs {
 std::optional<std::vector<Box>> solutions_in(const DistanceSystem& system,
                                              const std::vector<DoubleDouble>& squares, const Box& box,
                                              int most_parts);
+
+/// The same of a quadratic system, by its test.
+std::optional<std::vector<Box>> solutions_in(const KrawczykTest& test, const Box& box, int most_parts);
 
 }  // namespace gcs

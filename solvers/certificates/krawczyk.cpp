@@ -70,19 +70,25 @@ BoxContent krawczyk(const DistanceSystem& system, const std::vector<DoubleDouble
   return image.misses(box.radius) ? BoxContent::no_solution : BoxContent::unknown;
 }
 
-std::optional<KrawczykImage<double>> krawczyk_image(const DistanceSystem& system,
-                                                    const std::vector<DoubleDouble>& squares,
-                                                    const Eigen::MatrixXd& axes, const SkewBox& box) {
-  LinearisedSystem<double> f = linearised(system, squares, system.figure(box.mid).points);
+std::optional<KrawczykImage<double>> krawczyk_image_along(const Eigen::MatrixXd& axes,
+                                                          LinearisedSystem<double> f,
+                                                          const Eigen::MatrixXd& jacobian_radius,
+                                                          const Eigen::VectorXd& radius) {
   const Eigen::MatrixXd size = axes.cwiseAbs();
   const double rounding = static_cast<double>(axes.rows() + 4) * epsilon;
-  const Eigen::MatrixXd radius =
-      (jacobian_radius(system, size * box.radius) * (1 + rounding) + rounding * f.jacobian.cwiseAbs()) *
-      size * (1 + rounding);
+  const Eigen::MatrixXd radius_along =
+      (jacobian_radius * (1 + rounding) + rounding * f.jacobian.cwiseAbs()) * size * (1 + rounding);
   f.jacobian = f.jacobian * axes;
   const Eigen::MatrixXd inverse = f.jacobian.partialPivLu().inverse();
   if (!inverse.allFinite()) return std::nullopt;
-  return krawczyk_image(inverse, f, radius, box.radius);
+  return krawczyk_image(inverse, f, radius_along, radius);
+}
+
+std::optional<KrawczykImage<double>> krawczyk_image(const DistanceSystem& system,
+                                                    const std::vector<DoubleDouble>& squares,
+                                                    const Eigen::MatrixXd& axes, const SkewBox& box) {
+  return krawczyk_image_along(axes, linearised(system, squares, system.figure(box.mid).points),
+                              jacobian_radius(system, axes.cwiseAbs() * box.radius), box.radius);
 }
 
 }  // namespace gcs

@@ -32,7 +32,14 @@ struct SkewBox {
 };
 
 /// Krawczyk's operator on such a box, in the coordinates z, of the same proof. Nothing where the Jacobian at
-/// the middle is singular. Precondition: `axes` are square and regular.
+/// the middle is singular. Preconditions: `axes` are square and regular; `f` is at the middle, and the entries of its
+/// Jacobian move by `jacobian_radius` within |x − mid| ≤ |axes|·radius.
+std::optional<KrawczykImage<double>> krawczyk_image_along(const Eigen::MatrixXd& axes,
+                                                          LinearisedSystem<double> f,
+                                                          const Eigen::MatrixXd& jacobian_radius,
+                                                          const Eigen::VectorXd& radius);
+
+/// The same of a distance system.
 std::optional<KrawczykImage<double>> krawczyk_image(const DistanceSystem& system,
                                                     const std::vector<DoubleDouble>& squares,
                                                     const Eigen::MatrixXd& axes, const SkewBox& box);

@@ -22,6 +22,12 @@ std::optional<KrawczykImage<double>> KrawczykTest::image(const Box& box) const {
   return krawczyk_image(inverse, f, jacobian_radius(system_, box.mid, box.radius), box.radius);
 }
 
+std::optional<KrawczykImage<double>> KrawczykTest::image(const Eigen::MatrixXd& axes,
+                                                         const SkewBox& box) const {
+  return krawczyk_image_along(axes, linearised(system_, box.mid),
+                              jacobian_radius(system_, box.mid, axes.cwiseAbs() * box.radius), box.radius);
+}
+
 bool KrawczykTest::refine(Eigen::VectorXd& x, std::int64_t& iterations) const {
   double previous = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_iterations; ++i) {

@@ -23,12 +23,17 @@ class KrawczykTest {
   /// Krawczyk's operator on the box; nothing where the Jacobian at its middle is singular.
   std::optional<KrawczykImage<double>> image(const Box& box) const;
 
+  /// The same on a box along other axes, which are square and regular.
+  std::optional<KrawczykImage<double>> image(const Eigen::MatrixXd& axes, const SkewBox& box) const;
+
   /// A solution that is proven to be the only one in a box around it and around `box`; nothing where that is
   /// not proven. `iterations` grows by those of Newton's method.
   std::optional<ProvenSolution> only_solution_around(const Box& box, std::int64_t& iterations) const;
 
   /// Newton's method, as far as rounding lets it go. False where it does not converge.
   bool refine(Eigen::VectorXd& x, std::int64_t& iterations) const;
+
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& x) const { return linearised(system_, x).jacobian; }
 
  private:
   /// A smaller box of the same middle that holds the solutions in `box`.

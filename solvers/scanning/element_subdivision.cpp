@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "solvers/certificates/krawczyk_test.hpp"
+#include "solvers/certificates/box_search.hpp"
 #include "solvers/elements/general_structure.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/scanning/cell_scan.hpp"
@@ -144,7 +144,10 @@ class ElementStage {
     return image->misses(box.radius) ? BoxContent::no_solution : BoxContent::unknown;
   }
   bool refine(Eigen::VectorXd& x, std::int64_t& iterations) const { return test_.refine(x, iterations); }
-  std::optional<std::vector<Box>> solutions_in(const Box&) const { return std::nullopt; }
+  std::optional<std::vector<Box>> solutions_in(const Box& box) const {
+    constexpr int most_parts = 2000;  // tens of milliseconds
+    return gcs::solutions_in(test_, box, most_parts);
+  }
 
   std::optional<Box> image_near(const Box& box, const Box& known) const {
     const SignMasks& mirror = system_.equations().mirror;

@@ -1,6 +1,7 @@
 #include "solvers/certificates/nearly_singular.hpp"
 
 #include "solvers/certificates/near_solutions.hpp"
+#include "solvers/certificates/proven_error.hpp"
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
@@ -67,11 +68,13 @@ ResolvedCandidates simple_solutions_near(const SceneSystem& system, const Comple
   const NearSolutions near = solutions_near(system.equations(), {{x, count}}, count, stop);
   const Scene& scene = system.elements().scene();
   const SceneEquations exact(scene);
+  const Certifier certifier(exact.system());
   ResolvedCandidates found;
   for (const Certificate& solution : near.simple) {
     const bool is_real = solution.realness == Certificate::Realness::real;
     found.list.push_back({system.figure(solution.enclosure.mid, is_real)});
-    found.list.back().error = exact.distance(found.list.back().figure, solution);
+    // Its unknowns may be a mirror image of these: figures have lines and planes either way round.
+    found.list.back().error = certified_error(exact, certifier, found.list.back().figure);
   }
   found.are_told_apart = are_different_classes(scene, found.list);
   return found;

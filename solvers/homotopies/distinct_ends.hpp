@@ -26,6 +26,8 @@ class DistinctEnds {
   int paths(int i) const { return paths_[i]; }
   /// Whether a path took end i for a singular one.
   bool is_singular(int i) const { return singular_[i]; }
+  /// Whether it is right to its own rounding, entry by entry.
+  bool is_precise(int i) const { return size_[i] == RelativeTo::each; }
   bool has_conjugate(int i) const;
   /// The number of regular ends at which several paths arrived.
   int jumps() const;

@@ -1,8 +1,10 @@
 #include "solvers/homotopies/general_report.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
+#include "solvers/certificates/interval_equations.hpp"
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/homotopies/complex_report.hpp"
@@ -23,6 +25,9 @@ constexpr double same_solution = 1e-9;
 constexpr double regular = 1e4;
 /// From here on an end without a conjugate has a Jacobian that loses rank.
 constexpr double rank_lost = 1e13;
+/// Relative to 1 + the largest |x_i|: ends that are stiff and no further apart may have changed places, since rounding
+/// the values to u moves solutions next to a double one by some √u.
+constexpr double one_place = 1e-6;
 
 double distance_from_reals(const ComplexVectorX& x) {
   double distance = 0;
@@ -57,7 +62,7 @@ class GeneralReporter {
     report_.work = work;
     const DistinctEnds distinct(ends, equations_.signs, random);
     missing_.jumps = distinct.jumps();
-    for (int i = 0; i < distinct.size() && !stop_.stop_requested(); ++i) add_end(distinct, i);
+    add_ends(distinct, random);
     for (const PathEnd& end : ends) add_path(end);
     if (without_angle_ > 0) report_.particulars.push_back({"segments_of_length_0", without_angle_});
     const bool is_stopped = stop_.stop_requested() || is_any_stopped(ends);
@@ -68,32 +73,76 @@ class GeneralReporter {
   }
 
  private:
-  void add_end(const DistinctEnds& distinct, int i) {
-    const bool is_lonely = !distinct.has_conjugate(i);
-    const Figure figure = figure_of(distinct[i], distinct.is_singular(i));
-    if (has_segment_of_length_0(scene_.problem(), figure)) {
-      ++without_angle_;
-      return;
+  struct StiffEnd {
+    int number = 0;  ///< of the distinct ends
+    Figure figure;
+  };
+
+  /// Where stiff ends are so near each other that they may have changed places.
+  struct Place {
+    std::vector<StiffEnd> ends;
+    int paths = 0;
+  };
+
+  void add_ends(const DistinctEnds& distinct, std::mt19937_64& random) {
+    SolutionSet middles(equations_.signs, random);
+    std::vector<Place> places;
+    for (int i = 0; i < distinct.size() && !stop_.stop_requested(); ++i) {
+      Figure figure = figure_of(distinct[i], distinct.is_singular(i));
+      if (has_segment_of_length_0(scene_.problem(), figure)) {
+        ++without_angle_;
+        continue;
+      }
+      missing_.too_far += loses_distances(scene_, figure);
+      if (!distinct.is_singular(i) && !judge_.is_stiff(figure)) {
+        missing_.lonely += !distinct.has_conjugate(i);
+        report_.candidates.push_back({std::move(figure), 1});
+        continue;
+      }
+      const auto number = static_cast<std::size_t>(middles.insert(distinct[i], one_place));
+      places.resize(std::max(places.size(), number + 1));
+      places[number].ends.push_back({i, std::move(figure)});
+      places[number].paths += distinct.paths(i);
     }
-    missing_.too_far += loses_distances(scene_, figure);
-    const bool loses_rank = is_lonely && judge_.condition(figure) >= rank_lost;
-    if (loses_rank) add_loose(distinct[i]);
-    missing_.lonely += is_lonely && !loses_rank;
-    if (distinct.is_singular(i))
-      add_meeting(distinct[i], distinct.paths(i), figure, loses_rank);
-    else if (!judge_.is_stiff(figure) || !add(simple_solutions_near(system_, distinct[i], 1, stop_), 1))
-      report_.candidates.push_back({figure, 1});
+    std::vector<Candidate> simple;
+    for (std::size_t k = 0; k < places.size() && !stop_.stop_requested(); ++k) {
+      const int mirrored = middles.find(conjugate(middles[static_cast<int>(k)]), one_place);
+      const bool is_lonely =
+          mirrored < 0 || places[static_cast<std::size_t>(mirrored)].paths != places[k].paths;
+      add_place(distinct, places[k], is_lonely, simple);
+    }
+    missing_.in_between += !are_different_classes(scene_, simple);
+    report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
   }
 
-  /// An end at which paths met: simple solutions next to it, or a multiple one where none is proven to be simple.
-  void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure, bool is_loose) {
-    const ResolvedCandidates simple = simple_solutions_near(system_, x, paths, stop_);
-    if (add(simple, paths)) return;
-    const bool is_multiple = simple.list.empty() && judge_.residual(figure) <= double_root_residual &&
-                             judge_.condition(figure) >= regular;
+  /// As many simple solutions for the file's own numbers as paths ended there, or the ends as they are.
+  void add_place(const DistinctEnds& distinct, const Place& place, bool is_lonely,
+                 std::vector<Candidate>& simple) {
+    const ComplexVectorX& x = distinct[place.ends.front().number];
+    const ResolvedCandidates found = simple_solutions_near(system_, x, place.paths, stop_);
+    const auto is_real = [](const Candidate& candidate) { return candidate.figure.is_real(); };
+    if (found.are(place.paths)) {
+      missing_.lonely += is_lonely && !std::ranges::all_of(found.list, is_real);
+      simple.insert(simple.end(), found.list.begin(), found.list.end());
+      return;
+    }
+    missing_.in_between += place.ends.size() > 1;
+    for (const StiffEnd& end : place.ends) add_unresolved(distinct, end, found.list.empty());
+  }
+
+  void add_unresolved(const DistinctEnds& distinct, const StiffEnd& end, bool may_be_multiple) {
+    const ComplexVectorX& x = distinct[end.number];
+    const bool is_lonely = !distinct.has_conjugate(end.number);
+    const bool loses_rank = is_lonely && judge_.condition(end.figure) >= rank_lost;
+    if (loses_rank) add_loose(x);
+    missing_.lonely += is_lonely && !loses_rank;
+    const int paths = distinct.paths(end.number);
+    if (!distinct.is_singular(end.number)) return report_.candidates.push_back({end.figure, 1});
+    const bool is_multiple = may_be_multiple && judge_.residual(end.figure) <= double_root_residual &&
+                             judge_.condition(end.figure) >= regular;
     missing_.in_between += !is_multiple;
-    if (is_multiple && !is_loose && !can_be_isolated(x, paths)) add_loose(x);
-    report_.candidates.push_back({figure, paths, std::numeric_limits<double>::infinity()});
+    if (is_multiple && !loses_rank && !can_be_isolated(x, paths)) add_loose(x);
+    report_.candidates.push_back({end.figure, paths, std::numeric_limits<double>::infinity()});
   }
 
   /// Each of so many classes at values nearby has next to x as many solutions as there are changes of signs that leave x
@@ -123,13 +172,6 @@ class GeneralReporter {
     if (motion) report_.motions.push_back(*std::move(motion));
   }
 
-  /// Where these are so many, which doubles tell apart.
-  bool add(const ResolvedCandidates& simple, int count) {
-    if (!simple.are(count)) return false;
-    report_.candidates.insert(report_.candidates.end(), simple.list.begin(), simple.list.end());
-    return true;
-  }
-
   void add_path(const PathEnd& end) {
     report_.paths.push_back(path_record(end));
     if (end.kind != PathEnd::Kind::failed) return;
@@ -142,7 +184,18 @@ class GeneralReporter {
   Figure figure_of(const ComplexVectorX& x, bool is_singular) const {
     const std::optional<ComplexVectorX> real =
         real_end(equations_.system, equations_.coefficients, x, is_singular);
-    return system_.figure(real.value_or(x), real.has_value());
+    const ComplexVectorX& end = real ? *real : x;
+    return system_.figure(is_singular ? end : with_last_step(end), real.has_value());
+  }
+
+  /// One of Newton's method with the residual in double-double, by the file's own numbers: doubles leave several roundings.
+  ComplexVectorX with_last_step(const ComplexVectorX& x) const {
+    Eigen::VectorXcd at = Eigen::Map<const Eigen::VectorXcd>(x.data(), std::ssize(x));
+    const LinearisedSystem<std::complex<double>> f = linearised(numbers_, at);
+    const Eigen::VectorXcd step = f.jacobian.partialPivLu().solve(f.value);
+    if (!(step.cwiseAbs().maxCoeff() <= same_solution * (1 + largest(x)))) return x;
+    at -= step;
+    return {at.begin(), at.end()};
   }
 
   const Scene& scene_;
@@ -150,6 +203,7 @@ class GeneralReporter {
   const GeneralEquations& equations_;
   const std::stop_token& stop_;
   const FigureJudge judge_{scene_};
+  const IntervalEquations numbers_{equations_.exact};
   Shortcomings missing_;
   int without_angle_ = 0;                    ///< ends
   std::optional<ComplexVectorX> loose_end_;  ///< the first one that is not isolated

@@ -80,7 +80,8 @@ TEST_CASE("bodies that are flat count up to reflection") {
 TEST_CASE("solutions whose paths meet are told apart by proof") {
   for (const std::string id :
        {"parallel-planes@1e-6", "opposite-planes@1e-6", "straight-segments@1e-6", "right-angle@1e-8",
-        "right-angle@1e-10", "parallel-lines@1e-6", "parallel-planes@1e-10", "straight-segments@1e-10"})
+        "right-angle@1e-10", "right-angle@1e-12", "parallel-lines@1e-6", "parallel-lines@1e-8",
+        "parallel-lines@1e-10", "parallel-planes@1e-10", "straight-segments@1e-10"})
     check_count(id, "monodromy");
 }
 

@@ -115,6 +115,11 @@ class ComplexReporter {
  private:
   void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder) {
     const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
+    if (distinct.is_precise(i) && !is_singular)
+      if (const auto near = settled_near(distinct[i], 1); near && near->simple.size() == 1) {
+        missing_.lonely += is_lonely && near->simple.front().realness != Certificate::Realness::real;
+        return add_simple(near->simple);
+      }
     const Figure figure = is_singular ? singular_figure(distinct[i]) : figure_of(distinct[i], next_to_real);
     const std::optional<Collapse> loose = finder.loose_at(distinct[i], singular_uncertainty);
     const bool may_move = loose && (is_singular || jacobian_condition(scene_, figure) >= rank_lost);
@@ -148,7 +153,7 @@ class ComplexReporter {
       is_in_between |= fold.has_value();
       if (is_in_between && add_close_pair(x)) return;
     }
-    if (const auto near = settled_near(x, paths)) {
+    if (const auto near = paths < 2 ? std::nullopt : settled_near(x, paths)) {
       if (std::ssize(near->simple) == paths) return add_simple(near->simple);
       is_in_between = near->count() != paths;
     }
@@ -156,9 +161,9 @@ class ComplexReporter {
     add_multiple(figure, paths);
   }
 
-  /// What the file's own numbers make of the place at which so many paths met, if certificates reach it.
+  /// What the file's own numbers make of the place at which so many paths ended, if certificates reach it.
   std::optional<NearSolutions> settled_near(const ComplexVectorX& x, int paths) {
-    if (paths < 2 || why_not_certified(scene_)) return std::nullopt;
+    if (why_not_certified(scene_)) return std::nullopt;
     const SceneEquations equations(scene_);
     if (equations.coordinates(complex_figure(system_, x)) != x) return std::nullopt;
     return solutions_near(equations.system(), {{x, paths}}, paths, stop_);

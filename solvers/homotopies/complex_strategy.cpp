@@ -162,7 +162,18 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   std::mt19937_64 random(request.seed);
   end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(start.system, x); },
                     mirror_axes(request.scene, start.coordinates), random, ends);
-  SolveReport report = complex_report(request.scene, start.coordinates, ends, work, random, request.stop);
+  const auto make_report = [&] {
+    return complex_report(request.scene, start.coordinates, ends, work, random, request.stop);
+  };
+  const auto before = [&](const std::vector<std::size_t>& numbers) {
+    std::vector<ComplexVectorX> starts;
+    for (const std::size_t i : numbers) starts.push_back(start.solutions()[i]);
+    return follow_to_endgame(start.tracking, starts, start.squares(), squares, stopped, work);
+  };
+  SolveReport report = make_report();
+  if (report.status == SolveStatus::partial && has_precise_ends(request.scene) &&
+      determine_ends(request.scene, start.squares(), squares, before, ends, request.stop))
+    report = make_report();
   add_start(start, report);
   return report;
 }

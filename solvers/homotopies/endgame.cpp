@@ -384,6 +384,18 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
   return ends;
 }
 
+std::vector<ComplexVectorX> follow_to_endgame(LegTracking& tracking, std::span<const ComplexVectorX> starts,
+                                              const ComplexVectorX& from, const ComplexVectorX& to,
+                                              const std::function<bool()>& stopped, WorkCounters& work) {
+  const Route route = segment(from, to, 1, first_radius);
+  std::vector<Leg> legs;
+  for (const ComplexVectorX& start : starts) legs.push_back({start.data(), &route});
+  std::vector<ComplexVectorX> result;
+  for (LegResult& leg : tracking.follow(legs, stopped, work))
+    result.push_back(leg.state.end == LegEnd::arrived ? std::move(leg.x) : ComplexVectorX());
+  return result;
+}
+
 void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, std::vector<PathEnd>& ends) {
   const auto value = [&](const ComplexVectorX& x) { return values_at(system, coefficients, x).value; };
   const auto jacobian = [&](const ComplexVectorX& x) { return jacobian_at(system, coefficients, x); };

@@ -10,8 +10,10 @@
 /// The end is finite where Smale's α is small: the Jacobian J does not depend on A, so that with
 ///   β = |J⁻¹(f(x) − A)|,  γ = |J⁻¹ D²f|/2,  β·γ < (13 − 3·√17)/4
 /// x is an approximate zero for A + σ'·way for every σ' from σ down to 0, and these zeros are one path (Blum, Cucker, Shub,
-/// Smale, Complexity and Real Computation (1998), chapter 8). It is at infinity where that is so nowhere down to σ = 1e-60.
+/// Smale, Complexity and Real Computation (1998), chapter 8). It is at infinity where that is so nowhere down to σ = 1e-60, and if doubles did not say so, where x grows like
+/// a power there.
 
+#include <functional>
 #include <stop_token>
 
 #include "solvers/homotopies/endgame.hpp"
@@ -29,5 +31,14 @@ bool has_precise_ends(const Scene& scene);
 /// has_precise_ends(scene), whose frame the ends are in.
 void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
                    std::vector<PathEnd>& ends, const std::stop_token& stop);
+
+/// Follows paths in balls that ended, in doubles, at singular points or where the Jacobian is nearly so: solutions next to a
+/// curve of them, such as a scene that all but moves has, are anywhere on it by lengths in doubles. Whether all of them have
+/// an end now that is determined; where one has none, as in a scene that moves, others are not tried. `before`: of so many
+/// paths, by their numbers, x at σ = first_radius, or nothing. Not where it would take more than seconds. Precondition as
+/// above.
+bool determine_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
+                    const std::function<std::vector<ComplexVectorX>(const std::vector<std::size_t>&)>& before,
+                    std::vector<PathEnd>& ends, const std::stop_token& stop);
 
 }  // namespace gcs

@@ -148,6 +148,22 @@ class CoreSolver {
   double scale_ = 0;  ///< the largest squared length
 };
 
+/// With each choice of two diagonals until nothing is missing.
+CoreSolutions solved(const Scene& scene, const CoreReduction& reduction, DiagonalMethod method,
+                     WorkCounters& work) {
+  Octahedron octahedron = *find_octahedron(scene.problem(), reduction);
+  CoreSolutions best = CoreSolver(scene, reduction, octahedron).run(method, work);
+  if (best.accounted_for() != pairs) best.at_infinity = stretched_walks(scene, octahedron);
+  for (int choice = 1; choice < 3 && best.accounted_for() != pairs; ++choice) {
+    std::rotate(octahedron.pair.begin(), octahedron.pair.begin() + 1, octahedron.pair.end());
+    CoreSolutions found = CoreSolver(scene, reduction, octahedron).run(method, work);
+    found.at_infinity = best.at_infinity;
+    if (found.accounted_for() > best.accounted_for()) best = std::move(found);
+  }
+  best.flexible = !best.are_all_isolated() && is_proven_to_flex(scene, octahedron);
+  return best;
+}
+
 }  // namespace
 
 int CoreSolutions::accounted_for() const {
@@ -164,17 +180,11 @@ bool CoreSolutions::are_all_isolated() const {
 
 CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, DiagonalMethod method,
                          WorkCounters& work) {
-  Octahedron octahedron = *find_octahedron(scene.problem(), reduction);
-  CoreSolutions best = CoreSolver(scene, reduction, octahedron).run(method, work);
-  if (best.accounted_for() != pairs) best.at_infinity = stretched_walks(scene, octahedron);
-  for (int choice = 1; choice < 3 && best.accounted_for() != pairs; ++choice) {
-    std::rotate(octahedron.pair.begin(), octahedron.pair.begin() + 1, octahedron.pair.end());
-    CoreSolutions found = CoreSolver(scene, reduction, octahedron).run(method, work);
-    found.at_infinity = best.at_infinity;
-    if (found.accounted_for() > best.accounted_for()) best = std::move(found);
-  }
-  best.flexible = !best.are_all_isolated() && is_proven_to_flex(scene, octahedron);
-  return best;
+  CoreSolutions found = solved(scene, reduction, method, work);
+  const bool are_all = found.accounted_for() == pairs && !found.common_factor;
+  if (method == DiagonalMethod::univariate || found.flexible || are_all) return found;
+  CoreSolutions exact = solved(scene, reduction, DiagonalMethod::univariate, work);
+  return exact.accounted_for() > found.accounted_for() && !exact.common_factor ? exact : found;
 }
 
 }  // namespace gcs

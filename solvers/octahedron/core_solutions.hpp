@@ -49,7 +49,8 @@ struct CoreSolutions {
 
 /// Of the scene's core, which is an octahedron, with each choice of two diagonals until nothing is missing:
 /// of a, a', b, b' that are coplanar, or nearly, at solutions the diagonals say little of where c and c' are.
-/// Adds to `work`.
+/// Where eigenvalues, whose errors grow with the condition of their matrix, do not lead to all, the roots of the exact
+/// polynomial are taken if they lead to more. Adds to `work`.
 CoreSolutions solve_core(const Scene& scene, const CoreReduction& reduction, DiagonalMethod method,
                          WorkCounters& work);
 

@@ -12,7 +12,8 @@
 /// method=univariate finds the pairs of diagonals in another way: one unknown is eliminated from the two determinants
 /// exactly, and the roots of the polynomial that is left are isolated in balls. How many real octahedra there are in
 /// the fixed frame is then a theorem, where all are simple: as many as a polynomial of degree 16 has real roots, by
-/// Sturm's theorem (octahedron/exact_elimination.hpp). The same section, 4.2; Hoffmann, Vermeer 1995.
+/// Sturm's theorem (octahedron/exact_elimination.hpp). The same section, 4.2; Hoffmann, Vermeer 1995. Its roots stand in for
+/// eigenvalues that do not lead to all solutions, as of an octahedron that moves but for 1e-12.
 ///
 /// In place of up to three of the points, no two of them opposite, there may be planes: the matrix of squared distances,
 /// signed distances and cosines has the same rank (octahedron/pair_entries.hpp), the diagonals may be distances from

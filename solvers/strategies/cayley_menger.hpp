@@ -18,7 +18,9 @@ struct CayleyMenger {
   template <class Self, class Visitor>
   static void options(Self& self, Visitor&& option) {
     option("method", self.method, OneOf<DiagonalMethod>{"eigenvalues|univariate"},
-           "eigenvalues: of a matrix in doubles; univariate: roots of one polynomial, eliminated exactly");
+           "eigenvalues: of a matrix in doubles, or univariate where these miss some; univariate: roots of "
+           "one polynomial, "
+           "eliminated exactly");
   }
   bool operator==(const CayleyMenger&) const = default;
 };

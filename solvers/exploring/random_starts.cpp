@@ -5,6 +5,7 @@
 #include <random>
 #include <unsupported/Eigen/NonLinearOptimization>
 
+#include "solvers/certificates/krawczyk_test.hpp"
 #include "solvers/elements/random_figure.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/exploring/explored_scene.hpp"
@@ -71,6 +72,7 @@ class SceneFunction {
  public:
   explicit SceneFunction(const Scene& scene)
       : scene_(scene), system_(scene), equations_(real_equations(system_.equations())) {}
+  SceneFunction(const SceneFunction&) = delete;  // the test refers to the equations
 
   int inputs() const { return equations_.unknowns; }
   int values() const { return static_cast<int>(equations_.count()); }
@@ -100,12 +102,22 @@ class SceneFunction {
     end.figure = proven->figure;
     end.accuracy.error = proven->error;
   }
-  Refinement refined(Eigen::VectorXd& x) const { return refine(equations_, tolerance, x); }
+  /// In doubles, and then with residuals in double-double.
+  Refinement refined(Eigen::VectorXd& x) const {
+    Refinement refinement = refine(equations_, tolerance, x);
+    Eigen::VectorXd settled = x;
+    std::int64_t iterations = 0;
+    if (refinement.converged && values() == inputs() && test_.refine(settled, iterations)) x = settled;
+    refinement.iterations += static_cast<int>(iterations);
+    return refinement;
+  }
 
  private:
   const Scene& scene_;
   const SceneSystem system_;
   const RealEquations equations_;
+  const IntervalEquations exact_{system_.equations()};
+  const KrawczykTest test_{exact_, scene_.size()};
 };
 
 /// The seed and its number alone say where a start lies.

@@ -7,8 +7,8 @@
 /// whose residuals are taken in double-double. An end that satisfies all distances to rounding is a solution,
 /// unless the Jacobian there is singular or nearly so; any other is a local minimum.
 ///
-/// Of a general scene (elements/scene_system.hpp) points start in the box too, directions and rotations are random, and the
-/// last steps are taken in doubles. What an orientation leaves out has basins like the rest.
+/// Of a general scene (elements/scene_system.hpp) points start in the box too, and directions and rotations are random. What an
+/// orientation leaves out has basins like the rest.
 
 #include <vector>
 

@@ -156,18 +156,20 @@ class Solve {
     answer_.particulars = std::move(report.particulars);
   }
 
-  /// Whether some of the candidates of a complete list are taken for the same, by their condition numbers. Where
-  /// certificates are not asked for, long lists are left so.
+  /// Whether some of the candidates of a complete list are taken for the same, by their condition numbers.
   bool lists_fewer(const SolveReport& report) const {
-    constexpr std::size_t most_proven = 1000;  // a second or so
-    const std::size_t candidates = report.candidates.size();
     const bool claims_all = report.claim == Claim::all_real || report.claim == Claim::all_complex;
-    return answer_.status == RunStatus::complete && claims_all && answer_.solutions.size() < candidates &&
-           (settings_.certify || candidates <= most_proven);
+    return answer_.status == RunStatus::complete && claims_all &&
+           answer_.solutions.size() < report.candidates.size();
   }
 
-  /// By proven errors; those that are proven to be different and have the same doubles are missing in the list.
+  /// By proven errors; those that are proven to be different and have the same doubles are missing in the list. Where
+  /// certificates are not asked for, long lists are not proven, and may lack some.
   void tell_apart(SolveReport& report) {
+    constexpr std::size_t most_proven = 1000;  // a second or so
+    if (!settings_.certify && report.candidates.size() > most_proven)
+      return set_unlisted(Natural(report.candidates.size()),
+                          "doubles do not tell all apart, certificates may");
     const std::size_t different = prove_errors(
         scene_, {.threads = settings_.threads, .stop = surroundings_.stop, .crew = surroundings_.crew},
         report.candidates);

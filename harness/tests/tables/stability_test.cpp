@@ -320,12 +320,18 @@ TEST_CASE("solutions too far away for the distances of doubles are found, and pr
     const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, {});
     INFO(id << ": " << run.reason);
     CHECK(run.counts.at_infinity.value_or(0) == 0u);
+    // Also those next to which the short edge is none, in doubles. By exact elimination 4 of the 8 are real.
+    CHECK(run.status == RunStatus::complete);
+    if (id.starts_with("short-edge")) CHECK(run.solutions.size() == 8u);
+    if (id.starts_with("short-edge")) CHECK(run.counts.real_up_to_reflection == 4u);
   }
 }
 
 TEST_CASE("solutions next to each other are listed, or the answer is partial") {
   check_right(measured({"mixed-lengths@1e-12"}, {"plan-scan", "box-subdivision", "monodromy", "polyhedral"}));
-  check_right(measured({"straight-segments@1e-8", "straight-segments@1e-10"}, {"plan-scan"}));
+  check_right(measured({"straight-segments@1e-8", "straight-segments@1e-10", "parallel-planes@1e-8",
+                        "parallel-planes@1e-10", "opposite-planes@1e-8", "opposite-planes@1e-10"},
+                       {"plan-scan"}));
   // Two lines at right angles but for 1e-15 on either side: the same doubles.
   const Scene scene(load_member("right-angle@1e-15").problem);
   const SolveRun run = run_strategy(find_strategy("plan-scan"), {}, scene, {});
@@ -348,8 +354,33 @@ TEST_CASE("determinants find the solutions whose coordinates are 1e6 to 1e8 time
   check_right(measured({"short-edge@1e-6", "short-edge@1e-8", "escaping@1e-6"}, {"cayley-menger"}));
 }
 
-TEST_CASE("octahedra that move but for 1e-8 are solved") {
+TEST_CASE("octahedra that all but move are solved") {
   check_right(measured({"bricard-two@1e-8"}, {"full-space", "rcp", "monodromy", "polyhedral"}));
+  // Four pairs of diagonals are at infinity. Two and four of the others are real, by paths in balls and by exact elimination.
+  const auto check_counts = [](const std::string& id, const std::string& strategy, std::uint64_t real) {
+    const Scene scene(load_member(id).problem);
+    const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
+    INFO(id << ", " << strategy << ": " << run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.counts.at_infinity == 4u);
+    CHECK(run.solutions.size() == 4u);
+    CHECK(run.counts.real_up_to_reflection == real);
+  };
+  check_counts("bricard-two@1e-10", "monodromy", 4);
+  check_counts("bricard@1e-12", "cayley-menger", 2);
+  check_counts("bricard-two@1e-12", "cayley-menger", 4);
+  check_counts("bricard@1e-15", "cayley-menger", 2);
+}
+
+TEST_CASE("errors are below the condition number times half of the unit roundoff") {
+  const RunFile run = measured(
+      {"touching-spheres@0.5", "touching-spheres@1e-8", "straight-bodies@1e-1", "symmetric-body@1e-2"},
+      {"newton-multistart", "monodromy"});
+  for (const CellRecord& cell : run.cells) {
+    INFO(cell.spec.instance << ", " << cell.spec.strategy);
+    REQUIRE(cell.accuracy);
+    CHECK(cell.accuracy->largest_quotient <= 0.5);
+  }
 }
 
 // Out and back in steps that grow with the distance: a thousand times as far takes a few times as many.

@@ -61,6 +61,7 @@ class Search {
       follow(tasks, tracking, stopped, work);
       progress(nodes_[0].solutions.size());
     }
+    nodes_.pop_back();  // what is returned may be large
     return found();
   }
 
@@ -84,10 +85,11 @@ class Search {
     return found_.end != SearchEnd::stopped;
   }
 
-  GenericSolutions found() {
-    found_.solutions = nodes_[0].solutions.solutions();
-    found_.arcs_used = static_cast<int>(gammas_.size());
-    return found_;
+  GenericSolutions found() const {
+    GenericSolutions found = found_;
+    found.solutions = nodes_[0].solutions.solutions();
+    found.arcs_used = static_cast<int>(gammas_.size());
+    return found;
   }
 
   /// The more are known, the more, so that threads and processes seldom wait for each other's last legs. On average half of
@@ -200,7 +202,7 @@ class Search {
   ComplexVectorX gammas_;      // of each arc
   std::vector<Route> routes_;  // of each arc: from node 0, then from node 1
   bool consistent_ = true;
-  GenericSolutions found_;  ///< but for the solutions
+  GenericSolutions found_;  ///< but for the solutions and arcs
 };
 
 }  // namespace

@@ -112,13 +112,13 @@ class CertificateProgress {
   std::mutex mutex_;
 };
 
-std::vector<Certificate> certificates_here(const Certifier& certifier, std::span<const Point> points,
-                                           int threads, const std::stop_token& stop,
+std::vector<Certificate> certificates_here(const Certifier& certifier, std::size_t points,
+                                           const PointOf& point_of, int threads, const std::stop_token& stop,
                                            CertificateProgress& progress) {
-  std::vector<Certificate> results(points.size());
-  share_on_threads(points.size(), threads, [&](std::size_t i) {
+  std::vector<Certificate> results(points);
+  share_on_threads(points, threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
-    results[i] = certifier.certify(points[i]);
+    results[i] = certifier.certify(point_of(i));
     progress.one_more();
   });
   return results;

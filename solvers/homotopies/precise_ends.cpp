@@ -327,7 +327,8 @@ bool determine_ends(const Scene& scene, const ComplexVectorX& from, const Comple
   bool are_determined = !open.empty();
   for (std::size_t k = 0; k < open.size() && are_determined; ++k) {
     PathEnd& end = ends[open[k]];
-    are_determined = !starts[k].empty() && precise.follow(starts[k], 1.0 / end.winding_number, stop, end);
+    are_determined =
+        !starts[k].empty() && precise.follow(starts[k], 1.0 / std::max(1, end.winding_number), stop, end);
   }
   return are_determined;
 }

@@ -10,8 +10,8 @@
 /// The end is finite where Smale's α is small: the Jacobian J does not depend on A, so that with
 ///   β = |J⁻¹(f(x) − A)|,  γ = |J⁻¹ D²f|/2,  β·γ < (13 − 3·√17)/4
 /// x is an approximate zero for A + σ'·way for every σ' from σ down to 0, and these zeros are one path (Blum, Cucker, Shub,
-/// Smale, Complexity and Real Computation (1998), chapter 8). It is at infinity where that is so nowhere down to σ = 1e-60, and if doubles did not say so, where x grows like
-/// a power there.
+/// Smale, Complexity and Real Computation (1998), chapter 8). It is at infinity where that is so nowhere down to σ = 1e-60,
+/// and if doubles did not say so, where x grows like a power there.
 
 #include <functional>
 #include <stop_token>

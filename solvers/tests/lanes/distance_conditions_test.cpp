@@ -65,10 +65,12 @@ std::vector<double> conditions_of(const DifferenceMatrix& matrix, const std::vec
 /// By one-sided Jacobi rotations.
 double condition_by_definition(const DifferenceMatrix& matrix, const Coordinates& figure) {
   Eigen::MatrixXcd dense = Eigen::MatrixXcd::Zero(matrix.rows, matrix.columns);
-  for (const auto& [row, column, minuend, subtrahend] : matrix.entries) {
-    const auto difference = [&](const std::vector<double>& x) { return x[minuend] - x[subtrahend]; };
-    dense(row, column) = {difference(figure.real),
-                          figure.imaginary.empty() ? 0 : difference(figure.imaginary)};
+  for (const auto& entry : matrix.entries) {
+    const auto difference = [&](const std::vector<double>& x) {
+      return x[entry.minuend] - x[entry.subtrahend];
+    };
+    dense(entry.row, entry.column) = {difference(figure.real),
+                                      figure.imaginary.empty() ? 0 : difference(figure.imaginary)};
   }
   for (Eigen::Index row = 0; row < dense.rows(); ++row) dense.row(row) /= dense.row(row).stableNorm();
   const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXcd>(dense).singularValues();

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
 #include <span>
 #include <utility>
 
@@ -32,7 +35,7 @@ Exploration::Exploration(const SolveRequest& request, const WalkOptions& walks,
       context_{request.stop, nullptr},
       explored_(explored_scene(request.scene)),
       releasable_(equations_with_value(*explored_)),
-      next_(releasable_.size(), 0),
+      yield_(releasable_.size(), std::numeric_limits<double>::infinity()),
       graph_(request.scene, releasable_.size()) {}
 
 SolveReport Exploration::run() {
@@ -84,15 +87,41 @@ void Exploration::walk_all() {
   }
 }
 
-std::vector<Exploration::Walk> Exploration::next_round() {
-  std::vector<Walk> round;
-  for (std::size_t value = 0; value < releasable_.size(); ++value) {
-    int& next = next_[value];
-    while (next < graph_.size() && graph_.is_walked(next, value)) ++next;
-    if (next < graph_.size()) round.push_back({value, next});
-  }
+/// Small, so that each choice knows what the last ones led to, and growing with what is there to do, for many threads.
+std::size_t Exploration::round_size() const {
+  constexpr int least = 8, solutions_for_curve = 8;
   const std::int64_t left = limits_.most_curves - std::ssize(graph_.curves());
-  if (std::ssize(round) > left) round.resize(static_cast<std::size_t>(left));
+  return static_cast<std::size_t>(
+      std::min<std::int64_t>(left, std::max(least, graph_.size() / solutions_for_curve)));
+}
+
+/// Of the values that are not taken and not walked from this solution; the first of equal ones.
+std::optional<std::size_t> Exploration::best_value(int start, const std::vector<bool>& is_taken) const {
+  std::optional<std::size_t> best;
+  for (std::size_t value = 0; value < releasable_.size(); ++value)
+    if (!is_taken[value] && !graph_.is_walked(start, value) && (!best || yield_[value] > yield_[*best]))
+      best = value;
+  return best;
+}
+
+std::vector<Exploration::Walk> Exploration::next_round() const {
+  using Open = std::pair<std::size_t, int>;  // curves walked, number of the solution
+  std::vector<Open> open;
+  for (int start = 0; start < graph_.size(); ++start)
+    if (graph_.walked(start) < releasable_.size()) open.emplace_back(graph_.walked(start), start);
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> least_walked(std::greater<>{},
+                                                                            std::move(open));
+  std::vector<Walk> round;
+  std::vector<bool> is_taken(releasable_.size(), false);
+  while (round.size() < round_size() && !least_walked.empty()) {
+    const auto [walked, start] = least_walked.top();
+    least_walked.pop();
+    const std::optional<std::size_t> value = best_value(start, is_taken);
+    if (!value) continue;
+    is_taken[*value] = true;
+    round.push_back({*value, start});
+    least_walked.emplace(walked + 1, start);
+  }
   return round;
 }
 
@@ -127,6 +156,7 @@ Exploration::Reports Exploration::recalled_or(const Digest& step, const std::fun
 }
 
 void Exploration::take(const std::vector<Walk>& round, Reports reports) {
+  int known = graph_.size();
   std::vector<Candidate> found;
   for (const SolveReport& report : reports)
     found.insert(found.end(), report.candidates.begin(), report.candidates.end());
@@ -144,8 +174,18 @@ void Exploration::take(const std::vector<Walk>& round, Reports reports) {
     curve.released = released;
     curve.path = std::move(report.paths.front());
     graph_.add_curve(round[i].value, round[i].start, std::move(curve), {first, last});
+    const int reached = first == last ? known : std::max(known, *std::max_element(first, last) + 1);
+    learn(round[i].value, reached - known);
+    known = reached;
     first = last;
   }
+}
+
+/// The mean of all curves would not follow that fewer and fewer lead to new ones.
+void Exploration::learn(std::size_t value, int new_solutions) {
+  constexpr double newest_part = 0.2;
+  double& mean = yield_[value];
+  mean = std::isinf(mean) ? new_solutions : mean + newest_part * (new_solutions - mean);
 }
 
 /// Whether a random start leads to a solution that no curve has met.

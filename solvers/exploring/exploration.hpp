@@ -1,9 +1,10 @@
 #pragma once
 /// Walks from solution to solution until no curve is left.
 ///
-/// In each round one curve for every value that has any left is walked, from the solution that was found first, so that no
-/// two of a round are the same and their number does not depend on the threads. A journal has S, the rounds, and the random
-/// starts.
+/// Which curve comes next is a bandit's choice: from the solution with the fewest curves walked, with the value whose last
+/// curves led to the most new solutions (results/sweeps/order.md has what that gains). Curves are walked in rounds, of
+/// different values, so that no two of a round are the same, and of a number that does not depend on the threads. A journal
+/// has S, the rounds, and the random starts.
 
 #include "solvers/exploring/curve_walk.hpp"
 #include "solvers/exploring/explored_scene.hpp"
@@ -39,10 +40,13 @@ class Exploration {
   void walk_all();
   bool start_anew();
   bool may_go_on() const;
-  std::vector<Walk> next_round();
+  std::size_t round_size() const;
+  std::vector<Walk> next_round() const;
+  std::optional<std::size_t> best_value(int start, const std::vector<bool>& is_taken) const;
   void walk(const std::vector<Walk>& round);
   void take(const std::vector<Walk>& round, Reports reports);
   void take(const SolveReport& found);
+  void learn(std::size_t value, int new_solutions);
   SolveReport report_on_starts() const;
   Reports recalled_or(const Digest& step, const std::function<Reports()>& compute);
   bool has_proven_components() const;
@@ -55,7 +59,7 @@ class Exploration {
   TrackerContext context_;
   std::unique_ptr<ExploredScene> explored_;
   std::vector<Eigen::Index> releasable_;  ///< equations that give a value
-  std::vector<int> next_;  ///< of each of them, the first solution that it may not have been released at
+  std::vector<double> yield_;  ///< of each of them, new solutions for a curve, of the last curves mostly
   SolutionGraph graph_;
   WorkCounters work_;
   int started_ = 0;          ///< random starts

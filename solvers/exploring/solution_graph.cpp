@@ -69,14 +69,17 @@ std::vector<int> SolutionGraph::take(const std::vector<Candidate>& found) {
     representatives_.push_back(figures[i]);
     accuracies_.push_back(accuracies[i]);
     walked_.emplace_back(values_, false);
+    walks_from_.push_back(0);
   }
   return numbers;
 }
 
 void SolutionGraph::mark(int solution, std::size_t value) {
   auto walked = walked_[static_cast<std::size_t>(solution)].begin() + static_cast<std::ptrdiff_t>(value);
-  if (!*walked) ++walks_;
+  if (*walked) return;
   *walked = true;
+  ++walks_;
+  ++walks_from_[static_cast<std::size_t>(solution)];
 }
 
 void SolutionGraph::add_curve(std::size_t value, int start, CurveRecord curve,

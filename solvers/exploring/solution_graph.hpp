@@ -27,6 +27,8 @@ class SolutionGraph {
   bool is_walked(int solution, std::size_t value) const {
     return walked_[static_cast<std::size_t>(solution)][value];
   }
+  /// With so many values released curves were walked from it.
+  std::size_t walked(int solution) const { return walks_from_[static_cast<std::size_t>(solution)]; }
   /// Part of all curves from all solutions that were walked, in [0, 1].
   double walked_part() const;
   /// How often a curve met a solution that it did not start from.
@@ -46,6 +48,7 @@ class SolutionGraph {
   std::vector<Figure> representatives_;
   std::vector<SolutionAccuracy> accuracies_;
   std::vector<std::vector<bool>> walked_;  ///< by solution and value
+  std::vector<std::size_t> walks_from_;
   std::vector<CurveRecord> curves_;
   std::int64_t walks_ = 0, meetings_ = 0;
   int singular_ = 0;

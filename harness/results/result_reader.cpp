@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <utility>
 
 #include "harness/base/record_fields.hpp"
 #include "harness/base/record_json.hpp"
@@ -82,9 +83,8 @@ std::vector<AssessedCrossing> read_crossings(const JsonCursor& path, std::size_t
   return crossings;
 }
 
-/// What a result says of the solve and its solutions; only these have to be there.
-Answer read_answer(const JsonCursor& root, const Scene& scene) {
-  Answer answer;
+/// What a result says of the solve and its solutions, which are appended; only these have to be there.
+void read_answer(const JsonCursor& root, const Scene& scene, Answer& answer) {
   const RecordReader read(root);
   const auto status = root.optional("status");
   answer.status = status ? read_word(*status, all_statuses) : RunStatus::complete;
@@ -97,7 +97,13 @@ Answer read_answer(const JsonCursor& root, const Scene& scene) {
       answer.escaping.push_back(read_figure(figure, scene.problem(), false));
   if (const auto path = root.optional("path"))
     answer.crossings = read_crossings(*path, answer.solutions.size());
-  return answer;
+}
+
+StoredResult empty_result(const JsonCursor& root, const std::string& file) {
+  root.require_format(format_name);
+  const Instance instance =
+      parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)");
+  return {.instance = instance, .scene = instance};
 }
 
 std::string read_result(const std::string& argument) {
@@ -111,19 +117,26 @@ Answer parse_answer(const std::string& text, const Scene& scene, const std::stri
   const JsonValue document = parse_document(text, source);
   const JsonCursor root(document, source);
   if (root.optional("format")) root.require_format(format_name);
-  return read_answer(root, scene);
+  Answer answer;
+  read_answer(root, scene, answer);
+  return answer;
 }
 
 StoredResult parse_result(const std::string& text, const std::string& file) {
-  const JsonValue document = parse_document(text, file);
+  std::optional<StoredResult> read;
+  const auto take = [&](const JsonValue& known, const JsonValue& solution, std::size_t number) {
+    if (known.find("format") == nullptr || known.find("instance") == nullptr) return false;
+    if (!read) read.emplace(empty_result({known, file}, file));
+    const JsonCursor cursor(solution, file, "/solutions/" + std::to_string(number));
+    read->answer.solutions.push_back(read_solution(cursor, read->scene));
+    return true;
+  };
+  const JsonValue document = parse_document(text, file, {"solutions", take});
   const JsonCursor root(document, file);
-  root.require_format(format_name);
-  const Instance instance =
-      parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)");
-  StoredResult result{.instance = instance, .scene = instance};
+  StoredResult result = read ? std::move(*read) : empty_result(root, file);
   const std::string strategy = root.required("strategy").text();
   root.required("status");
-  result.answer = read_answer(root, result.scene);
+  read_answer(root, result.scene, result.answer);
   result.answer.strategy = strategy;
   const auto passed_over = RecordReader::Missing::passed_over;
   if (const auto counts = root.optional("counts"))

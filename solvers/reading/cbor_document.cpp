@@ -159,15 +159,15 @@ bool is_cbor_map(std::string_view bytes) {
   return !bytes.empty() && major_type(bytes.front()) == MajorType::map;
 }
 
-JsonValue parse_cbor(std::string_view bytes, const std::string& file) {
+JsonValue parse_cbor(std::string_view bytes, const std::string& file, const ElementTaker& taker) {
   refuse_strings_in_chunks(bytes, file);
-  CborBuilder builder(file);
+  CborBuilder builder(file, taker);
   nlohmann::json::sax_parse(bytes.begin(), bytes.end(), &builder, nlohmann::json::input_format_t::cbor);
   return builder.take();
 }
 
-JsonValue parse_document(std::string_view bytes, const std::string& file) {
-  return is_cbor_map(bytes) ? parse_cbor(bytes, file) : parse_json(bytes, file);
+JsonValue parse_document(std::string_view bytes, const std::string& file, const ElementTaker& taker) {
+  return is_cbor_map(bytes) ? parse_cbor(bytes, file, taker) : parse_json(bytes, file, taker);
 }
 
 std::string to_cbor(const JsonValue& value) {

@@ -58,7 +58,8 @@ std::string DocumentBuilder::pointer() const {
   for (const Level& level : open_) {
     const bool in_array = level.value.kind == JsonValue::Kind::array;
     if (!in_array && level.keys.empty()) continue;
-    result += "/" + (in_array ? std::to_string(level.value.elements.size()) : escaped_for_pointer(level.key));
+    result += "/" + (in_array ? std::to_string(level.value.elements.size() + level.taken)
+                              : escaped_for_pointer(level.key));
   }
   return result;
 }
@@ -88,11 +89,19 @@ bool DocumentBuilder::attach_number(double value, std::string text) {
   return attach(std::move(result));
 }
 
+void DocumentBuilder::attach_element(Level& list, JsonValue element) {
+  const bool may_be_taken = taker_.take && open_.size() == 2 && open_.front().key == taker_.list;
+  if (may_be_taken && taker_.take(open_.front().value, element, list.value.elements.size() + list.taken))
+    ++list.taken;
+  else
+    list.value.elements.push_back(std::move(element));
+}
+
 bool DocumentBuilder::attach(JsonValue value) {
   if (open_.empty()) {
     root_ = std::move(value);
   } else if (Level& parent = open_.back(); parent.value.kind == JsonValue::Kind::array) {
-    parent.value.elements.push_back(std::move(value));
+    attach_element(parent, std::move(value));
   } else {
     parent.value.members.emplace_back(parent.key, std::move(value));
   }

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "solvers/reading/element_taker.hpp"
 #include "solvers/reading/json_value.hpp"
 
 namespace gcs {
@@ -15,8 +16,8 @@ namespace gcs {
 /// left to those that derive from it.
 class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  /// `file` is for messages.
-  explicit DocumentBuilder(const std::string& file) : file_(file) {}
+  /// `file` is for messages. Both outlive this.
+  DocumentBuilder(const std::string& file, const ElementTaker& taker) : file_(file), taker_(taker) {}
 
   JsonValue take() { return std::move(root_); }
 
@@ -42,13 +43,16 @@ class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
     JsonValue value;
     std::string key;                       ///< of the member being read
     std::unordered_set<std::string> keys;  ///< finding a duplicate must not take quadratic time
+    std::size_t taken = 0;                 ///< elements that are not in `value`
   };
 
   std::string pointer() const;
   bool open(JsonValue::Kind kind);
   bool close();
+  void attach_element(Level& list, JsonValue element);
 
   const std::string& file_;
+  const ElementTaker& taker_;
   std::vector<Level> open_;
   JsonValue root_;
 };

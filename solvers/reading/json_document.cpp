@@ -46,7 +46,8 @@ bool has_nonzero_digit(const std::string& number) {
 /// What a JSON text says beside nlohmann's events.
 class JsonBuilder final : public DocumentBuilder {
  public:
-  JsonBuilder(std::string_view text, const std::string& file) : DocumentBuilder(file), text_(text) {}
+  JsonBuilder(std::string_view text, const std::string& file, const ElementTaker& taker)
+      : DocumentBuilder(file, taker), text_(text) {}
 
   /// Called for integers with a minus sign only, so that a zero was written "-0".
   bool number_integer(number_integer_t value) override {
@@ -84,7 +85,9 @@ class JsonBuilder final : public DocumentBuilder {
 
 }  // namespace
 
-JsonValue parse_json(std::string_view text, const std::string& file) {
+JsonValue parse_json(std::string_view text, const std::string& file) { return parse_json(text, file, {}); }
+
+JsonValue parse_json(std::string_view text, const std::string& file, const ElementTaker& taker) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw InputError(file, "", "the input is empty", "give one JSON value");
   }
@@ -93,7 +96,7 @@ JsonValue parse_json(std::string_view text, const std::string& file) {
     throw InputError(file, "", line_and_column(text, zero + 1) + ": not JSON: a zero byte",
                      "give text in UTF-8");
   }
-  JsonBuilder builder(text, file);
+  JsonBuilder builder(text, file, taker);
   nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }

@@ -2,6 +2,11 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "solvers/reading/element_taker.hpp"
 
 namespace {
 
@@ -125,6 +130,34 @@ TEST_CASE("invalid UTF-8 is refused and not repeated") {
   check_refused("[\"\xc0\xaf\"]", "/0", "ill-formed UTF-8");
   check_refused(R"(["\ud800"])", "/0", "surrogate");
   check_refused("[\"\xed\xa0\x80\"]", "/0", "ill-formed UTF-8");
+}
+
+TEST_CASE("elements of one list are handed on, and counted in the places of what follows") {
+  std::vector<std::size_t> numbers;
+  std::string seen;
+  const gcs::ElementTaker odd{"long",
+                              [&](const JsonValue& document, const JsonValue& element, std::size_t n) {
+                                CHECK(document.find("first")->number == 7);
+                                CHECK(document.find("last") == nullptr);
+                                numbers.push_back(n);
+                                if (n % 2 == 0) return false;
+                                seen += to_text(element, -1) + " ";
+                                return true;
+                              }};
+  const std::string text =
+      R"({"first": 7, "long": [1, {"a": 2}, 3, ["long"]], "other": {"long": [5]}, "last": 0})";
+  CHECK(to_text(gcs::parse_json(text, "f", odd), -1) ==
+        R"({"first": 7, "long": [1, 3], "other": {"long": [5]}, "last": 0})");
+  CHECK(seen == R"({"a": 2} ["long"] )");
+  CHECK(numbers == std::vector<std::size_t>{0, 1, 2, 3});
+  CHECK(to_text(gcs::parse_json(text, "f"), -1) == text);
+  const gcs::ElementTaker all{"long", [](const JsonValue&, const JsonValue&, std::size_t) { return true; }};
+  try {
+    gcs::parse_json(R"({"long": [0, 1, {"a": 1e999}]})", "f", all);
+    FAIL("not refused");
+  } catch (const InputError& error) {
+    CHECK(error.pointer() == "/long/2/a");
+  }
 }
 
 TEST_CASE("messages repeat only the beginning of what is wrong") {

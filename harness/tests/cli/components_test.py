@@ -22,7 +22,7 @@ class Components(unittest.TestCase):
 
     def test_mirror_images_are_one_solution(self):
         known = sweep.Solutions()
-        points = sweep.figure(5, random.Random(1))
+        points = sweep.sweeping.random_figure(5, random.Random(1))
         known.add({"points": points})
         mirrored = {name: [7 - x, y + 1] for name, (x, y) in points.items()}
         self.assertEqual(known.number_of({"points": mirrored})[0], 0)
@@ -30,7 +30,7 @@ class Components(unittest.TestCase):
         self.assertEqual(known.number_of({"points": mirrored})[0], -1)
 
     def test_two_values_leave_the_known_figure_along_a_line_and_come_back(self):
-        problem, dice = sweep.scene(8, 4)
+        problem, dice = sweep.sweeping.random_scene(8, 4)
         pair = problem["constraints"][0], problem["constraints"][5]
         sketch = sweep.beside(PROGRAM, problem, pair, dice)
         for constraint in problem["constraints"]:

@@ -4,7 +4,6 @@
 Usage: order_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
-import json
 import random
 import unittest
 
@@ -44,15 +43,14 @@ class Order(unittest.TestCase):
             self.assertLessEqual(needed[-1], 9, order)
 
     def test_all_curves_of_a_shipped_scene_are_read(self):
-        graph, _ = sweep.walked(PROGRAM, "disulfide")
+        graph = sweep.walked(PROGRAM, "disulfide")
         self.assertEqual((graph.size, len(graph.values)), (18, 18))
         self.assertEqual(len(graph.on_curve), 18 * 18)
         rows = list(sweep.rows("disulfide", [graph]))
         self.assertEqual([row[3] for row in rows], [*sweep.ORDERS, sweep.FORESEEN])
 
     def test_a_scene_with_too_few_solutions_has_no_order(self):
-        scene = sweep.load_script("sweep-components").scene(8, 1)[0]
-        self.assertIsNone(sweep.walked(PROGRAM, "-", json.dumps(scene)))
+        self.assertIsNone(sweep.walked(PROGRAM, sweep.sweeping.random_scene(8, 1)[0]))
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ class Scaling(command_line.WithFolder):
     def test_graphs_are_minimally_rigid_and_nothing_hangs(self):
         rigid = sweep_unit_lengths.rigid_graphs(7, 2)
         for seed in range(20):
-            edges = scaling.random_graph(7, random.Random(seed))
+            edges = scaling.sweeping.random_graph(7, random.Random(seed))
             self.assertIn(sweep_unit_lengths.canonical(edges, 7), rigid)
             self.assertGreaterEqual(min(sum(point in edge for edge in edges) for point in range(7)), 3)
 

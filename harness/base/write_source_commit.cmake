@@ -7,10 +7,12 @@ if(git_program)
                   OUTPUT_VARIABLE answer RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
   if(NOT failed AND answer MATCHES "^\n?([0-9a-f]+)$")
     set(commit ${CMAKE_MATCH_1})
-    execute_process(COMMAND ${git_program} -C ${SOURCE} diff --quiet HEAD RESULT_VARIABLE dirty)
+    # What one sweep has written does not make another program of the next one's.
+    set(sources . ":!results/sweeps" ":!results/tables" ":!results/plots")
+    execute_process(COMMAND ${git_program} -C ${SOURCE} diff --quiet HEAD -- ${sources} RESULT_VARIABLE dirty)
     if(dirty)
       # Two edits of one commit are two programs.
-      execute_process(COMMAND ${git_program} -C ${SOURCE} diff --binary HEAD
+      execute_process(COMMAND ${git_program} -C ${SOURCE} diff --binary HEAD -- ${sources}
                       COMMAND ${git_program} hash-object --stdin
                       OUTPUT_VARIABLE edit OUTPUT_STRIP_TRAILING_WHITESPACE)
       string(SUBSTRING "${edit}" 0 12 edit)

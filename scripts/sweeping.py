@@ -25,8 +25,13 @@ def environment_of(program):
     return solved(program, "octahedron", "full-space")["environment"]
 
 
+def short_commit(environment):
+    commit, mark, edit = environment["commit"].partition("+")
+    return commit[:7] + mark + edit
+
+
 def origin(environment):
-    return f"Commit {environment['commit'][:7]}, {environment['compiler']}, {environment['cpu']}"
+    return f"Commit {short_commit(environment)}, {environment['compiler']}, {environment['cpu']}"
 
 
 def line(cells):

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -133,45 +134,65 @@ bool equal(const Signature& a, const Signature& b, double tolerance) {
                     [tolerance](double x, double y) { return std::abs(x - y) <= tolerance; });
 }
 
-/// Bounds the partial sums of the signature, to which the rounding of its total is relative.
-double magnitude(const Signature& signature) {
-  return std::accumulate(signature.begin(), signature.end(), 0.0,
-                         [](double sum, double value) { return sum + std::abs(value); });
-}
+/// Sums of every fourth number of a signature, from the first, second, third and fourth on.
+struct SignatureSums {
+  std::array<double, 4> sums{};
+  std::array<double, 4> magnitudes{};  ///< bound the partial sums, to which rounding is relative
 
-double total(const Signature& signature) { return std::accumulate(signature.begin(), signature.end(), 0.0); }
+  explicit SignatureSums(const Signature& signature) {
+    for (std::size_t i = 0; i < signature.size(); ++i) {
+      sums[i % 4] += signature[i];
+      magnitudes[i % 4] += std::abs(signature[i]);
+    }
+  }
+  double total() const { return std::accumulate(sums.begin(), sums.end(), 0.0); }
+  double magnitude() const { return std::accumulate(magnitudes.begin(), magnitudes.end(), 0.0); }
+};
+
+/// How far apart sums may be of so many numbers that differ by the tolerance, or only in rounding of the last bits.
+double window(std::size_t numbers, double tolerance, double magnitude) {
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * magnitude;
+  return static_cast<double>(numbers) * (tolerance + rounding);
+}
 
 /// The classes found so far, ordered by the sum of the first figure's signature: equal figures have close
 /// sums. Classes of different tolerance, to a factor of ten, are kept apart, so that coarse ones do not widen
-/// the search for all. Signatures are many times as long as figures, so they are made again where sums are close.
+/// the search for all. Signatures are many times as long as figures, so they are made again, where all four sums
+/// are close: of a million figures, hundreds have a total as close.
 class ClassIndex {
  public:
   struct Member {
     int number = 0;  ///< of the class
     double tolerance = 0;
+    std::array<double, 4> sums{};
   };
 
   /// The first class for which `equals` holds, of those whose sums may be equal, or −1.
   template <typename Equals>
-  int find(const Signature& signature, double tolerance, Equals equals) const {
-    const double sum = total(signature);
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * magnitude(signature);
+  int find(const Signature& signature, const SignatureSums& sums, double tolerance, Equals equals) const {
     int found = -1;
     for (const auto& [bound, classes] : by_tolerance_) {
-      const double window = static_cast<double>(signature.size()) * (std::max(tolerance, bound) + rounding);
-      const auto end = classes.upper_bound(sum + window);
-      for (auto entry = classes.lower_bound(sum - window); entry != end; ++entry)
-        if ((found < 0 || entry->second.number < found) && equals(entry->second))
+      const double either = std::max(tolerance, bound);
+      const double reach = window(signature.size(), either, sums.magnitude());
+      const double part_reach = window((signature.size() + 3) / 4, either, sums.magnitude());
+      const auto end = classes.upper_bound(sums.total() + reach);
+      for (auto entry = classes.lower_bound(sums.total() - reach); entry != end; ++entry)
+        if ((found < 0 || entry->second.number < found) &&
+            are_close(sums.sums, entry->second.sums, part_reach) && equals(entry->second))
           found = entry->second.number;
     }
     return found;
   }
 
-  void add(const Signature& signature, const Member& member) {
-    by_tolerance_[next_power_of_ten(member.tolerance)].emplace(total(signature), member);
+  void add(const SignatureSums& sums, int number, double tolerance) {
+    by_tolerance_[next_power_of_ten(tolerance)].emplace(sums.total(), Member{number, tolerance, sums.sums});
   }
 
  private:
+  static bool are_close(const std::array<double, 4>& a, const std::array<double, 4>& b, double reach) {
+    return std::ranges::equal(a, b, [reach](double x, double y) { return std::abs(x - y) <= reach; });
+  }
+
   static double next_power_of_ten(double tolerance) {
     return tolerance > 0 ? std::max(tolerance, std::pow(10, std::ceil(std::log10(tolerance)))) : 0;
   }
@@ -200,12 +221,13 @@ ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure>
       return scene.is_anchored() || !std::isfinite(places) ||
              may_be_congruent(points_to_place(figures[i]), points_to_place(figures[first]), places);
     };
-    const bool finite = std::isfinite(magnitude(signature));  // else its sum has no place in an order
-    int found = finite ? index.find(signature, tolerance, equals) : -1;
+    const SignatureSums sums(signature);
+    const bool finite = std::isfinite(sums.magnitude());  // else its sum has no place in an order
+    int found = finite ? index.find(signature, sums, tolerance, equals) : -1;
     if (found < 0) {
       found = classes.count();
       classes.first.push_back(i);
-      if (finite) index.add(signature, {found, tolerance});
+      if (finite) index.add(sums, found, tolerance);
     }
     classes.class_of.push_back(found);
   }

@@ -12,10 +12,10 @@ struct MessagePassing {
   int on_this_machine = 1;  ///< ranks
   /// Returns at once; the bytes are copied.
   void (*send)(int to, int tag, const char* bytes, std::size_t count) = nullptr;
-  /// Whether a whole message has come, and what it is. Does not wait for what is still on its way.
+  /// Whether a message has come, and what it is.
   bool (*has_come)(int* from, int* tag, std::size_t* count) = nullptr;
-  /// The message that has_come() told of last.
-  void (*receive)(char* bytes) = nullptr;
+  /// The message that has_come() told of.
+  void (*receive)(int from, int tag, char* bytes, std::size_t count) = nullptr;
   /// The last call of every rank. Waits for what is sent.
   void (*finish)() = nullptr;
   /// Ends all ranks with this exit code.

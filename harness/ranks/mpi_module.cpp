@@ -2,10 +2,7 @@
 
 #include <mpi.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <list>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -38,61 +35,21 @@ void send(int to, int tag, const char* bytes, std::size_t count) {
             &message.request);
 }
 
-/// A message on its way. One that is not small takes several looks of both sides, and whoever computes does not look.
-struct Coming {
-  int from = 0;
-  int tag = 0;
-  std::string bytes;
-  MPI_Request request = MPI_REQUEST_NULL;
-};
-
-std::list<Coming>& coming() {
-  static std::list<Coming> messages;
-  return messages;
-}
-
-void begin_to_receive() {
-  constexpr std::size_t most = 256;  // so that thousands of ranks do not fill the memory of the first
-  while (coming().size() < most) {
-    int is_there = 0, bytes = 0;
-    MPI_Message message = MPI_MESSAGE_NULL;
-    MPI_Status status;
-    MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &message, &status);
-    if (is_there == 0) return;
-    MPI_Get_count(&status, MPI_BYTE, &bytes);
-    Coming& one = coming().emplace_back(
-        Coming{status.MPI_SOURCE, status.MPI_TAG, std::string(static_cast<std::size_t>(bytes), '\0')});
-    MPI_Imrecv(one.bytes.data(), bytes, MPI_BYTE, &message, &one.request);
-  }
-}
-
-/// Those of one rank come in the order in which they were sent.
-std::list<Coming>::iterator first_that_is_here() {
-  std::set<int> late;
-  for (auto message = coming().begin(); message != coming().end(); ++message) {
-    int is_done = 0;
-    MPI_Test(&message->request, &is_done, MPI_STATUS_IGNORE);
-    if (is_done != 0 && !late.contains(message->from)) return message;
-    late.insert(message->from);
-  }
-  return coming().end();
-}
-
 bool has_come(int* from, int* tag, std::size_t* count) {
   forget_what_has_arrived();
-  begin_to_receive();
-  const auto here = first_that_is_here();
-  if (here == coming().end()) return false;
-  coming().splice(coming().begin(), coming(), here);
-  *from = here->from;
-  *tag = here->tag;
-  *count = here->bytes.size();
+  int is_there = 0, bytes = 0;
+  MPI_Status status;
+  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &status);
+  if (is_there == 0) return false;
+  MPI_Get_count(&status, MPI_BYTE, &bytes);
+  *from = status.MPI_SOURCE;
+  *tag = status.MPI_TAG;
+  *count = static_cast<std::size_t>(bytes);
   return true;
 }
 
-void receive(char* bytes) {
-  std::ranges::copy(coming().front().bytes, bytes);
-  coming().pop_front();
+void receive(int from, int tag, char* bytes, std::size_t count) {
+  MPI_Recv(bytes, static_cast<int>(count), MPI_BYTE, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
 }
 
 void finish() {

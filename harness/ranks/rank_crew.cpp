@@ -28,7 +28,7 @@ std::optional<Message> next_message(const MessagePassing& passing) {
   std::size_t count = 0;
   if (!passing.has_come(&message.from, &message.tag, &count)) return std::nullopt;
   message.bytes.resize(count);
-  passing.receive(message.bytes.data());
+  passing.receive(message.from, message.tag, message.bytes.data(), count);
   return message;
 }
 

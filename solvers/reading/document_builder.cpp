@@ -58,8 +58,9 @@ std::string DocumentBuilder::pointer() const {
   for (const Level& level : open_) {
     const bool in_array = level.value.kind == JsonValue::Kind::array;
     if (!in_array && level.keys.empty()) continue;
-    result += "/" + (in_array ? std::to_string(level.value.elements.size() + level.taken)
-                              : escaped_for_pointer(level.key));
+    result += '/';
+    result +=
+        in_array ? std::to_string(level.value.elements.size() + level.taken) : escaped_for_pointer(level.key);
   }
   return result;
 }

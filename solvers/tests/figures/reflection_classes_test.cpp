@@ -1,7 +1,9 @@
 #include "solvers/figures/reflection_classes.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -295,4 +297,38 @@ TEST_CASE("thousands of figures are classified") {
   const ReflectionClasses classes = gcs::reflection_classes(scene_of(3, 8, 0), figures, tolerance);
   CHECK(classes.count() == originals);
   CHECK(classes.class_of == expected);
+}
+
+TEST_CASE("classes are those that comparing every distance of every pair gives") {
+  constexpr double near = 1e-3;
+  RandomFigures random;
+  std::vector<Figure> figures;
+  for (int base = 0; base < 12; ++base) {
+    const Figure original = random.figure(3, 5, 0);
+    for (int i = 0; i < 25; ++i) {
+      figures.push_back(original);
+      for (double& x : figures.back().points.reshaped()) x += near / 4 * random.number();
+    }
+  }
+  const auto are_equal = [&](const Figure& a, const Figure& b) {
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < i; ++j) {
+        const double apart =
+            (a.points.col(i) - a.points.col(j)).norm() - (b.points.col(i) - b.points.col(j)).norm();
+        if (std::abs(apart) > near) return false;
+      }
+    return true;
+  };
+  std::vector<int> first, expected;
+  for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
+    const auto known =
+        std::ranges::find_if(first, [&](int one) { return are_equal(figures[one], figures[i]); });
+    expected.push_back(static_cast<int>(known - first.begin()));
+    if (known == first.end()) first.push_back(i);
+  }
+  const Scene scene = scene_of(3, 5, 0);
+  REQUIRE(scene.size() == 1);
+  CHECK(gcs::reflection_classes(scene, figures, near).class_of == expected);
+  CHECK(first.size() > 24);
+  CHECK(first.size() < figures.size());
 }

@@ -329,6 +329,7 @@ TEST_CASE("a file that is no result is refused with its place") {
   CHECK_THROWS_WITH(parse_result("{\"format\": \"gcsbench-run/1\"}", "a.json"),
                     Catch::StartsWith("a.json: /format"));
   Json result = result_of({"k33", "rcp"});
-  result["solutions"][2]["points"].erase("p3");
-  CHECK_THROWS_WITH(parse_result(result.dump(), "a.json"), Catch::StartsWith("a.json: /solutions/2/points"));
+  REQUIRE(result["solutions"].size() > 1);
+  result["solutions"][1]["points"].erase("p3");
+  CHECK_THROWS_WITH(parse_result(result.dump(), "a.json"), Catch::StartsWith("a.json: /solutions/1/points"));
 }

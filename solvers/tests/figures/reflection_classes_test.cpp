@@ -307,7 +307,7 @@ TEST_CASE("classes are those that comparing every distance of every pair gives")
     const Figure original = random.figure(3, 5, 0);
     for (int i = 0; i < 25; ++i) {
       figures.push_back(original);
-      for (double& x : figures.back().points.reshaped()) x += near / 4 * random.number();
+      for (double& x : figures.back().points.reshaped()) x += near / 2 * random.number();
     }
   }
   const auto are_equal = [&](const Figure& a, const Figure& b) {

@@ -112,6 +112,16 @@ py::list motions_of(const SolvedInstance& solved) {
   return result;
 }
 
+/// The figures along its curves as arrays.
+py::object graph_of(const SolvedInstance& solved) {
+  const ProblemStatement& problem = solved.instance.problem;
+  const std::vector<AssessedCurve>& curves = solved.answer.curves;
+  py::object result = python_of(graph_value(problem, curves));
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (!curves[i].figures.empty()) result[py::int_(i)]["figures"] = point_array(problem, curves[i].figures);
+  return result;
+}
+
 std::optional<std::string> claim_of(const SolvedInstance& solved) {
   if (!solved.answer.claim) return std::nullopt;
   return std::string(word(*solved.answer.claim));
@@ -189,6 +199,12 @@ void bind_texts(BoundAnswer& bound) {
           "parallel there; ['curve']['figures'], where a real one is known: m × n × d coordinates along a "
           "curve "
           "of them")
+      .def_property_readonly("graph", &graph_of,
+                             "of 'explore', the curves that it walked: of each the constraint that it lacks, "
+                             "its end, and its crossings with "
+                             "the solutions, which are counted from 0; with samples=…, 'figures': m × n × d "
+                             "coordinates along it. None "
+                             "elsewhere, and where the scene was solved in parts")
       .def_property_readonly("particulars", &particulars_of, "counts that only this strategy knows")
       .def_property_readonly("failed_checks", &failed_checks_of,
                              "(name, sentence) of what must hold in a correct answer and does not");

@@ -81,12 +81,6 @@ JsonValue edge_value(const ProblemStatement& problem, const AssessedCurve& curve
   return json_object(std::move(members));
 }
 
-/// Null for a strategy that walks along no curves.
-JsonValue graph_value(const ProblemStatement& problem, const SolveRun& run) {
-  if (run.curves.empty()) return json_null();
-  return json_array_of(run.curves, [&](const AssessedCurve& curve) { return edge_value(problem, curve); });
-}
-
 /// In lowest terms; null where it is not determined.
 JsonValue exponent_value(const PathEnds& ends) {
   return json_or_null(exponent(ends), [](const Exponent& e) {
@@ -200,6 +194,11 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs) {
   });
 }
 
+JsonValue graph_value(const ProblemStatement& problem, const std::vector<AssessedCurve>& curves) {
+  if (curves.empty()) return json_null();
+  return json_array_of(curves, [&](const AssessedCurve& curve) { return edge_value(problem, curve); });
+}
+
 JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motion>& motions) {
   return json_array_of(motions, [&](const Motion& motion) { return motion_value(problem, motion); });
 }
@@ -225,7 +224,7 @@ void write_result(const Instance& instance, const SolveRun& run, const Environme
     return json_object({{"points", json_points(instance.problem, figure)}});
   });
   document.member("path", path_value(run));
-  document.member("graph", graph_value(instance.problem, run));
+  document.member("graph", graph_value(instance.problem, run.curves));
   document.member("ends", json_array_of(run.ends, ends_value));
   document.member("motions", motions_value(instance.problem, run.motions));
   document.member("statistics", statistics_value(run));

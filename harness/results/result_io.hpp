@@ -14,6 +14,9 @@ namespace gcs {
 /// What certificates prove, as in a result; null unless that was asked for.
 JsonValue proofs_value(const std::optional<Proofs>& proofs);
 
+/// The curves between solutions, as in a result; null for a strategy that walks along none.
+JsonValue graph_value(const ProblemStatement& problem, const std::vector<AssessedCurve>& curves);
+
 /// Solutions that are not isolated, as in a result.
 JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motion>& motions);
 

@@ -72,6 +72,20 @@ class Solving(unittest.TestCase):
         np.testing.assert_allclose(np.linalg.norm(crank, axis=1), 1, rtol=1e-12)
         self.assertAlmostEqual(abs(np.unwrap(np.arctan2(crank[:, 1], crank[:, 0]))[[0, -1]] @ [1, -1]), 2 * math.pi)
 
+    def test_exploring_gives_the_curves_between_solutions(self):
+        problem = gcsbench.Problem.read(SOURCE / "instances" / "disulfide.json")
+        answer = gcsbench.solve(problem, "explore", samples=1)
+        self.assertEqual(answer.solutions.shape, (18, 8, 3))
+        met = {crossing["solution"] for curve in answer.graph for crossing in curve["crossings"]}
+        self.assertEqual(met, set(range(18)))
+        curve = answer.graph[0]
+        self.assertEqual((curve["end"], curve["figures"].shape[1:]), ("closed", (8, 3)))
+        here = curve["figures"][curve["places"][0]]
+        there = answer.solutions[curve["crossings"][0]["solution"]]
+        spans = [np.linalg.norm(place[:, None] - place[None, :], axis=2) for place in (here, there)]
+        np.testing.assert_allclose(*spans, rtol=1e-8)
+        self.assertIsNone(gcsbench.solve(problem, "monodromy").graph)
+
     def test_complex_solutions_have_the_given_lengths_and_are_as_many_as_there_are(self):
         problem = gcsbench.Problem.read(SOURCE / "instances" / "disulfide.json")
         answer = gcsbench.solve(problem, "monodromy")

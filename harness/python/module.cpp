@@ -199,12 +199,12 @@ void bind_texts(BoundAnswer& bound) {
           "parallel there; ['curve']['figures'], where a real one is known: m × n × d coordinates along a "
           "curve "
           "of them")
-      .def_property_readonly("graph", &graph_of,
-                             "of 'explore', the curves that it walked: of each the constraint that it lacks, "
-                             "its end, and its crossings with "
-                             "the solutions, which are counted from 0; with samples=…, 'figures': m × n × d "
-                             "coordinates along it. None "
-                             "elsewhere, and where the scene was solved in parts")
+      .def_property_readonly(
+          "graph", &graph_of,
+          "of 'explore', the curves that it walked: of each the constraint that it lacks, "
+          "its end, and its crossings with the solutions, which are counted from 0; with "
+          "samples=…, 'figures': m × n × d coordinates along it. None elsewhere, and where "
+          "the scene was solved in parts")
       .def_property_readonly("particulars", &particulars_of, "counts that only this strategy knows")
       .def_property_readonly("failed_checks", &failed_checks_of,
                              "(name, sentence) of what must hold in a correct answer and does not");

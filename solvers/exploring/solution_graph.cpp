@@ -1,5 +1,7 @@
 #include "solvers/exploring/solution_graph.hpp"
 
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "solvers/elements/scene_system.hpp"
@@ -78,7 +80,6 @@ void SolutionGraph::mark(int solution, std::size_t value) {
   auto walked = walked_[static_cast<std::size_t>(solution)].begin() + static_cast<std::ptrdiff_t>(value);
   if (*walked) return;
   *walked = true;
-  ++walks_;
   ++walks_from_[static_cast<std::size_t>(solution)];
 }
 
@@ -103,7 +104,10 @@ void SolutionGraph::add_curve(std::size_t value, int start, CurveRecord curve,
 
 double SolutionGraph::walked_part() const {
   const double all = static_cast<double>(solutions_.size() * values_);
-  return all > 0 ? static_cast<double>(walks_) / all : 0;
+  return all > 0
+             ? static_cast<double>(std::accumulate(walks_from_.begin(), walks_from_.end(), std::size_t{0})) /
+                   all
+             : 0;
 }
 
 }  // namespace gcs

@@ -48,9 +48,9 @@ class SolutionGraph {
   std::vector<Figure> representatives_;
   std::vector<SolutionAccuracy> accuracies_;
   std::vector<std::vector<bool>> walked_;  ///< by solution and value
-  std::vector<std::size_t> walks_from_;
+  std::vector<std::size_t> walks_from_;    ///< of those, how many, by solution
   std::vector<CurveRecord> curves_;
-  std::int64_t walks_ = 0, meetings_ = 0;
+  std::int64_t meetings_ = 0;
   int singular_ = 0;
 };
 

@@ -137,16 +137,15 @@ bool equal(const Signature& a, const Signature& b, double tolerance) {
 /// Sums of every fourth number of a signature, from the first, second, third and fourth on.
 struct SignatureSums {
   std::array<double, 4> sums{};
-  std::array<double, 4> magnitudes{};  ///< bound the partial sums, to which rounding is relative
+  double magnitude = 0;  ///< bounds all partial sums, to which rounding is relative
 
   explicit SignatureSums(const Signature& signature) {
     for (std::size_t i = 0; i < signature.size(); ++i) {
       sums[i % 4] += signature[i];
-      magnitudes[i % 4] += std::abs(signature[i]);
+      magnitude += std::abs(signature[i]);
     }
   }
   double total() const { return std::accumulate(sums.begin(), sums.end(), 0.0); }
-  double magnitude() const { return std::accumulate(magnitudes.begin(), magnitudes.end(), 0.0); }
 };
 
 /// How far apart sums may be of so many numbers that differ by the tolerance, or only in rounding of the last bits.
@@ -173,8 +172,8 @@ class ClassIndex {
     int found = -1;
     for (const auto& [bound, classes] : by_tolerance_) {
       const double either = std::max(tolerance, bound);
-      const double reach = window(signature.size(), either, sums.magnitude());
-      const double part_reach = window((signature.size() + 3) / 4, either, sums.magnitude());
+      const double reach = window(signature.size(), either, sums.magnitude);
+      const double part_reach = window((signature.size() + 3) / 4, either, sums.magnitude);
       const auto end = classes.upper_bound(sums.total() + reach);
       for (auto entry = classes.lower_bound(sums.total() - reach); entry != end; ++entry)
         if ((found < 0 || entry->second.number < found) &&
@@ -222,7 +221,7 @@ ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure>
              may_be_congruent(points_to_place(figures[i]), points_to_place(figures[first]), places);
     };
     const SignatureSums sums(signature);
-    const bool finite = std::isfinite(sums.magnitude());  // else its sum has no place in an order
+    const bool finite = std::isfinite(sums.magnitude);  // else its sum has no place in an order
     int found = finite ? index.find(signature, sums, tolerance, equals) : -1;
     if (found < 0) {
       found = classes.count();

@@ -5,11 +5,19 @@ import json
 import math
 import random
 import subprocess
+import sys
 from collections import Counter
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
 SWEEPS = SOURCE / "results" / "sweeps"
+
+
+def program_and_number(usage, default):
+    """Of the command line: PROGRAM [NUMBER]."""
+    if len(sys.argv) not in (2, 3) or len(sys.argv) == 3 and not sys.argv[2].isdecimal():
+        sys.exit(usage)
+    return Path(sys.argv[1]).resolve(), int(sys.argv[2]) if len(sys.argv) == 3 else default
 
 
 def solved(program, instance, strategy, *options):
@@ -31,7 +39,8 @@ def short_commit(environment):
 
 
 def origin(environment):
-    return f"Commit {short_commit(environment)}, {environment['compiler']}, {environment['cpu']}"
+    """Of figures: the program and the machine."""
+    return f"{short_commit(environment)}, {environment['compiler']}, {environment['cpu']}"
 
 
 def line(cells):

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -168,13 +169,20 @@ class Endgame {
           WorkCounters& work)
       : tracking_(tracking), from_(from), to_(to), is_zero_(is_zero), stopped_(stopped), work_(work) {}
 
-  std::vector<PathEnd> run(std::span<const ComplexVectorX> starts) {
-    ends_.assign(starts.size(), {});
+  /// Those that simply arrive.
+  void approach_ends(std::span<const ComplexVectorX> starts) {
     std::vector<ActivePath> paths;
-    for (std::size_t i = 0; i < starts.size(); ++i) paths.push_back({i, starts[i]});
+    for (const ComplexVectorX& start : starts) paths.push_back({ends_.size() + paths.size(), start});
+    ends_.resize(ends_.size() + starts.size());
     advance(paths, 1, first_radius);
     approach(paths, first_radius, direct_step);
     for (ActivePath& path : paths) path.before = path.x;
+    std::move(paths.begin(), paths.end(), std::back_inserter(open_));
+  }
+
+  /// The others, all together: their legs are so short that few at once would leave threads and processes without any.
+  std::vector<PathEnd> walk_around_ends(const std::function<void()>& progress) {
+    std::vector<ActivePath>& paths = open_;
     for (double radius = first_radius; !paths.empty() && !stopped_(); radius *= radius_ratio) {
       if (radius < smallest_radius) {
         approach(paths, radius, 0);
@@ -185,13 +193,18 @@ class Endgame {
       decide(paths, radius);
       confirm_poles(paths, radius);
       arrive_at_regular_ends();
+      progress();
       advance(paths, radius, radius * radius_ratio);
     }
+    progress();
     if (stopped_())
       for (const ActivePath& path : paths)
         ends_[path.number] = {PathEnd::Kind::stopped, path.x, 1, 0, true, "stopped on the way"};
     return std::move(ends_);
   }
+
+  /// How many have not ended.
+  std::size_t open() const { return open_.size(); }
 
  private:
   std::vector<LegResult> follow(const std::vector<ActivePath*>& paths, Complex first, Complex last,
@@ -363,6 +376,7 @@ class Endgame {
   const std::function<bool()>& stopped_;
   WorkCounters& work_;
   std::vector<PathEnd> ends_;
+  std::vector<ActivePath> open_;
 };
 
 }  // namespace
@@ -372,16 +386,19 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
                                    const std::function<bool(const ComplexVectorX&)>& is_zero,
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work) {
-  std::vector<PathEnd> ends;
+  Endgame endgame(tracking, from, to, is_zero, stopped, work);
+  std::size_t begun = 0;
+  const auto report = [&] {
+    progress(static_cast<double>(begun - endgame.open()) / static_cast<double>(starts.size()));
+  };
   progress(0);
-  for (std::size_t first = 0; first < starts.size(); first += batch) {
-    const std::size_t count = std::min(batch, starts.size() - first);
-    std::vector<PathEnd> some =
-        Endgame(tracking, from, to, is_zero, stopped, work).run(std::span(starts).subspan(first, count));
-    std::move(some.begin(), some.end(), std::back_inserter(ends));
-    progress(static_cast<double>(ends.size()) / static_cast<double>(starts.size()));
+  while (begun < starts.size()) {
+    const std::size_t count = std::min(batch, starts.size() - begun);
+    endgame.approach_ends(std::span(starts).subspan(begun, count));
+    begun += count;
+    report();
   }
-  return ends;
+  return endgame.walk_around_ends(report);
 }
 
 std::vector<ComplexVectorX> follow_to_endgame(LegTracking& tracking, std::span<const ComplexVectorX> starts,

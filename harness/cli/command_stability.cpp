@@ -18,7 +18,7 @@ namespace gcs {
 
 namespace {
 
-/// All families in about a quarter of an hour on a fast machine, and on one of a third of its speed too.
+/// All families, in a quarter of an hour to half an hour.
 constexpr TimingLimits limits{
     .budget_s = 120, .cell_limit_s = 10, .total_limit_s = 2700, .skips_variants = true};
 

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -138,9 +139,9 @@ ExitCode parse_and_run(int argc, char** argv, gcs::Crew* crew, int ranks_here) {
 }
 
 /// Of what commands hand out to other ranks.
-gcs::ItemWork begin_task(const std::string& task) {
-  if (gcs::ItemWork cells = gcs::begin_cells(task)) return cells;
-  if (gcs::ItemWork certificates = gcs::begin_certificates(task)) return certificates;
+std::unique_ptr<gcs::ItemWork> begin_task(const std::string& task) {
+  if (auto cells = gcs::begin_cells(task)) return cells;
+  if (auto certificates = gcs::begin_certificates(task)) return certificates;
   return gcs::begin_legs(task);
 }
 

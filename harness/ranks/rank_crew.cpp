@@ -49,30 +49,29 @@ void send(const MessagePassing& passing, int to, Tag tag, const std::string& byt
   passing.send(to, tag, bytes.data(), bytes.size());
 }
 
-/// An item or a result with its number.
-std::string numbered(std::uint64_t number, const std::string& bytes) {
-  std::string message(sizeof number, '\0');
-  std::memcpy(message.data(), &number, sizeof number);
-  return message + bytes;
+std::string to_message(const NumberedItem& item) {
+  std::string message(sizeof item.number, '\0');
+  std::memcpy(message.data(), &item.number, sizeof item.number);
+  return message + item.bytes;
 }
 
-std::pair<std::uint64_t, std::string> number_and_bytes(const std::string& message) {
-  std::uint64_t number = 0;
-  if (message.size() < sizeof number) throw std::invalid_argument("a message without a number");
-  std::memcpy(&number, message.data(), sizeof number);
-  return {number, message.substr(sizeof number)};
+NumberedItem to_item(const std::string& message) {
+  NumberedItem item;
+  if (message.size() < sizeof item.number) throw std::invalid_argument("a message without a number");
+  std::memcpy(&item.number, message.data(), sizeof item.number);
+  item.bytes = message.substr(sizeof item.number);
+  return item;
 }
 
 }  // namespace
 
-std::optional<int> next_receiver(const std::vector<int>& queued, std::size_t left) {
-  const auto first_with = [&](int number) -> std::optional<int> {
-    const auto found = std::find(queued.begin() + 1, queued.end(), number);
-    return found != queued.end() ? std::optional(static_cast<int>(found - queued.begin())) : std::nullopt;
-  };
+std::optional<int> next_receiver(const std::vector<int>& queued, std::size_t left, std::size_t reserve) {
   if (left == 0) return std::nullopt;
-  if (const auto idle = first_with(0)) return idle;
-  return left >= queued.size() ? first_with(1) : std::nullopt;
+  const auto least = std::min_element(queued.begin() + 1, queued.end());
+  const bool is_first = least == queued.end() || queued.front() < *least;
+  const auto rank = static_cast<std::size_t>(is_first ? 0 : least - queued.begin());
+  const bool has_room = static_cast<std::size_t>(queued[rank]) <= std::min(reserve, left / queued.size());
+  return has_room ? std::optional(static_cast<int>(rank)) : std::nullopt;
 }
 
 RankCrew::RankCrew(const MessagePassing& passing, const std::string& build)
@@ -92,23 +91,24 @@ RankCrew::~RankCrew() {
 /// What is under way of one list of items.
 class RankCrew::Hand {
  public:
-  Hand(RankCrew& crew, const std::string& task, const std::vector<std::string>& items)
+  Hand(RankCrew& crew, const std::string& task, const std::vector<std::string>& items, ItemWork& here)
       : crew_(crew),
         task_(task),
         items_(items),
+        here_(here),
         results_(items.size()),
         queued_(static_cast<std::size_t>(crew.members()), 0) {}
 
-  bool is_all_given() const { return next_ == items_.size(); }
-  bool has_failed() const { return !failure_.empty(); }
+  bool is_over() const { return is_all_done() || !failure_.empty(); }
 
   void hand_out() {
-    while (const auto rank = next_receiver(queued_, items_.size() - next_)) give(*rank);
+    while (const auto rank = next_receiver(queued_, items_.size() - next_, here_.reserve())) give(*rank);
   }
 
-  void do_one(const std::function<std::string(std::size_t)>& here) {
-    const std::size_t own = next_++;
-    results_[own] = here(own);
+  /// Goes on with what this rank has, or waits for what others have.
+  void go_on() {
+    if (here_.is_idle()) return wait();
+    for (NumberedItem& result : here_.advance()) take(0, std::move(result));
   }
 
   void take_what_has_come() {
@@ -121,49 +121,67 @@ class RankCrew::Hand {
   }
 
   std::vector<std::string> results() && {
-    if (has_failed()) throw std::runtime_error(failure_);
+    if (!failure_.empty()) throw std::runtime_error(failure_);
     return std::move(results_);
   }
 
  private:
+  bool is_all_done() const { return next_ == items_.size() && under_way_ == 0 && queued_.front() == 0; }
+
   void give(int rank) {
-    std::string& told = crew_.told_[static_cast<std::size_t>(rank)];
-    if (told != task_) send(crew_.passing_, rank, task_tag, told = task_);
-    send(crew_.passing_, rank, item_tag, numbered(next_, items_[next_]));
+    NumberedItem item{next_, items_[next_]};
+    if (rank == 0)
+      here_.add(std::move(item));
+    else
+      send_item(rank, item);
     ++next_;
     ++queued_[static_cast<std::size_t>(rank)];
+  }
+
+  void send_item(int rank, const NumberedItem& item) {
+    std::string& told = crew_.told_[static_cast<std::size_t>(rank)];
+    if (told != task_) send(crew_.passing_, rank, task_tag, told = task_);
+    send(crew_.passing_, rank, item_tag, to_message(item));
     ++under_way_;
   }
 
+  void wait() {
+    if (under_way_ > 0) take(wait_for_message(crew_.passing_));
+  }
+
   void take(const Message& message) {
-    auto [number, bytes] = number_and_bytes(message.bytes);
-    if (message.tag == failure_tag)
-      failure_ = fmt::format("rank {}: {}", message.from, bytes);
-    else
-      results_.at(number) = std::move(bytes);
-    --queued_[static_cast<std::size_t>(message.from)];
+    NumberedItem item = to_item(message.bytes);
     --under_way_;
+    if (message.tag == failure_tag)
+      failure_ = fmt::format("rank {}: {}", message.from, item.bytes);
+    else
+      take(message.from, std::move(item));
+  }
+
+  void take(int rank, NumberedItem result) {
+    results_.at(result.number) = std::move(result.bytes);
+    --queued_[static_cast<std::size_t>(rank)];
   }
 
   RankCrew& crew_;
   const std::string& task_;
   const std::vector<std::string>& items_;
+  ItemWork& here_;
   std::vector<std::string> results_;
-  std::vector<int> queued_;  // of each rank
-  std::size_t next_ = 0;     // item that nobody has
-  std::size_t under_way_ = 0;
+  std::vector<int> queued_;    // of each rank
+  std::size_t next_ = 0;       // item that nobody has
+  std::size_t under_way_ = 0;  // with others
   std::string failure_;
 };
 
 std::vector<std::string> RankCrew::results(const std::string& task, const std::vector<std::string>& items,
-                                           const std::function<std::string(std::size_t)>& here,
-                                           const std::function<bool()>& stopped) {
-  Hand hand(*this, task, items);
+                                           ItemWork& here, const std::function<bool()>& stopped) {
+  Hand hand(*this, task, items, here);
   try {
-    while (!hand.is_all_given() && !hand.has_failed() && !stopped()) {
+    while (!hand.is_over() && !stopped()) {
       hand.take_what_has_come();
       hand.hand_out();
-      if (!hand.is_all_given()) hand.do_one(here);
+      hand.go_on();
     }
   } catch (...) {
     hand.take_rest();
@@ -188,25 +206,66 @@ std::string failure_of(Work work) {
   }
 }
 
+/// Of a rank after the first: its task, and which items it has.
+class Server {
+ public:
+  using Begin = std::function<std::unique_ptr<ItemWork>(const std::string& task)>;
+  Server(const MessagePassing& passing, const Begin& begin) : passing_(passing), begin_(begin) {}
+
+  bool is_idle() const { return open_.empty(); }
+
+  void take(const Message& message) {
+    if (message.tag == task_tag) return begin(message.bytes);
+    NumberedItem item = to_item(message.bytes);
+    open_.push_back(item.number);
+    unless_failed([&] { work_->add(std::move(item)); });
+  }
+
+  void advance() {
+    std::vector<NumberedItem> results;
+    unless_failed([&] { results = work_->advance(); });
+    for (const NumberedItem& result : results) {
+      send(passing_, 0, result_tag, to_message(result));
+      std::erase(open_, result.number);
+    }
+  }
+
+ private:
+  void begin(const std::string& task) {
+    work_.reset();  // two tasks may need more memory than there is
+    failure_ = failure_of([&] { work_ = begin_(task); });
+  }
+
+  /// What has failed once says so of all its items.
+  template <class Step>
+  void unless_failed(Step step) {
+    if (failure_.empty()) failure_ = failure_of(step);
+    if (failure_.empty()) return;
+    for (const std::uint64_t number : open_) send(passing_, 0, failure_tag, to_message({number, failure_}));
+    open_.clear();
+  }
+
+  const MessagePassing& passing_;
+  const Begin& begin_;
+  std::unique_ptr<ItemWork> work_;
+  std::string failure_;  // of the task
+  std::vector<std::uint64_t> open_;
+};
+
 }  // namespace
 
-void serve(const MessagePassing& passing, const std::string& build,
-           const std::function<ItemWork(const std::string& task)>& begin) {
+void serve(const MessagePassing& passing, const std::string& build, const Server::Begin& begin) {
   send(passing, 0, build_tag, build);
-  ItemWork work;
-  std::string failure;  // of the task
+  Server server(passing, begin);
   while (true) {
-    const Message message = wait_for_message(passing);
-    if (message.tag == leave_tag) return;
-    if (message.tag == task_tag) {
-      work = nullptr;  // two tasks may need more memory than there is
-      failure = failure_of([&] { work = begin(message.bytes); });
+    std::optional<Message> message = next_message(passing);
+    if (!message && server.is_idle()) message = wait_for_message(passing);
+    if (!message) {
+      server.advance();
       continue;
     }
-    const auto [number, item] = number_and_bytes(message.bytes);
-    std::string result, why = failure;
-    if (why.empty()) why = failure_of([&, &bytes = item] { result = work(bytes); });
-    send(passing, 0, why.empty() ? result_tag : failure_tag, numbered(number, why.empty() ? result : why));
+    if (message->tag == leave_tag) return;
+    server.take(*message);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +14,10 @@
 namespace gcs {
 
 /// The rank that gets the next of the `left` items that nobody has, where `queued` are those that each rank has and has
-/// not done: one to do, and one for when that is done while enough are left that nobody ends with two of them and others
-/// with none. Nullopt: the next one is left to the first rank, which never gets any.
-std::optional<int> next_receiver(const std::vector<int>& queued, std::size_t left);
+/// not done: one to do, and up to `reserve` for when that is done while enough are left that nobody ends with several of
+/// them and others with none. The first rank, which need not wait for a message, comes last among equals. Nullopt: nobody
+/// gets one now.
+std::optional<int> next_receiver(const std::vector<int>& queued, std::size_t left, std::size_t reserve);
 
 /// Of the first rank. It works too, between messages.
 class RankCrew final : public Crew {
@@ -32,8 +34,7 @@ class RankCrew final : public Crew {
 
   int members() const override { return passing_.size; }
   std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                   const std::function<std::string(std::size_t)>& here,
-                                   const std::function<bool()>& stopped) override;
+                                   ItemWork& here, const std::function<bool()>& stopped) override;
 
  private:
   class Hand;  ///< one call of results
@@ -46,6 +47,6 @@ class RankCrew final : public Crew {
 /// Of every other rank: does what the first one sends, until it lets go. `build` as above; `begin` makes what is to be done
 /// of the bytes of a task.
 void serve(const MessagePassing& passing, const std::string& build,
-           const std::function<ItemWork(const std::string& task)>& begin);
+           const std::function<std::unique_ptr<ItemWork>(const std::string& task)>& begin);
 
 }  // namespace gcs

@@ -280,8 +280,8 @@ void assess_with(Crew& crew, const TableRequest& request, CellAssessor& here, Ru
     std::vector<std::string> items;
     for (std::size_t i = first; i < std::min(first + most, record.instances.size()); ++i)
       items.push_back(item_of(record.instances[i], known));
-    const auto results = crew.results(
-        task, items, [&](std::size_t i) { return here.result(items[i]); }, [] { return interrupted(); });
+    OneByOne own([&](const NumberedItem& item) { return here.result(item.bytes); });
+    const auto results = crew.results(task, items, own, [] { return interrupted(); });
     for (const std::string& result : results)
       if (!result.empty()) take_part(parse_run_file(result, "cells"), record, known);
     store(known);
@@ -347,14 +347,15 @@ RunFile run_tables(const TableRequest& request, const Publications& publications
   return record;
 }
 
-ItemWork begin_cells(const std::string& task) {
-  if (!task.starts_with(cells_task)) return {};
+std::unique_ptr<ItemWork> begin_cells(const std::string& task) {
+  if (!task.starts_with(cells_task)) return nullptr;
   const JsonValue document = parse_json(std::string_view(task).substr(cells_task.size()), "cells");
   TableRequest request;
   const std::string name = "cells";
   read_json(JsonCursor(document, name), request);
   const auto shared = std::make_shared<SharedRequest>(std::move(request));
-  return [shared](const std::string& item) { return shared->assessor.result(item); };
+  return std::make_unique<OneByOne>(
+      [shared](const NumberedItem& item) { return shared->assessor.result(item.bytes); });
 }
 
 }  // namespace gcs

@@ -2,6 +2,7 @@
 /// Measures what tables need.
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "harness/runs/run_file.hpp"
@@ -19,7 +20,7 @@ namespace gcs {
 RunFile run_tables(const TableRequest& request, const Publications& publications, Monitor& progress,
                    Crew* crew = nullptr);
 
-/// What another process of the crew does of each item, where `task` is one of run_tables; otherwise empty.
-ItemWork begin_cells(const std::string& task);
+/// What another process of the crew does of each item, where `task` is one of run_tables; otherwise null.
+std::unique_ptr<ItemWork> begin_cells(const std::string& task);
 
 }  // namespace gcs

@@ -124,6 +124,15 @@ std::vector<Certificate> certificates_here(const Certifier& certifier, std::size
   return results;
 }
 
+/// What becomes of an item.
+std::string certified(const Certifier& certifier, const std::string& item, int threads,
+                      const std::stop_token& stop) {
+  const std::vector<Point> points = read_points(item);
+  CertificateProgress unheard;
+  const auto point_of = [&](std::size_t i) { return points[i]; };
+  return to_message(certificates_here(certifier, points.size(), point_of, threads, stop, unheard));
+}
+
 std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::size_t points,
                                               const PointOf& point_of, const ProofSetup& setup) {
   const std::size_t batch = batch_for_a_thread * static_cast<std::size_t>(setup.threads);
@@ -132,16 +141,12 @@ std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::s
   for (std::size_t i = 0; i * batch < points; ++i)
     items.push_back(to_message(i * batch, end_of(i), point_of));
   CertificateProgress handed_out(setup.monitor, items.size());
-  const auto here = [&](std::size_t i) {
-    handed_out.reach(i);
-    CertificateProgress unheard;
-    const auto point_of_item = [&](std::size_t j) { return point_of(i * batch + j); };
-    return to_message(certificates_here(certifier, end_of(i) - i * batch, point_of_item, setup.threads,
-                                        setup.stop, unheard));
-  };
-  const auto is_stopped = [&] { return setup.stop.stop_requested(); };
-  const std::vector<std::string> results =
-      setup.crew->results(to_task(certifier.system(), setup.threads), items, here, is_stopped);
+  OneByOne here([&](const NumberedItem& item) {
+    handed_out.reach(item.number);
+    return certified(certifier, item.bytes, setup.threads, setup.stop);
+  });
+  const std::vector<std::string> results = setup.crew->results(
+      to_task(certifier.system(), setup.threads), items, here, [&] { return setup.stop.stop_requested(); });
   std::vector<Certificate> all;
   for (std::size_t i = 0; i < items.size(); ++i) {
     std::vector<Certificate> some;
@@ -164,18 +169,15 @@ std::vector<Certificate> certificates(const Certifier& certifier, std::size_t po
   return certificates_here(certifier, points, point_of, setup.threads, setup.stop, progress);
 }
 
-ItemWork begin_certificates(const std::string& task) {
-  if (!task.starts_with(certificates_task)) return {};
+std::unique_ptr<ItemWork> begin_certificates(const std::string& task) {
+  if (!task.starts_with(certificates_task)) return nullptr;
   MessageReader read(std::string_view(task).substr(certificates_task.size()));
   int threads = 1;
   read(threads);
   const auto certifier = std::make_shared<const Certifier>(read_system(read));
-  return [certifier, threads](const std::string& item) {
-    const std::vector<Point> points = read_points(item);
-    CertificateProgress unheard;
-    const auto point_of = [&](std::size_t i) { return points[i]; };
-    return to_message(certificates_here(*certifier, points.size(), point_of, threads, {}, unheard));
-  };
+  return std::make_unique<OneByOne>([certifier, threads](const NumberedItem& item) {
+    return certified(*certifier, item.bytes, threads, {});
+  });
 }
 
 }  // namespace gcs

@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ std::vector<Certificate> certificates(
     const Certifier& certifier, std::size_t points,
     const std::function<std::vector<std::complex<double>>(std::size_t)>& point_of, const ProofSetup& setup);
 
-/// The other side. Empty where the task is none of certificates; throws std::invalid_argument for bytes that are none.
-ItemWork begin_certificates(const std::string& task);
+/// The other side. Null where the task is none of certificates; throws std::invalid_argument for bytes that are none.
+std::unique_ptr<ItemWork> begin_certificates(const std::string& task);
 
 }  // namespace gcs

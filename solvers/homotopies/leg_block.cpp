@@ -37,6 +37,13 @@ void add(const Route& route, Digest& digest) {
 
 }  // namespace
 
+LegWork& LegWork::operator+=(const LegWork& other) {
+  accepted += other.accepted;
+  rejected += other.rejected;
+  evaluations += other.evaluations;
+  return *this;
+}
+
 void LegWork::add_to(WorkCounters& work) const {
   work.iterations += accepted;
   work.rejected_steps += rejected;

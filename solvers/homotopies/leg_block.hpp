@@ -21,6 +21,7 @@ struct LegWork {
   std::int64_t rejected = 0;
   std::int64_t evaluations = 0;  ///< of a system, each with its Jacobian, a factorisation and a correction
 
+  LegWork& operator+=(const LegWork& other);
   void add_to(WorkCounters& work) const;
 };
 

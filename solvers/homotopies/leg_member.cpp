@@ -10,7 +10,7 @@
 namespace gcs {
 namespace {
 
-class LegMember {
+class LegMember final : public ItemWork {
  public:
   explicit LegMember(const std::string& task) : task_(read_task(task)) {
     TrackingSetup setup{task_.options, is_available(task_.set) ? task_.set : widest_instruction_set(),
@@ -19,24 +19,22 @@ class LegMember {
     tracking_ = std::visit(
         [&](const auto& system) { return std::make_unique<LegTracking>(system, task_.elimination, setup); },
         task_.system);
+    items_ = std::make_unique<LegItems>(tracking_->stream());
   }
 
-  std::string result(const std::string& item) {
-    const SentLegs sent = read_legs(item);
-    const std::vector<Leg> legs = sent.legs();
-    return to_message(tracking_->follow_here(legs, [] { return false; }));
-  }
+  void add(NumberedItem item) override { items_->add(std::move(item)); }
+  std::size_t reserve() const override { return items_->reserve(); }
+  bool is_idle() const override { return items_->is_idle(); }
+  std::vector<NumberedItem> advance() override { return items_->advance(); }
 
  private:
   LegTask task_;
   std::unique_ptr<LegTracking> tracking_;
+  std::unique_ptr<LegItems> items_;
 };
 
 }  // namespace
 
-ItemWork begin_legs(const std::string& task) {
-  const auto member = std::make_shared<LegMember>(task);
-  return [member](const std::string& item) { return member->result(item); };
-}
+std::unique_ptr<ItemWork> begin_legs(const std::string& task) { return std::make_unique<LegMember>(task); }
 
 }  // namespace gcs

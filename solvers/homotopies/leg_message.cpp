@@ -64,8 +64,9 @@ LegTask read_task(std::string_view message) {
   return task;
 }
 
-std::string to_message(std::span<const Leg> legs, int unknowns) {
+std::string to_message(std::span<const Leg> legs, int unknowns, LegArithmetic arithmetic) {
   MessageWriter write;
+  write(arithmetic);
   std::vector<const Route*> routes;
   std::vector<int> route_of;
   for (const Leg& leg : legs) {
@@ -87,7 +88,7 @@ SentLegs read_legs(std::string_view message) {
   MessageReader read(message);
   SentLegs sent;
   std::size_t routes = 0;
-  read(routes);
+  visit_all(read, sent.arithmetic, routes);
   while (sent.routes.size() < routes) visit_route(read, sent.routes.emplace_back());
   read(sent.route_of);
   for (std::size_t i = 0; i < sent.route_of.size(); ++i)

@@ -21,13 +21,13 @@
 #include "solvers/construction/plan_use.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/natural.hpp"
-#include "solvers/running/crew.hpp"
 #include "solvers/running/errors.hpp"
 #include "solvers/running/journal.hpp"
 #include "solvers/running/work.hpp"
 
 namespace gcs {
 
+class Crew;           // solvers/running/crew.hpp
 class SceneAnalysis;  // solvers/counting/scene_analysis.hpp
 class StartStore;     // solvers/homotopies/start_store.hpp
 

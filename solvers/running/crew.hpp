@@ -1,26 +1,66 @@
 #pragma once
 /// Other processes that take over parts of a solve.
 
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gcs {
 
-/// What another process does of each item of one task; throws where it cannot.
-using ItemWork = std::function<std::string(const std::string& item)>;
+/// An item's or its result's bytes, with its number.
+struct NumberedItem {
+  std::uint64_t number = 0;
+  std::string bytes;
+};
+
+/// What one process does of the items of one task. Throws where it cannot; then all that it has is lost.
+class ItemWork {
+ public:
+  virtual ~ItemWork() = default;
+  virtual void add(NumberedItem item) = 0;
+  /// With how many items beside the first one it need not wait for more.
+  virtual std::size_t reserve() const = 0;
+  /// Nothing that was added is left to do.
+  virtual bool is_idle() const = 0;
+  /// Goes on for a while; the results that are there then.
+  virtual std::vector<NumberedItem> advance() = 0;
+};
+
+/// One item after the other.
+class OneByOne final : public ItemWork {
+ public:
+  using Function = std::function<std::string(const NumberedItem&)>;
+  explicit OneByOne(Function result_of) : result_of_(std::move(result_of)) {}
+
+  void add(NumberedItem item) override { items_.push_back(std::move(item)); }
+  std::size_t reserve() const override { return 1; }
+  bool is_idle() const override { return items_.empty(); }
+  std::vector<NumberedItem> advance() override {
+    const NumberedItem item = std::move(items_.front());
+    items_.pop_front();
+    return {{item.number, result_of_(item)}};
+  }
+
+ private:
+  Function result_of_;
+  std::deque<NumberedItem> items_;
+};
 
 class Crew {
  public:
   virtual ~Crew() = default;
   /// The processes that work, this one among them; at least 1.
   virtual int members() const = 0;
-  /// The results of all items in their order, whoever did which: they are handed out on demand, and `here(i)` is what this
+  /// The results of all items in their order, whoever did which: they are handed out on demand, and `here` does what this
   /// process does of them. `task` is what they have in common; it, items and results are bytes that travel between
-  /// machines of one kind. Empty where `stopped()` came first. Throws std::runtime_error where another process fails.
+  /// machines of one kind. Empty where `stopped()` came first; `here` may then have items left. Throws std::runtime_error
+  /// where another process fails.
   virtual std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                           const std::function<std::string(std::size_t)>& here,
-                                           const std::function<bool()>& stopped) = 0;
+                                           ItemWork& here, const std::function<bool()>& stopped) = 0;
 };
 
 }  // namespace gcs

@@ -3,10 +3,11 @@
 
 #include <stop_token>
 
-#include "solvers/running/crew.hpp"
 #include "solvers/running/work.hpp"
 
 namespace gcs {
+
+class Crew;
 
 /// What is proven is the same for any number of threads, and any crew, unless it is stopped.
 struct ProofSetup {

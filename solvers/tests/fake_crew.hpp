@@ -2,6 +2,7 @@
 /// Other processes within one: all that passes are messages.
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,16 +14,19 @@ namespace gcs {
 /// Does every other item by a member of its own, the last items first.
 class FakeCrew final : public Crew {
  public:
-  explicit FakeCrew(std::function<ItemWork(const std::string& task)> begin) : begin_(std::move(begin)) {}
+  using Begin = std::function<std::unique_ptr<ItemWork>(const std::string& task)>;
+  explicit FakeCrew(Begin begin) : begin_(std::move(begin)) {}
 
   int members() const override { return 3; }
   std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                   const std::function<std::string(std::size_t)>& here,
-                                   const std::function<bool()>& stopped) override {
-    const ItemWork member = begin_(task);
+                                   ItemWork& here, const std::function<bool()>& stopped) override {
+    const std::unique_ptr<ItemWork> member = begin_(task);
     std::vector<std::string> done(items.size());
     for (std::size_t i = items.size(); i-- > 0 && !stopped();)
-      done[i] = i % 2 == 0 ? here(i) : member(items[i]);
+      (i % 2 == 0 ? here : *member).add({i, items[i]});
+    for (ItemWork* work : {&here, member.get()})
+      while (!work->is_idle())
+        for (NumberedItem& result : work->advance()) done.at(result.number) = std::move(result.bytes);
     handed_out += items.size() / 2;
     return done;
   }
@@ -30,7 +34,7 @@ class FakeCrew final : public Crew {
   std::size_t handed_out = 0;
 
  private:
-  std::function<ItemWork(const std::string& task)> begin_;
+  Begin begin_;
 };
 
 }  // namespace gcs

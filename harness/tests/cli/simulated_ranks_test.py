@@ -31,17 +31,22 @@ class SimulatedRanks(command_line.WithFolder):
         self.assertEqual(simulate_ranks.rounds([1, 1, 1, 5], 2), 6)
         self.assertEqual(simulate_ranks.rounds([3] * 10, 1), 30)
 
-    def test_paths_go_out_once_and_equal_ranks_share_them(self):
-        steps = list(range(1, 1001))
-        self.assertEqual([one for batch in simulate_ranks.batches(steps, 3) for one in batch], steps)
+    def test_equal_ranks_share_paths(self):
         with mock.patch.multiple(simulate_ranks, LATENCY_S=0, HANDLING_S=0):
             machine = simulate_ranks.Machine(1, 0, 0, 1)
-            self.assertEqual(machine.solve_s([[10] * 64], 4), 640)  # too few to send
+            self.assertEqual(machine.solve_s([[10] * 16], 4), 160)  # too few to send
             for ranks in (2, 3, 4):
                 whole = machine.solve_s([[10] * 6400], ranks)
                 self.assertGreaterEqual(whole, 64000 / ranks)
-                self.assertLess(whole, 64000 / ranks + 640)  # but for a last batch
+                self.assertLess(whole, 64000 / ranks + 160)  # but for the last ones
             self.assertEqual(machine.solve_s([[10] * 6400], 1), 64000)
+
+    def test_a_lane_takes_paths_of_the_next_item_when_its_own_ends(self):
+        ends = [0.0, 0.0]
+        self.assertEqual(simulate_ranks.follow(ends, [5, 1], 0.0, 1), 5)
+        self.assertEqual(simulate_ranks.follow(ends, [2, 2], 0.0, 1), 5)
+        self.assertEqual(sorted(ends), [5, 5])
+        self.assertEqual(simulate_ranks.follow(ends, [1], 7.0, 1), 8)  # that comes later
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <complex>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <stop_token>
@@ -114,8 +115,7 @@ TEST_CASE("tasks and points that end early are refused, and other tasks left to 
    public:
     int members() const override { return 2; }
     std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                     const std::function<std::string(std::size_t)>&,
-                                     const std::function<bool()>&) override {
+                                     ItemWork&, const std::function<bool()>&) override {
       task_ = task;
       item_ = items.at(0);
       return std::vector<std::string>(items.size());
@@ -124,12 +124,17 @@ TEST_CASE("tasks and points that end early are refused, and other tasks left to 
   } listener;
   all_certificates(Certifier(circle_and_hyperbola()), points_about({{2.499, 0.1046}}, 100),
                    {.crew = &listener});
-  const ItemWork member = begin_certificates(listener.task_);
-  CHECK_FALSE(member(listener.item_).empty());
+  const std::unique_ptr<ItemWork> member = begin_certificates(listener.task_);
+  const auto result_of = [&](const std::string& item) {
+    member->add({7, item});
+    return member->advance().at(0);
+  };
+  CHECK(result_of(listener.item_).number == 7);
+  CHECK_FALSE(result_of(listener.item_).bytes.empty());
   for (const std::size_t part : {1, 3, 10, 100}) {
     CHECK_THROWS_AS(begin_certificates(listener.task_.substr(0, listener.task_.size() - part)),
                     std::invalid_argument);
-    CHECK_THROWS_AS(member(listener.item_.substr(0, listener.item_.size() - part)), std::invalid_argument);
+    CHECK_THROWS_AS(result_of(listener.item_.substr(0, listener.item_.size() - part)), std::invalid_argument);
   }
   CHECK_FALSE(begin_certificates("cells\n{}"));
 }

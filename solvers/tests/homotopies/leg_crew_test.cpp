@@ -1,14 +1,19 @@
-/// Legs that other processes follow: here by messages alone, within one.
+/// Legs that other processes follow, here by messages alone, within one; and the stream of lists in which they do.
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstddef>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solvers/homotopies/leg_member.hpp"
 #include "solvers/homotopies/leg_message.hpp"
+#include "solvers/homotopies/leg_stream.hpp"
 #include "solvers/homotopies/leg_tracking.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/scene.hpp"
@@ -107,7 +112,96 @@ void check_crew(const Task<System>& task, const Elimination& elimination) {
   }
 }
 
+LegStream stream_of(const Task<SquareSystem>& task, const Elimination& elimination, int threads) {
+  LaneTrackers trackers, wide_trackers;
+  for (int i = 0; i < threads; ++i) {
+    trackers.push_back(make_lane_tracker(widest_instruction_set(), task.system, elimination, {}));
+    wide_trackers.push_back(make_wide_tracker(widest_instruction_set(), task.system, elimination, {}));
+  }
+  return LegStream(task.system.unknowns, std::move(trackers), std::move(wide_trackers));
+}
+
+/// The i-th list of legs has i of them, every third is wide.
+std::vector<std::vector<Leg>> lists_of(const Task<SquareSystem>& task, std::size_t count) {
+  std::vector<std::vector<Leg>> lists;
+  const std::vector<Leg> legs = task.legs();
+  for (std::size_t i = 1, first = 0; i <= count; first += i++)
+    lists.emplace_back(legs.begin() + static_cast<std::ptrdiff_t>(first),
+                       legs.begin() + static_cast<std::ptrdiff_t>(first + i));
+  return lists;
+}
+
+LegArithmetic arithmetic_of(std::size_t list) {
+  return list % 3 == 2 ? LegArithmetic::wide : LegArithmetic::doubles;
+}
+
+void check_same(const FollowedLegs& a, const FollowedLegs& b) {
+  REQUIRE(a.results.size() == b.results.size());
+  for (std::size_t i = 0; i < a.results.size(); ++i) check_same(a.results[i], b.results[i]);
+  CHECK(a.work.accepted == b.work.accepted);
+  CHECK(a.work.rejected == b.work.rejected);
+  CHECK(a.work.evaluations == b.work.evaluations);
+}
+
 }  // namespace
+
+TEST_CASE("lists of one stream have the bits of each alone, on any number of threads") {
+  std::mt19937_64 random(34);
+  constexpr std::size_t count = 12;
+  const Task<SquareSystem> task = square_task(count * (count + 1) / 2, random);
+  const Elimination elimination = order_elimination(task.system, random);
+  const std::vector<std::vector<Leg>> lists = lists_of(task, count);
+  LegStream alone = stream_of(task, elimination, 1);
+  std::vector<FollowedLegs> expected;
+  for (std::size_t i = 0; i < count; ++i) {
+    alone.add(i, lists[i], arithmetic_of(i));
+    expected.push_back(alone.advance(1'000'000, is_stopped).at(0).legs);
+    for (const LegResult& result : expected.back().results) CHECK(result.state.end == LegEnd::arrived);
+  }
+  for (const int threads : {1, 3}) {
+    LegStream stream = stream_of(task, elimination, threads);
+    std::size_t added = 0, done = 0;
+    while (added < count || !stream.is_idle()) {
+      if (added < count) stream.add(added, lists[added], arithmetic_of(added));
+      added = std::min(added + 1, count);
+      for (const FollowedList& list : stream.advance(3, is_stopped)) {
+        check_same(list.legs, expected[list.number]);
+        ++done;
+      }
+    }
+    CHECK(done == count);
+  }
+}
+
+TEST_CASE("lists that are given up keep what is followed, and leave nothing behind") {
+  std::mt19937_64 random(35);
+  const Task<SquareSystem> task = square_task(64, random);
+  const Elimination elimination = order_elimination(task.system, random);
+  LegStream stream = stream_of(task, elimination, 1);
+  stream.add(0, task.legs(), LegArithmetic::doubles);
+  const FollowedLegs whole = stream.advance(1'000'000, is_stopped).at(0).legs;
+  stream.add(1, task.legs(), LegArithmetic::doubles);
+  int steps = 0;
+  const auto is_enough = [&] { return ++steps > 40; };
+  CHECK(stream.advance(1'000'000, is_enough).empty());
+  const FollowedLegs part = stream.give_up().at(0).legs;
+  CHECK(stream.is_idle());
+  REQUIRE(part.results.size() == whole.results.size());
+  int followed = 0;
+  for (std::size_t i = 0; i < part.results.size(); ++i) {
+    if (part.results[i].state.end == LegEnd::arrived) {
+      check_same(part.results[i], whole.results[i]);
+      ++followed;
+    } else {
+      CHECK(part.results[i].state.end == LegEnd::too_many);
+      CHECK(part.results[i].state.s == 0);
+    }
+  }
+  CHECK(followed > 0);
+  CHECK(followed < static_cast<int>(part.results.size()));
+  stream.add(2, task.legs(), LegArithmetic::doubles);
+  check_same(stream.advance(1'000'000, is_stopped).at(0).legs, whole);
+}
 
 TEST_CASE("legs that a crew follows have the same bits and count the same work") {
   std::mt19937_64 random(31);
@@ -144,12 +238,14 @@ TEST_CASE("messages that end early are refused") {
   const Elimination elimination = order_elimination(task.system, random);
   const std::string whole =
       to_message(LegTask{task.system, elimination, {}, InstructionSet::portable, 1, false});
-  const std::string legs = to_message(task.legs(), task.system.unknowns);
-  const ItemWork member = begin_legs(whole);
-  const std::string result = member(legs);
+  const std::string legs = to_message(task.legs(), task.system.unknowns, LegArithmetic::doubles);
+  const std::unique_ptr<ItemWork> member = begin_legs(whole);
+  std::string result;
+  for (member->add({0, legs}); !member->is_idle();)
+    for (const NumberedItem& done : member->advance()) result = done.bytes;
   for (const std::size_t part : {1, 3, 10}) {
     CHECK_THROWS_AS(begin_legs(whole.substr(0, whole.size() - part)), std::invalid_argument);
-    CHECK_THROWS_AS(member(legs.substr(0, legs.size() - part)), std::invalid_argument);
+    CHECK_THROWS_AS(member->add({0, legs.substr(0, legs.size() - part)}), std::invalid_argument);
     CHECK_THROWS_AS(read_followed(std::string_view(result).substr(0, result.size() - part)),
                     std::invalid_argument);
   }

@@ -177,34 +177,33 @@ class Endgame {
     advance(paths, 1, first_radius);
     approach(paths, first_radius, direct_step);
     for (ActivePath& path : paths) path.before = path.x;
-    std::move(paths.begin(), paths.end(), std::back_inserter(open_));
+    std::move(paths.begin(), paths.end(), std::back_inserter(paths_));
   }
 
   /// The others, all together: their legs are so short that few at once would leave threads and processes without any.
   std::vector<PathEnd> walk_around_ends(const std::function<void()>& progress) {
-    std::vector<ActivePath>& paths = open_;
-    for (double radius = first_radius; !paths.empty() && !stopped_(); radius *= radius_ratio) {
+    for (double radius = first_radius; !paths_.empty() && !stopped_(); radius *= radius_ratio) {
       if (radius < smallest_radius) {
-        approach(paths, radius, 0);
-        drop(paths, "the circles around its end did not agree");
+        approach(paths_, radius, 0);
+        drop(paths_, "the circles around its end did not agree");
         break;
       }
-      walk(paths, radius);
-      decide(paths, radius);
-      confirm_poles(paths, radius);
+      walk(paths_, radius);
+      decide(paths_, radius);
+      confirm_poles(paths_, radius);
       arrive_at_regular_ends();
       progress();
-      advance(paths, radius, radius * radius_ratio);
+      advance(paths_, radius, radius * radius_ratio);
     }
     progress();
     if (stopped_())
-      for (const ActivePath& path : paths)
+      for (const ActivePath& path : paths_)
         ends_[path.number] = {PathEnd::Kind::stopped, path.x, 1, 0, true, "stopped on the way"};
     return std::move(ends_);
   }
 
-  /// How many have not ended.
-  std::size_t open() const { return open_.size(); }
+  /// How many have ended.
+  std::size_t ended() const { return ends_.size() - paths_.size(); }
 
  private:
   std::vector<LegResult> follow(const std::vector<ActivePath*>& paths, Complex first, Complex last,
@@ -376,7 +375,7 @@ class Endgame {
   const std::function<bool()>& stopped_;
   WorkCounters& work_;
   std::vector<PathEnd> ends_;
-  std::vector<ActivePath> open_;
+  std::vector<ActivePath> paths_;  // that have not ended
 };
 
 }  // namespace
@@ -387,15 +386,13 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work) {
   Endgame endgame(tracking, from, to, is_zero, stopped, work);
-  std::size_t begun = 0;
   const auto report = [&] {
-    progress(static_cast<double>(begun - endgame.open()) / static_cast<double>(starts.size()));
+    progress(static_cast<double>(endgame.ended()) / static_cast<double>(starts.size()));
   };
   progress(0);
-  while (begun < starts.size()) {
-    const std::size_t count = std::min(batch, starts.size() - begun);
-    endgame.approach_ends(std::span(starts).subspan(begun, count));
-    begun += count;
+  if (starts.empty()) return {};
+  for (std::size_t first = 0; first < starts.size(); first += batch) {
+    endgame.approach_ends(std::span(starts).subspan(first, std::min(batch, starts.size() - first)));
     report();
   }
   return endgame.walk_around_ends(report);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -88,53 +89,38 @@ RankCrew::~RankCrew() {
   for (int rank = 1; rank < passing_.size; ++rank) send(passing_, rank, leave_tag, "");
 }
 
-/// What is under way of one list of items.
-class RankCrew::Hand {
+class RankCrew::SharedWork final : public ItemWork {
  public:
-  Hand(RankCrew& crew, const std::string& task, const std::vector<std::string>& items, ItemWork& here)
-      : crew_(crew),
-        task_(task),
-        items_(items),
-        here_(here),
-        results_(items.size()),
-        queued_(static_cast<std::size_t>(crew.members()), 0) {}
-
-  bool is_over() const { return is_all_done() || !failure_.empty(); }
-
-  void hand_out() {
-    while (const auto rank = next_receiver(queued_, items_.size() - next_, here_.reserve())) give(*rank);
-  }
-
-  /// Goes on with what this rank has, or waits for what others have.
-  void go_on() {
-    if (here_.is_idle()) return wait();
-    for (NumberedItem& result : here_.advance()) take(0, std::move(result));
-  }
-
-  void take_what_has_come() {
-    while (const auto message = next_message(crew_.passing_)) take(*message);
-  }
-
-  /// Nothing is left behind that the next call would take for its own.
-  void take_rest() {
+  SharedWork(RankCrew& crew, const std::string& task, ItemWork& here)
+      : crew_(crew), task_(task), here_(here), queued_(static_cast<std::size_t>(crew.members()), 0) {}
+  /// Nothing is left behind that the next one would take for its own.
+  ~SharedWork() override {
     while (under_way_ > 0) take(wait_for_message(crew_.passing_));
   }
+  SharedWork(const SharedWork&) = delete;
+  SharedWork& operator=(const SharedWork&) = delete;
 
-  std::vector<std::string> results() && {
+  void add(NumberedItem item) override { waiting_.emplace(item.number, std::move(item.bytes)); }
+  std::size_t reserve() const override { return here_.reserve(); }
+  bool is_idle() const override { return waiting_.empty() && under_way_ == 0 && queued_.front() == 0; }
+
+  std::vector<NumberedItem> advance() override {
+    while (const auto message = next_message(crew_.passing_)) take(*message);
+    const bool is_alone = waiting_.size() == 1 && under_way_ == 0 && here_.is_idle();
+    if (is_alone) give(0);  // nobody is to wait for messages
+    while (const auto rank = next_receiver(queued_, waiting_.size(), reserve())) give(*rank);
+    go_on();
     if (!failure_.empty()) throw std::runtime_error(failure_);
-    return std::move(results_);
+    return std::exchange(results_, {});
   }
 
  private:
-  bool is_all_done() const { return next_ == items_.size() && under_way_ == 0 && queued_.front() == 0; }
-
   void give(int rank) {
-    NumberedItem item{next_, items_[next_]};
+    auto item = waiting_.extract(waiting_.begin());
     if (rank == 0)
-      here_.add(std::move(item));
+      here_.add({item.key(), std::move(item.mapped())});
     else
-      send_item(rank, item);
-    ++next_;
+      send_item(rank, {item.key(), std::move(item.mapped())});
     ++queued_[static_cast<std::size_t>(rank)];
   }
 
@@ -145,8 +131,12 @@ class RankCrew::Hand {
     ++under_way_;
   }
 
-  void wait() {
-    if (under_way_ > 0) take(wait_for_message(crew_.passing_));
+  /// With what this rank has; else it waits for what others have.
+  void go_on() {
+    if (!here_.is_idle())
+      for (NumberedItem& result : here_.advance()) take(0, std::move(result));
+    else if (under_way_ > 0)
+      take(wait_for_message(crew_.passing_));
   }
 
   void take(const Message& message) {
@@ -159,36 +149,22 @@ class RankCrew::Hand {
   }
 
   void take(int rank, NumberedItem result) {
-    results_.at(result.number) = std::move(result.bytes);
+    results_.push_back(std::move(result));
     --queued_[static_cast<std::size_t>(rank)];
   }
 
   RankCrew& crew_;
-  const std::string& task_;
-  const std::vector<std::string>& items_;
+  const std::string task_;
   ItemWork& here_;
-  std::vector<std::string> results_;
+  std::map<std::uint64_t, std::string> waiting_;  // items that nobody has
+  std::vector<NumberedItem> results_;
   std::vector<int> queued_;    // of each rank
-  std::size_t next_ = 0;       // item that nobody has
   std::size_t under_way_ = 0;  // with others
   std::string failure_;
 };
 
-std::vector<std::string> RankCrew::results(const std::string& task, const std::vector<std::string>& items,
-                                           ItemWork& here, const std::function<bool()>& stopped) {
-  Hand hand(*this, task, items, here);
-  try {
-    while (!hand.is_over() && !stopped()) {
-      hand.take_what_has_come();
-      hand.hand_out();
-      hand.go_on();
-    }
-  } catch (...) {
-    hand.take_rest();
-    throw;
-  }
-  hand.take_rest();
-  return std::move(hand).results();
+std::unique_ptr<ItemWork> RankCrew::share(const std::string& task, ItemWork& here) {
+  return std::make_unique<SharedWork>(*this, task, here);
 }
 
 namespace {

@@ -33,11 +33,10 @@ class RankCrew final : public Crew {
   const std::string& misfit() const { return misfit_; }
 
   int members() const override { return passing_.size; }
-  std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                   ItemWork& here, const std::function<bool()>& stopped) override;
+  std::unique_ptr<ItemWork> share(const std::string& task, ItemWork& here) override;
 
  private:
-  class Hand;  ///< one call of results
+  class SharedWork;
 
   const MessagePassing& passing_;
   std::string misfit_;

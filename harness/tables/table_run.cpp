@@ -281,7 +281,7 @@ void assess_with(Crew& crew, const TableRequest& request, CellAssessor& here, Ru
     for (std::size_t i = first; i < std::min(first + most, record.instances.size()); ++i)
       items.push_back(item_of(record.instances[i], known));
     OneByOne own([&](const NumberedItem& item) { return here.result(item.bytes); });
-    const auto results = crew.results(task, items, own, [] { return interrupted(); });
+    const auto results = crew.results(task, std::move(items), own, [] { return interrupted(); });
     for (const std::string& result : results)
       if (!result.empty()) take_part(parse_run_file(result, "cells"), record, known);
     store(known);

@@ -16,10 +16,9 @@ class LegMember final : public ItemWork {
     TrackingSetup setup{task_.options, is_available(task_.set) ? task_.set : widest_instruction_set(),
                         task_.threads};
     setup.all_wide = task_.all_wide;
-    tracking_ = std::visit(
-        [&](const auto& system) { return std::make_unique<LegTracking>(system, task_.elimination, setup); },
-        task_.system);
-    items_ = std::make_unique<LegItems>(tracking_->stream());
+    stream_ = std::visit(
+        [&](const auto& system) { return make_leg_stream(system, task_.elimination, setup); }, task_.system);
+    items_ = std::make_unique<LegItems>(*stream_);
   }
 
   void add(NumberedItem item) override { items_->add(std::move(item)); }
@@ -29,7 +28,7 @@ class LegMember final : public ItemWork {
 
  private:
   LegTask task_;
-  std::unique_ptr<LegTracking> tracking_;
+  std::unique_ptr<LegStream> stream_;
   std::unique_ptr<LegItems> items_;
 };
 

@@ -1,5 +1,7 @@
 #include "solvers/homotopies/leg_message.hpp"
 
+#include <utility>
+
 #include "solvers/running/message_bytes.hpp"
 
 namespace gcs {
@@ -28,6 +30,18 @@ void visit_route(auto& visit, SomeRoute& route) {
 }
 
 }  // namespace
+
+SentLegs::SentLegs(std::span<const Leg> legs, int unknowns, LegArithmetic legs_arithmetic)
+    : arithmetic(legs_arithmetic) {
+  const Route* last = nullptr;
+  for (const Leg& leg : legs) {
+    // One route serves many legs in a row.
+    if (leg.route != std::exchange(last, leg.route)) routes.push_back(*leg.route);
+    route_of.push_back(static_cast<int>(routes.size()) - 1);
+    starts.emplace_back(leg.start, leg.start + unknowns);
+    shortest_steps.push_back(leg.shortest_step);
+  }
+}
 
 std::vector<Leg> SentLegs::legs() const {
   std::vector<Leg> result;
@@ -65,22 +79,14 @@ LegTask read_task(std::string_view message) {
 }
 
 std::string to_message(std::span<const Leg> legs, int unknowns, LegArithmetic arithmetic) {
+  const SentLegs sent(legs, unknowns, arithmetic);
   MessageWriter write;
-  write(arithmetic);
-  std::vector<const Route*> routes;
-  std::vector<int> route_of;
-  for (const Leg& leg : legs) {
-    // One route serves many legs in a row.
-    if (routes.empty() || routes.back() != leg.route) routes.push_back(leg.route);
-    route_of.push_back(static_cast<int>(routes.size()) - 1);
-  }
-  write(routes.size());
-  for (const Route* route : routes) visit_route(write, *route);
-  write(route_of);
-  for (const Leg& leg : legs) {
-    write(ComplexVectorX(leg.start, leg.start + unknowns));
-    write(leg.shortest_step);
-  }
+  write(sent.arithmetic);
+  write(sent.routes.size());
+  for (const Route& route : sent.routes) visit_route(write, route);
+  write(sent.route_of);
+  for (std::size_t i = 0; i < sent.starts.size(); ++i)
+    visit_all(write, sent.starts[i], sent.shortest_steps[i]);
   return std::move(write.message);
 }
 

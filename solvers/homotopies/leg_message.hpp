@@ -30,12 +30,16 @@ enum class LegArithmetic {
 
 /// Legs with what they refer to.
 struct SentLegs {
+  SentLegs() = default;
+  SentLegs(std::span<const Leg> legs, int unknowns, LegArithmetic arithmetic);
+
   LegArithmetic arithmetic = LegArithmetic::doubles;
   std::vector<Route> routes;
   std::vector<ComplexVectorX> starts;
   std::vector<int> route_of;
   std::vector<double> shortest_steps;
 
+  /// They refer to these.
   std::vector<Leg> legs() const;
 };
 

@@ -1,15 +1,16 @@
 #include "solvers/homotopies/leg_stream.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
-
-#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
 
-/// Of every tracker between two looks at what has come: shorter than a few legs take, and far longer than a look.
-constexpr std::int64_t steps_between_messages = 32;
+/// Between two looks at what has come: shorter than a few legs take, and far longer than a look.
+constexpr int steps_between_messages = 32;
+/// Where there is nothing to follow: as long.
+constexpr std::chrono::milliseconds longest_wait(1);
 
 LegWork work_of(const std::vector<LegResult>& results) {
   LegWork work;
@@ -26,11 +27,8 @@ LegWork work_of(const std::vector<LegResult>& results) {
 LegStream::Lanes::Lanes(std::unique_ptr<LaneTracker> made)
     : tracker(std::move(made)), places(static_cast<std::size_t>(tracker->lanes())) {}
 
-bool LegStream::Lanes::are_busy() const {
-  return std::any_of(places.begin(), places.end(), [](const Place& place) { return place.list != nullptr; });
-}
-
-LegStream::LegStream(int unknowns, LaneTrackers trackers, LaneTrackers wide_trackers) : unknowns_(unknowns) {
+LegStream::LegStream(int unknowns, LaneTrackers trackers, LaneTrackers wide_trackers)
+    : unknowns_(unknowns), others_(static_cast<int>(trackers.size()) - 1) {
   for (std::size_t i = 0; i < trackers.size(); ++i)
     feeders_.push_back({Lanes(std::move(trackers[i])), Lanes(std::move(wide_trackers[i]))});
 }
@@ -41,60 +39,96 @@ std::atomic<std::size_t>& LegStream::waiting(LegArithmetic arithmetic) {
 
 void LegStream::add(std::uint64_t number, std::vector<Leg> legs, LegArithmetic arithmetic) {
   const std::size_t count = legs.size();
+  const std::scoped_lock lock(mutex_);
   lists_.push_back(std::make_unique<List>(
       List{number, arithmetic, std::move(legs), std::vector<LegResult>(count), 0, count}));
   waiting(arithmetic) += count;
+  if (count == 0) ++done_;
+  call_others();
 }
 
-std::vector<FollowedList> LegStream::advance(std::int64_t most_steps, const std::function<bool()>& stopped) {
-  const std::vector<Feeder*> feeders = needed_feeders();
-  run_on_threads(static_cast<int>(feeders.size()),
-                 [&](int i) { feed(*feeders[static_cast<std::size_t>(i)], most_steps, stopped); });
+/// No more than have legs for their lanes. Precondition: locked.
+void LegStream::call_others() {
+  std::size_t doubles = 0, wide = 0;  // legs that no feeder before has
+  for (const std::unique_ptr<List>& list : lists_)
+    (list->arithmetic == LegArithmetic::wide ? wide : doubles) += list->open;
+  const auto take = [](std::size_t& legs, const Lanes& lanes) {
+    legs -= std::min(legs, lanes.places.size());
+  };
+  for (std::size_t i = 0; i < feeders_.size() && doubles + wide > 0; ++i) {
+    Feeder& feeder = feeders_[i];
+    take(doubles, feeder.doubles);
+    take(wide, feeder.wide);
+    if (i > 0 && !std::exchange(feeder.is_at_work, true))
+      others_.run(static_cast<int>(i) - 1, [this, &feeder] { work(feeder); });
+  }
+}
+
+void LegStream::work(Feeder& feeder) {
+  try {
+    while (!gives_up_) {
+      if (step(feeder)) continue;
+      const std::scoped_lock lock(mutex_);
+      if (waiting_ + waiting_wide_ > 0) continue;
+      feeder.is_at_work = false;
+      return;
+    }
+  } catch (...) {
+    const std::scoped_lock lock(mutex_);
+    failure_ = std::current_exception();
+    list_done_.notify_one();
+  }
+}
+
+std::vector<FollowedList> LegStream::advance() {
+  bool has_legs = true;
+  for (int i = 0; i < steps_between_messages && has_legs && done_ == 0; ++i)
+    has_legs = step(feeders_.front());
+  std::unique_lock lock(mutex_);
+  if (!has_legs && !lists_.empty())
+    list_done_.wait_for(lock, longest_wait, [&] { return done_ > 0 || failure_ != nullptr; });
+  if (failure_ != nullptr) std::rethrow_exception(failure_);
+  return done_lists();
+}
+
+/// Precondition: locked.
+std::vector<FollowedList> LegStream::done_lists() {
   std::vector<FollowedList> done;
+  if (done_ == 0) return done;
   for (const std::unique_ptr<List>& list : lists_)
     if (list->open == 0) done.push_back({list->number, {std::move(list->results), {}}});
   for (FollowedList& list : done) list.legs.work = work_of(list.legs.results);
   std::erase_if(lists_, [](const std::unique_ptr<List>& list) { return list->open == 0; });
+  done_ = 0;
   return done;
 }
 
 std::vector<FollowedList> LegStream::give_up() {
+  gives_up_ = true;
+  others_.wait();
+  gives_up_ = false;
   std::vector<FollowedList> rest;
   for (const std::unique_ptr<List>& list : lists_) {
     const LegWork work = work_of(list->results);
     rest.push_back({list->number, {std::move(list->results), work}});
   }
   lists_.clear();
-  for (Feeder& feeder : feeders_)
+  for (Feeder& feeder : feeders_) {
+    feeder.is_at_work = false;
     for (Lanes* lanes : {&feeder.doubles, &feeder.wide}) std::ranges::fill(lanes->places, Place{});
-  waiting_ = waiting_wide_ = 0;
+  }
+  waiting_ = waiting_wide_ = done_ = 0;
+  failure_ = nullptr;
   return rest;
 }
 
-/// Those with legs in their lanes, and no more than fill theirs with those that wait.
-std::vector<LegStream::Feeder*> LegStream::needed_feeders() {
-  std::vector<Feeder*> needed;
-  std::size_t doubles = waiting_, wide = waiting_wide_;
-  const auto take = [](std::size_t& legs, const Lanes& lanes) {
-    legs -= std::min(legs, lanes.places.size());
-  };
-  for (Feeder& feeder : feeders_) {
-    if (doubles + wide == 0 && !feeder.doubles.are_busy() && !feeder.wide.are_busy()) continue;
-    needed.push_back(&feeder);
-    take(doubles, feeder.doubles);
-    take(wide, feeder.wide);
-  }
-  return needed;
-}
-
-void LegStream::feed(Feeder& feeder, std::int64_t most_steps, const std::function<bool()>& stopped) {
-  for (std::int64_t steps = 0; steps < most_steps; ++steps) {
-    const bool has_doubles = refill(feeder.doubles, LegArithmetic::doubles);
-    const bool has_wide = refill(feeder.wide, LegArithmetic::wide);
-    if ((!has_doubles && !has_wide) || stopped()) return;
-    if (has_doubles) step(feeder.doubles);
-    if (has_wide) step(feeder.wide);
-  }
+/// Of its lanes with legs; false where none has one.
+bool LegStream::step(Feeder& feeder) {
+  const bool has_doubles = refill(feeder.doubles, LegArithmetic::doubles);
+  const bool has_wide = refill(feeder.wide, LegArithmetic::wide);
+  if (has_doubles) step(feeder.doubles);
+  if (has_wide) step(feeder.wide);
+  return has_doubles || has_wide;
 }
 
 /// False where all lanes are empty.
@@ -136,7 +170,10 @@ void LegStream::take_result(Lanes& lanes, int lane) {
   result.x.resize(static_cast<std::size_t>(unknowns_));
   lanes.tracker->read(lane, result.x.data());
   const std::scoped_lock lock(mutex_);
-  --place.list->open;
+  if (--place.list->open == 0) {
+    ++done_;
+    list_done_.notify_one();
+  }
   place = {};
 }
 
@@ -147,7 +184,7 @@ void LegItems::add(NumberedItem item) {
 
 std::vector<NumberedItem> LegItems::advance() {
   std::vector<NumberedItem> results;
-  for (const FollowedList& list : stream_.advance(steps_between_messages, [] { return false; })) {
+  for (const FollowedList& list : stream_.advance()) {
     sent_.erase(list.number);
     results.push_back({list.number, to_message(list.legs)});
   }

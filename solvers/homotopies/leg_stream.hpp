@@ -3,9 +3,10 @@
 /// take the first ones of the next.
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <deque>
-#include <functional>
+#include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,6 +15,7 @@
 #include "solvers/homotopies/leg_block.hpp"
 #include "solvers/homotopies/leg_message.hpp"
 #include "solvers/running/crew.hpp"
+#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 
@@ -25,16 +27,21 @@ struct FollowedList {
   FollowedLegs legs;
 };
 
+/// The caller's thread follows legs in advance() alone, the others whenever there are any.
 class LegStream {
  public:
-  /// As many of the one kind as of the other.
+  /// As many of the one kind as of the other, one of each for the caller's thread.
   LegStream(int unknowns, LaneTrackers trackers, LaneTrackers wide_trackers);
+  ~LegStream() { give_up(); }
+  LegStream(const LegStream&) = delete;
+  LegStream& operator=(const LegStream&) = delete;
 
   /// What `legs` refer to stays until they are followed or given up.
   void add(std::uint64_t number, std::vector<Leg> legs, LegArithmetic arithmetic);
   bool is_idle() const { return lists_.empty(); }
-  /// So many steps of every tracker at most; the lists that are done then. `stopped` is called from any of the threads.
-  std::vector<FollowedList> advance(std::int64_t most_steps, const std::function<bool()>& stopped);
+  /// A few steps of the caller's trackers, or a short wait for the others where these have no legs; the lists that are done
+  /// then.
+  std::vector<FollowedList> advance();
   /// The lists that are not done, as far as they are: legs that were not followed end as LegEnd::too_many at s = 0.
   std::vector<FollowedList> give_up();
 
@@ -57,26 +64,33 @@ class LegStream {
     std::vector<Place> places;
 
     explicit Lanes(std::unique_ptr<LaneTracker> made);
-    bool are_busy() const;
   };
   /// What one thread has.
   struct Feeder {
     Lanes doubles, wide;
+    bool is_at_work = false;  ///< in the background
   };
 
-  std::vector<Feeder*> needed_feeders();
-  void feed(Feeder& feeder, std::int64_t most_steps, const std::function<bool()>& stopped);
+  void call_others();
+  void work(Feeder& feeder);
+  bool step(Feeder& feeder);
   bool refill(Lanes& lanes, LegArithmetic arithmetic);
   Place next_leg(LegArithmetic arithmetic);
   void step(Lanes& lanes);
   void take_result(Lanes& lanes, int lane);
   std::atomic<std::size_t>& waiting(LegArithmetic arithmetic);
+  std::vector<FollowedList> done_lists();
 
   int unknowns_;
   std::vector<Feeder> feeders_;
-  std::deque<std::unique_ptr<List>> lists_;
   std::atomic<std::size_t> waiting_ = 0, waiting_wide_ = 0;  // legs that are in no lane
-  std::mutex mutex_;                                         // of what lists say of their legs
+  std::atomic<std::size_t> done_ = 0;                        // lists
+  std::atomic<bool> gives_up_ = false;
+  std::mutex mutex_;  // of the lists and what they say of their legs, and of who is at work
+  std::condition_variable list_done_;
+  std::deque<std::unique_ptr<List>> lists_;
+  std::exception_ptr failure_;
+  Background others_;
 };
 
 /// A stream's lists as items, whose bytes are those of leg_message.hpp.

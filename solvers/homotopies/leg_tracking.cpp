@@ -1,9 +1,9 @@
 #include "solvers/homotopies/leg_tracking.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace gcs {
@@ -22,13 +22,6 @@ bool is_unsettled(const LegResult& result) {
   return result.state.end == LegEnd::arrived && result.state.last_correction > settled;
 }
 
-std::vector<std::size_t> places_of(const std::vector<LegResult>& results, bool (*wanted)(const LegResult&)) {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (wanted(results[i])) places.push_back(i);
-  return places;
-}
-
 /// The parameters stay where the route ends.
 Route standing(const Route& route) {
   const ComplexVectorX zero(route.end.size());
@@ -37,7 +30,7 @@ Route standing(const Route& route) {
 
 }  // namespace
 
-TrackingOptions LegTracking::wide(TrackingOptions options) {
+TrackingOptions wide(TrackingOptions options) {
   // Of twice the digits a prediction a hundred times as good needs few. A higher order would cost more than
   // the few steps that it saves.
   options.tolerance *= 1e-2;
@@ -45,109 +38,169 @@ TrackingOptions LegTracking::wide(TrackingOptions options) {
   return options;
 }
 
-std::vector<LegResult> LegTracking::follow(std::span<const Leg> legs, const std::function<bool()>& stopped,
+void LegTracking::add(std::span<const Leg> legs) {
+  blocks_.push_back(std::make_unique<Block>());
+  Block& block = *blocks_.back();
+  block.last_piece = ++last_block_ << 32U;
+  block.sent = SentLegs(legs, unknowns_, LegArithmetic::doubles);
+  block.legs = block.sent.legs();
+  block.followed.results.resize(legs.size());
+}
+
+std::vector<LegResult> LegTracking::take(const Stopped& stopped, WorkCounters& work) {
+  Block& block = *blocks_.front();
+  // Once stopped, what is asked for next is no longer what an undisturbed run asks for.
+  if (journal_ != nullptr && !stopped())
+    recall_or_follow(block, stopped);
+  else
+    follow(block, stopped);
+  const std::unique_ptr<Block> taken = std::move(blocks_.front());
+  blocks_.pop_front();
+  if (pieces_.empty()) rest();
+  taken->followed.work.add_to(work);
+  return std::move(taken->followed.results);
+}
+
+void LegTracking::give_up() {
+  leave();
+  blocks_.clear();
+}
+
+std::vector<LegResult> LegTracking::follow(std::span<const Leg> legs, const Stopped& stopped,
                                            WorkCounters& work) {
+  constexpr std::size_t blocks_at_once = 2;
   std::vector<LegResult> results;
-  for (std::size_t first = 0; first < legs.size(); first += legs_per_block) {
-    const std::span<const Leg> some = legs.subspan(first, std::min(legs_per_block, legs.size() - first));
-    // Once stopped, what is asked for next is no longer what an undisturbed run asks for.
-    const bool use_journal = journal_ && !stopped();
-    FollowedLegs followed = use_journal ? recall_or_follow(some, stopped) : follow_now(some, stopped);
-    followed.work.add_to(work);
-    std::move(followed.results.begin(), followed.results.end(), std::back_inserter(results));
+  std::size_t added = 0;
+  while (added < legs.size() || !blocks_.empty()) {
+    while (added < legs.size() && blocks_.size() < blocks_at_once) {
+      add(legs.subspan(added, std::min(legs_per_block, legs.size() - added)));
+      added += blocks_.back()->legs.size();
+    }
+    std::ranges::move(take(stopped, work), std::back_inserter(results));
   }
   return results;
 }
 
-FollowedLegs LegTracking::recall_or_follow(std::span<const Leg> legs, const Stopped& stopped) {
-  FollowedLegs followed;
+void LegTracking::recall_or_follow(Block& block, const Stopped& stopped) {
   const auto follow_all = [&]() -> std::optional<Journal::Block> {
-    followed = follow_now(legs, stopped);
+    follow(block, stopped);
     if (stopped()) return std::nullopt;
-    return to_block(followed);
+    return to_block(block.followed);
   };
-  const auto block = journal_->result(fingerprint(legs, unknowns_), follow_all);
-  if (block) followed = from_block(*block);
-  if (followed.results.size() != legs.size())
+  const auto known = journal_->result(fingerprint(block.legs, unknowns_), follow_all);
+  if (known) block.followed = from_block(*known);
+  if (block.followed.results.size() != block.legs.size())
     throw std::invalid_argument("a journal's block has not as many paths as were to be followed");
-  return followed;
 }
 
-FollowedLegs LegTracking::follow_now(std::span<const Leg> legs, const Stopped& stopped) {
-  FollowedLegs followed = follow_in(LegArithmetic::doubles, legs, stopped);
-  follow_lost_again(legs, stopped, followed);
-  settle_ends(legs, stopped, followed);
-  return followed;
+/// The first one, and others in lanes that it leaves empty.
+void LegTracking::follow(Block& block, const Stopped& stopped) {
+  for (const std::unique_ptr<Block>& one : blocks_)
+    if (one->phase == Block::Phase::added && !stopped()) begin_next_phase(*one);
+  while (block.phase != Block::Phase::done && !stopped()) {
+    for (FollowedList& list : advance()) {
+      Block& its_block = sort_in(std::move(list));
+      if (its_block.open == 0) begin_next_phase(its_block);
+    }
+  }
+  if (block.phase != Block::Phase::done) leave();
 }
 
-void LegTracking::follow_lost_again(std::span<const Leg> legs, const Stopped& stopped,
-                                    FollowedLegs& followed) {
-  const std::vector<std::size_t> places = places_of(followed.results, is_lost);
-  std::vector<Leg> lost;
-  for (const std::size_t place : places) lost.push_back(legs[place]);
-  FollowedLegs again = follow_in(LegArithmetic::wide, lost, stopped);
-  followed.work += again.work;
-  for (std::size_t i = 0; i < places.size(); ++i) followed.results[places[i]] = std::move(again.results[i]);
-}
-
-void LegTracking::settle_ends(std::span<const Leg> legs, const Stopped& stopped, FollowedLegs& followed) {
-  std::vector<LegResult>& results = followed.results;
-  const std::vector<std::size_t> places = places_of(results, is_unsettled);
-  std::vector<Route> routes;
-  for (const std::size_t place : places) routes.push_back(standing(*legs[place].route));
-  std::vector<Leg> unsettled;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    unsettled.push_back({results[places[i]].x.data(), &routes[i]});
-  FollowedLegs settled = follow_in(LegArithmetic::wide, unsettled, stopped);
-  followed.work += settled.work;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    LegState& state = settled.results[i].state;
-    state.steps += results[places[i]].state.steps;
-    state.rejected += results[places[i]].state.rejected;
-    results[places[i]] = std::move(settled.results[i]);
+/// That has legs.
+void LegTracking::begin_next_phase(Block& block) {
+  using Phase = Block::Phase;
+  while (block.open == 0 && block.phase != Phase::done) {
+    block.phase = static_cast<Phase>(static_cast<int>(block.phase) + 1);
+    if (block.phase != Phase::done)
+      hand_in(block, legs_of_phase(block),
+              block.phase == Phase::doubles ? LegArithmetic::doubles : LegArithmetic::wide);
   }
 }
 
-FollowedLegs LegTracking::follow_in(LegArithmetic arithmetic, std::span<const Leg> legs,
-                                    const Stopped& stopped) {
-  return crew_ != nullptr && legs.size() > legs_of_item(arithmetic)
-             ? follow_with_crew(arithmetic, legs, stopped)
-             : follow_here(arithmetic, legs, stopped);
-}
-
-FollowedLegs LegTracking::follow_here(LegArithmetic arithmetic, std::span<const Leg> legs,
-                                      const Stopped& stopped) {
-  if (legs.empty()) return {};
-  stream_->add(0, {legs.begin(), legs.end()}, arithmetic);
-  std::vector<FollowedList> done = stream_->advance(std::numeric_limits<std::int64_t>::max(), stopped);
-  if (done.empty()) done = stream_->give_up();
-  return std::move(done.front().legs);
-}
-
-FollowedLegs LegTracking::follow_with_crew(LegArithmetic arithmetic, std::span<const Leg> legs,
-                                           const Stopped& stopped) {
-  const std::size_t most = legs_of_item(arithmetic);
-  const auto legs_of = [&](std::size_t item) {
-    return legs.subspan(item * most, std::min(most, legs.size() - item * most));
+std::vector<Leg> LegTracking::legs_of_phase(Block& block) {
+  const std::vector<LegResult>& results = block.followed.results;
+  const auto is_wanted = [&](const LegResult& result) {
+    return block.phase == Block::Phase::doubles ||
+           (block.phase == Block::Phase::lost ? is_lost(result) : is_unsettled(result));
   };
-  std::vector<std::string> items;
-  for (std::size_t i = 0; i * most < legs.size(); ++i)
-    items.push_back(to_message(legs_of(i), unknowns_, arithmetic));
-  LegItems here(*stream_);
-  const std::vector<std::string> results = crew_->results(task_, items, here, stopped);
-  FollowedLegs followed;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    FollowedLegs some;
-    if (!results[i].empty()) some = read_followed(results[i]);
-    some.results.resize(legs_of(i).size());
-    followed.work += some.work;
-    std::move(some.results.begin(), some.results.end(), std::back_inserter(followed.results));
+  block.places.clear();
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (is_wanted(results[i])) block.places.push_back(i);
+  const bool are_ends = block.phase == Block::Phase::ends;
+  block.standing.reserve(are_ends ? block.places.size() : 0);
+  std::vector<Leg> legs;
+  for (const std::size_t place : block.places) {
+    const Leg& leg = block.legs[place];
+    if (are_ends) block.standing.push_back(standing(*leg.route));
+    legs.push_back(are_ends ? Leg{results[place].x.data(), &block.standing.back()} : leg);
   }
-  return followed;
+  return legs;
+}
+
+void LegTracking::hand_in(Block& block, const std::vector<Leg>& legs, LegArithmetic arithmetic) {
+  if (crew_ != nullptr && shared_ == nullptr) {
+    items_ = std::make_unique<LegItems>(*stream_);
+    shared_ = crew_->share(task_, *items_);
+  }
+  block.open = legs.size();
+  const std::size_t most = legs_of_piece(arithmetic);
+  for (std::size_t first = 0; first < legs.size(); first += most) {
+    const std::span<const Leg> some = std::span(legs).subspan(first, std::min(most, legs.size() - first));
+    const std::uint64_t number = ++block.last_piece;
+    pieces_[number] = {&block, first};
+    if (shared_ != nullptr)
+      shared_->add({number, to_message(some, unknowns_, arithmetic)});
+    else
+      stream_->add(number, {some.begin(), some.end()}, arithmetic);
+  }
+}
+
+std::vector<FollowedList> LegTracking::advance() {
+  if (shared_ == nullptr) return stream_->advance();
+  std::vector<FollowedList> lists;
+  for (const NumberedItem& result : shared_->advance())
+    lists.push_back({result.number, read_followed(result.bytes)});
+  return lists;
+}
+
+/// Into its block.
+LegTracking::Block& LegTracking::sort_in(FollowedList list) {
+  const auto piece = pieces_.extract(list.number).mapped();
+  Block& block = *piece.block;
+  block.followed.work += list.legs.work;
+  block.open -= list.legs.results.size();
+  for (std::size_t i = 0; i < list.legs.results.size(); ++i) {
+    LegResult &result = block.followed.results[block.places[piece.first + i]], &now = list.legs.results[i];
+    if (block.phase == Block::Phase::ends) {
+      now.state.steps += result.state.steps;
+      now.state.rejected += result.state.rejected;
+    }
+    result = std::move(now);
+  }
+  return block;
+}
+
+/// All blocks as they are; ends that are not settled are none.
+void LegTracking::leave() {
+  rest();
+  for (FollowedList& list : stream_->give_up()) sort_in(std::move(list));
+  pieces_.clear();
+  for (const std::unique_ptr<Block>& block : blocks_) {
+    if (block->phase != Block::Phase::done)
+      for (LegResult& result : block->followed.results)
+        if (is_unsettled(result)) result = {};
+    block->phase = Block::Phase::done;
+  }
+}
+
+void LegTracking::rest() {
+  shared_.reset();
+  items_.reset();
 }
 
 /// Twice what fills the lanes of a member of this many threads. Wide ones take ten times as long.
-std::size_t LegTracking::legs_of_item(LegArithmetic arithmetic) const {
+std::size_t LegTracking::legs_of_piece(LegArithmetic arithmetic) const {
+  if (crew_ == nullptr) return std::numeric_limits<std::size_t>::max();
   return (arithmetic == LegArithmetic::wide ? 8 : 16) * static_cast<std::size_t>(threads_);
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 /// Follows any number of paths on any number of threads and processes, with the same bits for each whatever the others are.
 
+#include <cstdint>
+#include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,54 +29,94 @@ struct TrackingSetup {
   Crew* crew = nullptr;        ///< other processes that follow some
 };
 
+/// Options for the arithmetic of twice the precision.
+TrackingOptions wide(TrackingOptions options);
+
+/// Follows legs of `system`, of squares or of monomials; it and `elimination` are referred to.
+template <class System>
+std::unique_ptr<LegStream> make_leg_stream(const System& system, const Elimination& elimination,
+                                           const TrackingSetup& setup) {
+  LaneTrackers trackers, wide_trackers;
+  for (int i = 0; i < setup.threads; ++i) {
+    wide_trackers.push_back(make_wide_tracker(setup.set, system, elimination, wide(setup.options)));
+    trackers.push_back(setup.all_wide ? make_wide_tracker(setup.set, system, elimination, wide(setup.options))
+                                      : make_lane_tracker(setup.set, system, elimination, setup.options));
+  }
+  return std::make_unique<LegStream>(system.unknowns, std::move(trackers), std::move(wide_trackers));
+}
+
 /// Follows legs of one system.
 class LegTracking {
  public:
   /// `system`, of squares or of monomials, `elimination` and the journal are referred to.
   template <class System>
   LegTracking(const System& system, const Elimination& elimination, const TrackingSetup& setup)
-      : unknowns_(system.unknowns), threads_(setup.threads), journal_(setup.journal), crew_(setup.crew) {
+      : unknowns_(system.unknowns),
+        threads_(setup.threads),
+        journal_(setup.journal),
+        crew_(setup.crew),
+        stream_(make_leg_stream(system, elimination, setup)) {
     if (crew_ != nullptr)
       task_ = to_message({system, elimination, setup.options, setup.set, setup.threads, setup.all_wide});
-    LaneTrackers trackers, wide_trackers;
-    for (int i = 0; i < setup.threads; ++i) {
-      wide_trackers.push_back(make_wide_tracker(setup.set, system, elimination, wide(setup.options)));
-      trackers.push_back(setup.all_wide
-                             ? make_wide_tracker(setup.set, system, elimination, wide(setup.options))
-                             : make_lane_tracker(setup.set, system, elimination, setup.options));
-    }
-    stream_ = std::make_unique<LegStream>(unknowns_, std::move(trackers), std::move(wide_trackers));
   }
 
-  /// One result for every leg, in their order. What doubles cannot follow is followed again, from its start,
-  /// in arithmetic of twice the precision, and ends that doubles cannot settle are settled there. Returns
-  /// early when `stopped()` says so; legs that were not followed then end as LegEnd::too_many at s = 0.
-  /// `stopped` is called from any of the threads. Adds to `work`.
+  /// Legs whose results take() returns. They are copied, and followed beside those that were added before and after.
+  void add(std::span<const Leg> legs);
+  /// One result for every leg of those that were added first, in their order. What doubles cannot follow is followed again,
+  /// from its start, in arithmetic of twice the precision, and ends that doubles cannot settle are settled there. Once
+  /// `stopped()` says so, all that was added is left where it is; legs that were not followed then end as LegEnd::too_many
+  /// at s = 0. Adds to `work`. Precondition: some were added.
+  std::vector<LegResult> take(const std::function<bool()>& stopped, WorkCounters& work);
+  /// Leaves what was added and not taken.
+  void give_up();
+  /// The results of add() and take(), in parts. Precondition: nothing is added and not taken.
   std::vector<LegResult> follow(std::span<const Leg> legs, const std::function<bool()>& stopped,
                                 WorkCounters& work);
-  /// What follows them here. Precondition of a use: follow() is not under way.
-  LegStream& stream() { return *stream_; }
 
  private:
   using Stopped = std::function<bool()>;
 
-  /// Options for the arithmetic of twice the precision.
-  static TrackingOptions wide(TrackingOptions options);
-  FollowedLegs recall_or_follow(std::span<const Leg> legs, const Stopped& stopped);
-  FollowedLegs follow_now(std::span<const Leg> legs, const Stopped& stopped);
-  void follow_lost_again(std::span<const Leg> legs, const Stopped& stopped, FollowedLegs& followed);
-  void settle_ends(std::span<const Leg> legs, const Stopped& stopped, FollowedLegs& followed);
-  FollowedLegs follow_in(LegArithmetic arithmetic, std::span<const Leg> legs, const Stopped& stopped);
-  FollowedLegs follow_here(LegArithmetic arithmetic, std::span<const Leg> legs, const Stopped& stopped);
-  FollowedLegs follow_with_crew(LegArithmetic arithmetic, std::span<const Leg> legs, const Stopped& stopped);
-  std::size_t legs_of_item(LegArithmetic arithmetic) const;
+  /// Legs that were added together, and which of them are followed in which way at present.
+  struct Block {
+    enum class Phase { added, doubles, lost, ends, done };
+    std::uint64_t last_piece = 0;  ///< pieces of older blocks have smaller numbers
+    SentLegs sent;
+    std::vector<Leg> legs;
+    FollowedLegs followed;
+    Phase phase = Phase::added;
+    std::vector<std::size_t> places;  ///< of those that are followed
+    std::size_t open = 0;             ///< of them
+    std::vector<Route> standing;      ///< of ends that are settled
+  };
+  /// A block's places from this one on.
+  struct Piece {
+    Block* block = nullptr;
+    std::size_t first = 0;
+  };
+
+  void recall_or_follow(Block& block, const Stopped& stopped);
+  void follow(Block& block, const Stopped& stopped);
+  void begin_next_phase(Block& block);
+  std::vector<Leg> legs_of_phase(Block& block);
+  void hand_in(Block& block, const std::vector<Leg>& legs, LegArithmetic arithmetic);
+  std::vector<FollowedList> advance();
+  Block& sort_in(FollowedList list);
+  void leave();
+  void rest();
+  std::size_t legs_of_piece(LegArithmetic arithmetic) const;
 
   int unknowns_;
   int threads_;
-  std::unique_ptr<LegStream> stream_;
   Journal* journal_;
   Crew* crew_;
   std::string task_{};  ///< for the crew
+  std::deque<std::unique_ptr<Block>> blocks_;
+  std::map<std::uint64_t, Piece> pieces_;  ///< that are followed, by the numbers of their lists
+  std::uint64_t last_block_ = 0;
+  std::unique_ptr<LegStream> stream_;
+  // While the crew follows some.
+  std::unique_ptr<LegItems> items_;  ///< of the stream
+  std::unique_ptr<ItemWork> shared_;
 };
 
 }  // namespace gcs

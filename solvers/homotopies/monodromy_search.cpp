@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
+#include <utility>
 
 namespace gcs {
 namespace {
@@ -31,6 +33,9 @@ bool is_homogeneous(const SquareSystem& system) {
          std::all_of(system.given.begin(), system.given.end(), [](double given) { return given == 0; });
 }
 
+/// While the ends of one are sorted in, legs of the others are followed.
+constexpr std::size_t blocks_at_once = 2;
+
 ComplexVectorX scaled(ComplexVectorX x, std::complex<double> factor) {
   for (std::complex<double>& value : x) value *= factor;
   return x;
@@ -52,15 +57,16 @@ class Search {
                        const std::function<bool()>& stopped, const std::function<void(int)>& progress,
                        WorkCounters& work) {
     while (!is_over(completeness) && !stopped()) {
-      const std::vector<Task> tasks = next_tasks(legs_at_once());
-      if (tasks.empty()) {
+      while (followed_.size() < blocks_at_once && hand_out(tracking)) continue;
+      if (followed_.empty()) {
         if (is_quiet_and_done(completeness)) break;
         add_arc();
         continue;
       }
-      follow(tasks, tracking, stopped, work);
+      sort_in(tracking.take(stopped, work));
       progress(nodes_[0].solutions.size());
     }
+    tracking.give_up();
     nodes_.pop_back();  // what is returned may be large
     return found();
   }
@@ -92,10 +98,11 @@ class Search {
     return found;
   }
 
-  /// The more are known, the more, so that threads and processes seldom wait for each other's last legs. On average half of
-  /// the last ones are followed in vain: of some four for each solution.
+  /// The more are known, the more, so that threads and processes seldom wait for each other's last legs. Those that are
+  /// handed out when the last solution is found are followed in vain: of some four for each solution.
   std::size_t legs_at_once() const {
-    return std::max<std::size_t>(size() / 16, static_cast<std::size_t>(options_.fewest_at_once));
+    return std::max<std::size_t>(size() / 16, static_cast<std::size_t>(options_.fewest_at_once)) /
+           blocks_at_once;
   }
 
   /// The next legs to follow, at most `most`: first what the first arcs have not been tried on.
@@ -109,21 +116,31 @@ class Search {
     return tasks;
   }
 
-  void follow(const std::vector<Task>& tasks, LegTracking& tracking, const std::function<bool()>& stopped,
-              WorkCounters& work) {
+  /// False where there is nothing to follow.
+  bool hand_out(LegTracking& tracking) {
+    std::vector<Task> tasks = next_tasks(legs_at_once());
+    if (tasks.empty()) return false;
     std::vector<ComplexVectorX> starts;
-    std::vector<Leg> legs;
     for (const Task& task : tasks) starts.push_back(start_of(task));
+    std::vector<Leg> legs;
     for (std::size_t i = 0; i < tasks.size(); ++i)
       legs.push_back({starts[i].data(), &routes_[2 * tasks[i].arc + tasks[i].node]});
-    const std::vector<LegResult> results = tracking.follow(legs, stopped, work);
+    tracking.add(legs);
+    found_.legs += static_cast<std::int64_t>(tasks.size());
+    followed_.push_back(std::move(tasks));
+    return true;
+  }
+
+  /// Of the tasks that were handed out first.
+  void sort_in(const std::vector<LegResult>& results) {
+    const std::vector<Task> tasks = std::move(followed_.front());
+    followed_.pop_front();
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       if (results[i].state.end == LegEnd::arrived)
         arrive(tasks[i], results[i].x, results[i].state.last_correction);
       else
         ++found_.lost_legs;
     }
-    found_.legs += static_cast<std::int64_t>(tasks.size());
   }
 
   ComplexVectorX start_of(const Task& task) const {
@@ -199,8 +216,9 @@ class Search {
   const MonodromyOptions options_;
   std::mt19937_64& random_;
   std::vector<Node> nodes_;
-  ComplexVectorX gammas_;      // of each arc
-  std::vector<Route> routes_;  // of each arc: from node 0, then from node 1
+  ComplexVectorX gammas_;                   // of each arc
+  std::vector<Route> routes_;               // of each arc: from node 0, then from node 1
+  std::deque<std::vector<Task>> followed_;  // in the order in which they were handed out
   bool consistent_ = true;
   GenericSolutions found_;  ///< but for the solutions and arcs
 };

@@ -51,7 +51,7 @@ HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs);
 struct MonodromyOptions {
   int first_arcs = 4;  ///< between the nodes; one more whenever the others find nothing new
   int arcs = 12;       ///< at most
-  /// Legs followed before their ends are sorted in: at least so many, and part of the result's definition.
+  /// Legs under way in the search: at least so many, and part of the result's definition.
   int fewest_at_once = 256;
   double bend = 2;  ///< |B| over |A|
   bool has_two_bends = false;
@@ -73,7 +73,8 @@ struct GenericSolutions {
   ComplexVectorX squares;                 ///< A_0, or other parameters
   std::vector<ComplexVectorX> solutions;  ///< distinct up to reflections
   int arcs_used = 0;
-  std::int64_t legs = 0;       ///< followed
+  std::int64_t legs =
+      0;  ///< handed out; once all solutions are known, the last ones are not followed to their ends
   std::int64_t lost_legs = 0;  ///< that ended nowhere; their solutions may be reached by other arcs
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,12 +56,16 @@ class Crew {
   virtual ~Crew() = default;
   /// The processes that work, this one among them; at least 1.
   virtual int members() const = 0;
-  /// The results of all items in their order, whoever did which: they are handed out on demand, and `here` does what this
-  /// process does of them. `task` is what they have in common; it, items and results are bytes that travel between
-  /// machines of one kind. Empty where `stopped()` came first; `here` may then have items left. Throws std::runtime_error
-  /// where another process fails.
-  virtual std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                           ItemWork& here, const std::function<bool()>& stopped) = 0;
+  /// The work of all as that of one: items are handed out on demand, those with smaller numbers first, and `here` does what
+  /// this process does of them.
+  /// `task` is what they have in common; it, items and results are bytes that travel between machines of one kind.
+  /// Throws std::runtime_error in advance() where another process fails. What is left at its end is given up; `here`
+  /// may then have items left. Of one crew only one at a time; `here` outlives it.
+  virtual std::unique_ptr<ItemWork> share(const std::string& task, ItemWork& here) = 0;
+
+  /// The results of all items in their order, whoever did which, by share(). Empty where `stopped()` came first.
+  std::vector<std::string> results(const std::string& task, std::vector<std::string> items, ItemWork& here,
+                                   const std::function<bool()>& stopped);
 };
 
 }  // namespace gcs

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace gcs {
 
@@ -12,5 +13,27 @@ void run_on_threads(int count, const std::function<void(int)>& function);
 
 /// Calls function(0), …, function(items − 1) on at most `threads` ≥ 1 threads, each of which takes every threads-th.
 void share_on_threads(std::size_t items, int threads, const std::function<void(std::size_t)>& function);
+
+/// Functions that run beside the caller, as far as the machine has cores; on one with a single core perhaps not before
+/// wait().
+class Background {
+ public:
+  explicit Background(int most);
+  /// Waits.
+  ~Background();
+  Background(const Background&) = delete;
+  Background& operator=(const Background&) = delete;
+
+  /// `which` < `most`. Precondition: the last function in this place returns without waiting for anything.
+  /// `function` throws nothing.
+  void run(int which, std::function<void()> function);
+  /// Until all have returned.
+  void wait();
+
+ private:
+  struct Threads;
+  std::unique_ptr<Threads> threads_;
+  bool has_run_ = false;  ///< since wait()
+};
 
 }  // namespace gcs

@@ -11,29 +11,41 @@
 
 namespace gcs {
 
-/// Does every other item by a member of its own, the last items first.
+/// Does every other item by a member of its own.
 class FakeCrew final : public Crew {
  public:
   using Begin = std::function<std::unique_ptr<ItemWork>(const std::string& task)>;
   explicit FakeCrew(Begin begin) : begin_(std::move(begin)) {}
 
   int members() const override { return 3; }
-  std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                   ItemWork& here, const std::function<bool()>& stopped) override {
-    const std::unique_ptr<ItemWork> member = begin_(task);
-    std::vector<std::string> done(items.size());
-    for (std::size_t i = items.size(); i-- > 0 && !stopped();)
-      (i % 2 == 0 ? here : *member).add({i, items[i]});
-    for (ItemWork* work : {&here, member.get()})
-      while (!work->is_idle())
-        for (NumberedItem& result : work->advance()) done.at(result.number) = std::move(result.bytes);
-    handed_out += items.size() / 2;
-    return done;
+  std::unique_ptr<ItemWork> share(const std::string& task, ItemWork& here) override {
+    return std::make_unique<Shared>(*this, begin_(task), here);
   }
 
   std::size_t handed_out = 0;
 
  private:
+  /// The member goes on first.
+  class Shared final : public ItemWork {
+   public:
+    Shared(FakeCrew& crew, std::unique_ptr<ItemWork> member, ItemWork& here)
+        : crew_(crew), member_(std::move(member)), here_(here) {}
+
+    void add(NumberedItem item) override {
+      const bool is_here = item.number % 2 == 0;
+      if (!is_here) ++crew_.handed_out;
+      (is_here ? here_ : *member_).add(std::move(item));
+    }
+    std::size_t reserve() const override { return here_.reserve(); }
+    bool is_idle() const override { return member_->is_idle() && here_.is_idle(); }
+    std::vector<NumberedItem> advance() override { return (member_->is_idle() ? here_ : *member_).advance(); }
+
+   private:
+    FakeCrew& crew_;
+    std::unique_ptr<ItemWork> member_;
+    ItemWork& here_;
+  };
+
   Begin begin_;
 };
 

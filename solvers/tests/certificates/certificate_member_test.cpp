@@ -114,11 +114,12 @@ TEST_CASE("tasks and points that end early are refused, and other tasks left to 
   class Listener final : public Crew {
    public:
     int members() const override { return 2; }
-    std::vector<std::string> results(const std::string& task, const std::vector<std::string>& items,
-                                     ItemWork&, const std::function<bool()>&) override {
+    std::unique_ptr<ItemWork> share(const std::string& task, ItemWork&) override {
       task_ = task;
-      item_ = items.at(0);
-      return std::vector<std::string>(items.size());
+      return std::make_unique<OneByOne>([this](const NumberedItem& item) {
+        if (item.number == 0) item_ = item.bytes;
+        return std::string();
+      });
     }
     std::string task_, item_;
   } listener;

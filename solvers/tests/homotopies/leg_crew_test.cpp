@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -112,6 +113,12 @@ void check_crew(const Task<System>& task, const Elimination& elimination) {
   }
 }
 
+/// Of a stream that has one list.
+FollowedLegs only_list(LegStream& stream) {
+  while (true)
+    for (FollowedList& list : stream.advance()) return std::move(list.legs);
+}
+
 LegStream stream_of(const Task<SquareSystem>& task, const Elimination& elimination, int threads) {
   LaneTrackers trackers, wide_trackers;
   for (int i = 0; i < threads; ++i) {
@@ -155,7 +162,7 @@ TEST_CASE("lists of one stream have the bits of each alone, on any number of thr
   std::vector<FollowedLegs> expected;
   for (std::size_t i = 0; i < count; ++i) {
     alone.add(i, lists[i], arithmetic_of(i));
-    expected.push_back(alone.advance(1'000'000, is_stopped).at(0).legs);
+    expected.push_back(only_list(alone));
     for (const LegResult& result : expected.back().results) CHECK(result.state.end == LegEnd::arrived);
   }
   for (const int threads : {1, 3}) {
@@ -164,7 +171,7 @@ TEST_CASE("lists of one stream have the bits of each alone, on any number of thr
     while (added < count || !stream.is_idle()) {
       if (added < count) stream.add(added, lists[added], arithmetic_of(added));
       added = std::min(added + 1, count);
-      for (const FollowedList& list : stream.advance(3, is_stopped)) {
+      for (const FollowedList& list : stream.advance()) {
         check_same(list.legs, expected[list.number]);
         ++done;
       }
@@ -179,11 +186,9 @@ TEST_CASE("lists that are given up keep what is followed, and leave nothing behi
   const Elimination elimination = order_elimination(task.system, random);
   LegStream stream = stream_of(task, elimination, 1);
   stream.add(0, task.legs(), LegArithmetic::doubles);
-  const FollowedLegs whole = stream.advance(1'000'000, is_stopped).at(0).legs;
+  const FollowedLegs whole = only_list(stream);
   stream.add(1, task.legs(), LegArithmetic::doubles);
-  int steps = 0;
-  const auto is_enough = [&] { return ++steps > 40; };
-  CHECK(stream.advance(1'000'000, is_enough).empty());
+  for (int i = 0; i < 2; ++i) CHECK(stream.advance().empty());
   const FollowedLegs part = stream.give_up().at(0).legs;
   CHECK(stream.is_idle());
   REQUIRE(part.results.size() == whole.results.size());
@@ -200,7 +205,7 @@ TEST_CASE("lists that are given up keep what is followed, and leave nothing behi
   CHECK(followed > 0);
   CHECK(followed < static_cast<int>(part.results.size()));
   stream.add(2, task.legs(), LegArithmetic::doubles);
-  check_same(stream.advance(1'000'000, is_stopped).at(0).legs, whole);
+  check_same(only_list(stream), whole);
 }
 
 TEST_CASE("legs that a crew follows have the same bits and count the same work") {
@@ -212,6 +217,58 @@ TEST_CASE("legs that a crew follows have the same bits and count the same work")
   for (int i = 0; i < 3; ++i)
     jacobians.push_back(jacobian_at(monomials.system, monomials.routes[i].end, monomials.starts[i]));
   check_crew(monomials, order_elimination(monomials.system, jacobians));
+}
+
+TEST_CASE("blocks that are followed side by side have the bits of each alone, in the order of their adding") {
+  std::mt19937_64 random(36);
+  constexpr std::size_t count = 9;
+  const Task<SquareSystem> task = square_task(count * (count + 1) / 2, random);
+  const Elimination elimination = order_elimination(task.system, random);
+  const std::vector<std::vector<Leg>> blocks = lists_of(task, count);
+  WorkCounters work;
+  LegTracking alone(task.system, elimination, {{}, widest_instruction_set(), 1});
+  FakeCrew crew(begin_legs);
+  for (const bool has_crew : {false, true}) {
+    for (const int threads : {1, 3}) {
+      TrackingSetup setup{{}, widest_instruction_set(), threads};
+      if (has_crew) setup.crew = &crew;
+      LegTracking tracking(task.system, elimination, setup);
+      for (std::size_t added = 0, taken = 0; taken < count; ++taken) {
+        for (; added < std::min(taken + 3, count); ++added) {
+          const Task<SquareSystem> brief = task;  // what legs refer to is copied
+          tracking.add(std::span<const Leg>(lists_of(brief, count)[added]));
+        }
+        const std::vector<LegResult> results = tracking.take(is_stopped, work);
+        const std::vector<LegResult> expected = alone.follow(blocks[taken], is_stopped, work);
+        REQUIRE(results.size() == expected.size());
+        for (std::size_t i = 0; i < results.size(); ++i) check_same(results[i], expected[i]);
+      }
+    }
+  }
+}
+
+TEST_CASE("blocks that are given up leave nothing to those that come after") {
+  std::mt19937_64 random(37);
+  const Task<SquareSystem> task = square_task(40, random);
+  const Elimination elimination = order_elimination(task.system, random);
+  WorkCounters work;
+  LegTracking tracking(task.system, elimination, {{}, widest_instruction_set(), 2});
+  const std::vector<LegResult> expected = tracking.follow(task.legs(), is_stopped, work);
+  for (int i = 0; i < 3; ++i) tracking.add(task.legs());
+  tracking.take(is_stopped, work);
+  bool is_late = false;
+  const auto stops = [&] { return std::exchange(is_late, true); };
+  const std::vector<LegResult> part = tracking.take(stops, work);
+  REQUIRE(part.size() == expected.size());
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (part[i].state.end == LegEnd::arrived)
+      check_same(part[i], expected[i]);
+    else
+      CHECK(part[i].state.s == 0);
+  }
+  tracking.give_up();
+  const std::vector<LegResult> again = tracking.follow(task.legs(), is_stopped, work);
+  for (std::size_t i = 0; i < again.size(); ++i) check_same(again[i], expected[i]);
 }
 
 TEST_CASE("what a crew was stopped before is not followed") {

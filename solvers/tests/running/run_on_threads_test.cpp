@@ -31,6 +31,22 @@ TEST_CASE("parallel loops may be started within one another") {
   CHECK(calls == 12);
 }
 
+TEST_CASE("functions run in the background while the caller goes on, and again after that") {
+  constexpr int most = 3;
+  std::vector<std::atomic<int>> calls(most);
+  {
+    Background background(most);
+    background.wait();
+    for (int round = 1; round <= 20; ++round) {
+      for (int i = 0; i < most; ++i) background.run(i, [&calls, i] { ++calls[static_cast<std::size_t>(i)]; });
+      if (round % 2 == 0) continue;
+      background.wait();
+      for (const std::atomic<int>& number : calls) CHECK(number == round);
+    }
+  }
+  for (const std::atomic<int>& number : calls) CHECK(number == 20);
+}
+
 TEST_CASE("what Arb keeps for a thread is freed before the thread ends, or the address sanitizer tells") {
   std::atomic<int> precise = 0;
   run_on_threads(4, [&](int) {

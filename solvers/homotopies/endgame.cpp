@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace gcs {
 namespace {
@@ -162,6 +163,8 @@ struct ActivePath {
   bool is_lost = false;
 };
 
+using Paths = std::vector<ActivePath>;
+
 class Endgame {
  public:
   Endgame(LegTracking& tracking, const ComplexVectorX& from, const ComplexVectorX& to,
@@ -169,22 +172,42 @@ class Endgame {
           WorkCounters& work)
       : tracking_(tracking), from_(from), to_(to), is_zero_(is_zero), stopped_(stopped), work_(work) {}
 
-  /// Those that simply arrive.
-  void approach_ends(std::span<const ComplexVectorX> starts) {
-    std::vector<ActivePath> paths;
-    for (const ComplexVectorX& start : starts) paths.push_back({ends_.size() + paths.size(), start});
-    ends_.resize(ends_.size() + starts.size());
-    advance(paths, 1, first_radius);
-    approach(paths, first_radius, direct_step);
-    for (ActivePath& path : paths) path.before = path.x;
-    std::move(paths.begin(), paths.end(), std::back_inserter(paths_));
+  /// Those that simply arrive. While a batch goes on to its ends, the next one is on its way to the last tenth.
+  void approach_ends(std::span<const ComplexVectorX> starts, const std::function<void()>& progress) {
+    const Route there = segment(from_, to_, 1, first_radius), rest = segment(from_, to_, first_radius, 0);
+    std::size_t begun = 0;
+    const auto begin_next = [&]() -> std::optional<Paths> {
+      if (begun == starts.size()) return std::nullopt;
+      Paths paths;
+      for (const std::size_t last = std::min(begun + batch, starts.size()); begun < last; ++begun)
+        paths.push_back({begun, starts[begun]});
+      tracking_.add(legs_of(pointers(paths), there, 0));
+      return paths;
+    };
+    ends_.resize(starts.size());
+    std::optional<Paths> moving = begin_next(), arriving;
+    while (moving || arriving) {
+      std::optional<Paths> next = begin_next();
+      if (moving) {
+        sort_advanced(*moving, tracking_.take(stopped_, work_), 1, first_radius);
+        tracking_.add(legs_of(pointers(*moving), rest, direct_step));
+      }
+      if (arriving) {
+        sort_arrived(*arriving, tracking_.take(stopped_, work_));
+        for (ActivePath& path : *arriving) path.before = path.x;
+        std::ranges::move(*arriving, std::back_inserter(paths_));
+        approached_ = std::min(approached_ + batch, starts.size());
+        progress();
+      }
+      arriving = std::exchange(moving, std::move(next));
+    }
   }
 
   /// The others, all together: their legs are so short that few at once would leave threads and processes without any.
   std::vector<PathEnd> walk_around_ends(const std::function<void()>& progress) {
     for (double radius = first_radius; !paths_.empty() && !stopped_(); radius *= radius_ratio) {
       if (radius < smallest_radius) {
-        approach(paths_, radius, 0);
+        sort_arrived(paths_, follow(pointers(paths_), radius, 0));
         drop(paths_, "the circles around its end did not agree");
         break;
       }
@@ -203,26 +226,33 @@ class Endgame {
   }
 
   /// How many have ended.
-  std::size_t ended() const { return ends_.size() - paths_.size(); }
+  std::size_t ended() const { return approached_ - paths_.size(); }
 
  private:
-  std::vector<LegResult> follow(const std::vector<ActivePath*>& paths, Complex first, Complex last,
-                                double shortest_step) {
+  std::vector<LegResult> follow(const std::vector<ActivePath*>& paths, Complex first, Complex last) {
     const Route route = segment(from_, to_, first, last);
-    std::vector<Leg> legs;
-    for (const ActivePath* path : paths) legs.push_back({path->x.data(), &route, shortest_step});
-    return tracking_.follow(legs, stopped_, work_);
+    return tracking_.follow(legs_of(paths, route, 0), stopped_, work_);
   }
 
-  static std::vector<ActivePath*> pointers(std::vector<ActivePath>& paths) {
+  static std::vector<Leg> legs_of(const std::vector<ActivePath*>& paths, const Route& route,
+                                  double shortest_step) {
+    std::vector<Leg> legs;
+    for (const ActivePath* path : paths) legs.push_back({path->x.data(), &route, shortest_step});
+    return legs;
+  }
+
+  static std::vector<ActivePath*> pointers(Paths& paths) {
     std::vector<ActivePath*> result;
     for (ActivePath& path : paths) result.push_back(&path);
     return result;
   }
 
   /// All paths from one σ to another; what is lost on the way has failed.
-  void advance(std::vector<ActivePath>& paths, double first, double last) {
-    const std::vector<LegResult> results = follow(pointers(paths), first, last, 0);
+  void advance(Paths& paths, double first, double last) {
+    sort_advanced(paths, follow(pointers(paths), first, last), first, last);
+  }
+
+  void sort_advanced(Paths& paths, const std::vector<LegResult>& results, double first, double last) {
     for (std::size_t i = 0; i < paths.size(); ++i) {
       paths[i].is_lost = results[i].state.end != LegEnd::arrived;
       if (paths[i].is_lost) continue;
@@ -235,7 +265,7 @@ class Endgame {
     if (!stopped_()) remove_lost(paths, "its steps became too small");
   }
 
-  void remove_lost(std::vector<ActivePath>& paths, const std::string& cause) {
+  void remove_lost(Paths& paths, const std::string& cause) {
     std::erase_if(paths, [&](const ActivePath& path) {
       if (path.is_lost)
         ends_[path.number] = path.between
@@ -245,14 +275,13 @@ class Endgame {
     });
   }
 
-  void drop(std::vector<ActivePath>& paths, const std::string& cause) {
+  void drop(Paths& paths, const std::string& cause) {
     for (ActivePath& path : paths) path.is_lost = true;
     remove_lost(paths, cause);
   }
 
-  /// Takes out the paths that simply arrive at σ = 0, with no step shorter than this part of the way.
-  void approach(std::vector<ActivePath>& paths, double radius, double shortest_step) {
-    const std::vector<LegResult> results = follow(pointers(paths), radius, 0, shortest_step);
+  /// Takes out the paths that simply arrived at σ = 0.
+  void sort_arrived(Paths& paths, const std::vector<LegResult>& results) {
     for (std::size_t i = 0; i < paths.size(); ++i)
       if (results[i].state.end == LegEnd::arrived)
         ends_[paths[i].number] = {PathEnd::Kind::regular, results[i].x, 1, 0, true, ""};
@@ -260,7 +289,7 @@ class Endgame {
   }
 
   /// Rounds of σ = radius·e^(iφ) until every steady path is back at its start.
-  void walk(std::vector<ActivePath>& paths, double radius) {
+  void walk(Paths& paths, double radius) {
     std::vector<ActivePath*> open;
     for (ActivePath& path : paths) {
       path.samples.clear();
@@ -275,7 +304,7 @@ class Endgame {
     for (int round = 0; round < most_rounds && !open.empty() && !stopped_(); ++round) {
       for (int corner = 0; corner < corners; ++corner) {
         for (ActivePath* path : open) path->samples.push_back(path->x);
-        const std::vector<LegResult> results = follow(open, place(corner), place(corner + 1), 0);
+        const std::vector<LegResult> results = follow(open, place(corner), place(corner + 1));
         for (std::size_t i = 0; i < open.size(); ++i) {
           open[i]->x = results[i].x;
           open[i]->is_lost = open[i]->is_lost || results[i].state.end != LegEnd::arrived;
@@ -291,7 +320,7 @@ class Endgame {
     if (!stopped_()) remove_lost(paths, "its steps became too small around the end");
   }
 
-  void decide(std::vector<ActivePath>& paths, double radius) {
+  void decide(Paths& paths, double radius) {
     for (ActivePath& path : paths) {
       if (!path.is_closed) {
         path.last.reset();
@@ -304,14 +333,14 @@ class Endgame {
     remove_ended(paths);
   }
 
-  void remove_ended(std::vector<ActivePath>& paths) const {
+  void remove_ended(Paths& paths) const {
     std::erase_if(paths,
                   [&](const ActivePath& path) { return ends_[path.number].kind != PathEnd::Kind::failed; });
   }
 
   /// Where a circle reads a pole, a second one next to it. A pole elsewhere, between the two or within, shows in lower powers.
-  void confirm_poles(std::vector<ActivePath>& paths, double radius) {
-    std::vector<ActivePath> poles;
+  void confirm_poles(Paths& paths, double radius) {
+    Paths poles;
     for (const ActivePath& path : paths)
       if (path.last && path.last->kind == CircleReading::Kind::pole) poles.push_back(path);
     for (ActivePath& pole : poles) pole.between.reset();
@@ -375,7 +404,8 @@ class Endgame {
   const std::function<bool()>& stopped_;
   WorkCounters& work_;
   std::vector<PathEnd> ends_;
-  std::vector<ActivePath> paths_;  // that have not ended
+  Paths paths_;                 // that have not ended
+  std::size_t approached_ = 0;  // of the starts
 };
 
 }  // namespace
@@ -391,10 +421,7 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
   };
   progress(0);
   if (starts.empty()) return {};
-  for (std::size_t first = 0; first < starts.size(); first += batch) {
-    endgame.approach_ends(std::span(starts).subspan(first, std::min(batch, starts.size() - first)));
-    report();
-  }
+  endgame.approach_ends(starts, report);
   return endgame.walk_around_ends(report);
 }
 

@@ -19,7 +19,7 @@
 #include "harness/ranks/rank_crew.hpp"
 #include "harness/ranks/ranks.hpp"
 #include "harness/tables/table_run.hpp"
-#include "solvers/answers/certificate_member.hpp"
+#include "solvers/certificates/certificate_member.hpp"
 #include "solvers/homotopies/leg_member.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/reading/json_document.hpp"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "solvers/answers/certificate_member.hpp"
+#include "solvers/certificates/certificate_member.hpp"
 #include "solvers/certificates/coincidences.hpp"
 #include "solvers/certificates/decimal_figure.hpp"
 #include "solvers/certificates/enclosed_point.hpp"

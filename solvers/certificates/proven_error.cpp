@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <utility>
 
+#include "solvers/certificates/certificate_member.hpp"
 #include "solvers/certificates/krawczyk.hpp"
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/figures/complex_distances.hpp"
@@ -28,22 +30,11 @@ double error_by_certificate(const Scene& scene, const Figure& figure) {
   return certified_error(equations, Certifier(std::move(system)), scene.in_frame(figure));
 }
 
-}  // namespace
-
-double certified_error(const SceneEquations& equations, const Certifier& certifier, const Figure& framed) {
-  const Certificate certificate = certifier.certify(equations.coordinates(framed));
-  return certificate.is_proven ? equations.distance(framed, certificate)
-                               : std::numeric_limits<double>::infinity();
-}
-
-std::optional<Candidate> proven_next_to(const Scene& scene, const Figure& figure) {
-  constexpr int precise_bits = 128;
+/// Nothing where it is not proven to be complex, or too far away.
+std::optional<Candidate> solution_next_to(const Scene& scene, const SceneEquations& equations,
+                                          const std::vector<std::complex<double>>& x,
+                                          const Certificate& certificate) {
   constexpr double longest_way = 1e-3;  // relative to 1 + the largest coordinate
-  if (scene.has_lines() || why_not_certified(scene)) return std::nullopt;
-  const SceneEquations equations(scene);
-  if (equations.system().unknowns > most_unknowns_in_balls) return std::nullopt;
-  const std::vector<std::complex<double>> x = equations.coordinates(figure);
-  const Certificate certificate = Certifier(equations.system()).certify(x, precise_bits);
   if (!certificate.is_proven || certificate.realness != Certificate::Realness::not_real) return std::nullopt;
   double size = 1, moved = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -56,6 +47,31 @@ std::optional<Candidate> proven_next_to(const Scene& scene, const Figure& figure
       system, Eigen::Map<const Eigen::VectorXcd>(certificate.enclosure.mid.data(), system.unknowns()));
   const double error = equations.distance(rounded, certificate);
   return Candidate{std::move(rounded), 1, error};
+}
+
+}  // namespace
+
+double certified_error(const SceneEquations& equations, const Certifier& certifier, const Figure& framed) {
+  const Certificate certificate = certifier.certify(equations.coordinates(framed));
+  return certificate.is_proven ? equations.distance(framed, certificate)
+                               : std::numeric_limits<double>::infinity();
+}
+
+std::vector<std::optional<Candidate>> proven_next_to(const Scene& scene,
+                                                     const std::vector<const Figure*>& figures,
+                                                     const SolveMeans& means) {
+  constexpr int precise_bits = 128;
+  std::vector<std::optional<Candidate>> proven(figures.size());
+  if (figures.empty() || scene.has_lines() || why_not_certified(scene)) return proven;
+  const SceneEquations equations(scene);
+  if (equations.system().unknowns > most_unknowns_in_balls) return proven;
+  const auto point_of = [&](std::size_t i) { return equations.coordinates(*figures[i]); };
+  const std::vector<Certificate> found =
+      certificates(Certifier(equations.system()), figures.size(), point_of,
+                   {means.threads, nullptr, means.stop, means.crew}, precise_bits);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    proven[i] = solution_next_to(scene, equations, point_of(i), found[i]);
+  return proven;
 }
 
 double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares, const Figure& figure) {

@@ -21,9 +21,11 @@ double proven_error(const Scene& scene, const std::vector<DoubleDouble>& squares
 /// it proves none.
 double certified_error(const SceneEquations& equations, const Certifier& certifier, const Figure& framed);
 
-/// The solution, proven to be complex, next to a complex figure of points in the scene's frame, rounded to doubles, with its
-/// error: where these do not hold the distances, a figure is right only as far as it is that. Nothing where there is none
-/// within a thousandth of the figure's size, beside lines, and above 100 unknowns.
-std::optional<Candidate> proven_next_to(const Scene& scene, const Figure& figure);
+/// For each complex figure of points in the scene's frame the solution next to it, proven to be complex, rounded to doubles,
+/// with its error: where these do not hold the distances, a figure is right only as far as it is that. Nothing where there
+/// is none within a thousandth of the figure's size, beside lines, and above 100 unknowns.
+std::vector<std::optional<Candidate>> proven_next_to(const Scene& scene,
+                                                     const std::vector<const Figure*>& figures,
+                                                     const SolveMeans& means);
 
 }  // namespace gcs

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "solvers/certificates/near_solutions.hpp"
@@ -21,6 +22,7 @@
 #include "solvers/motions/apparent_motion.hpp"
 #include "solvers/motions/isolation.hpp"
 #include "solvers/motions/motion_finder.hpp"
+#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
@@ -92,8 +94,8 @@ bool is_multiple_solution(const Scene& scene, const Figure& figure) {
 /// Makes the report of the ends of all paths.
 class ComplexReporter {
  public:
-  ComplexReporter(const Scene& scene, const DistanceSystem& system, const std::stop_token& stop)
-      : scene_(scene), system_(system), stop_(stop) {
+  ComplexReporter(const Scene& scene, const DistanceSystem& system, const SolveMeans& means)
+      : scene_(scene), system_(system), means_(means) {
     report_.claim = Claim::all_complex;
   }
 
@@ -102,10 +104,11 @@ class ComplexReporter {
     const DistinctEnds distinct(ends, mirror_axes(scene_, system_), random);
     MotionFinder finder(scene_, system_, random);
     missing_.jumps = distinct.jumps();
-    for (int i = 0; i < distinct.size() && !stop_.stop_requested(); ++i) add_end(distinct, i, finder);
-    const bool is_stopped = stop_.stop_requested() || is_any_stopped(ends);
+    for (int i = 0; i < distinct.size() && !means_.stop.stop_requested(); ++i) add_end(distinct, i, finder);
+    const bool is_stopped = means_.stop.stop_requested() || is_any_stopped(ends);
     if (loose_end_ && !is_stopped) finder.look_for_apparent_motion(*loose_end_);
     report_.motions = finder.motions();
+    prove_regular_ones();
     prove_neighbours();
     for (const PathEnd& end : ends) add_path(end);
     conclude(is_stopped, in_words(scene_.problem(), report_.motions), shortcomings_in_words(), report_);
@@ -132,7 +135,7 @@ class ComplexReporter {
     missing_.not_isolated += !is_isolated;
     if (!is_isolated && !loose_end_) loose_end_ = distinct[i];
     if (!is_singular)
-      add_proven(figure);
+      add_regular(figure);
     else if (is_isolated)
       add_meeting(distinct[i], distinct.paths(i), figure);
     else
@@ -166,7 +169,7 @@ class ComplexReporter {
     if (why_not_certified(scene_)) return std::nullopt;
     const SceneEquations equations(scene_);
     if (equations.coordinates(complex_figure(system_, x)) != x) return std::nullopt;
-    return solutions_near(equations.system(), {{x, paths}}, paths, stop_);
+    return solutions_near(equations.system(), {{x, paths}}, paths, means_.stop);
   }
 
   void add_simple(const std::vector<Certificate>& solutions) {
@@ -183,17 +186,43 @@ class ComplexReporter {
     report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
   }
 
-  /// Of complex ones those that have neighbours are proven when all are known, and at once those whose distances are not
-  /// those of the file, in doubles.
-  void add_proven(const Figure& figure) {
-    const bool is_far = loses_distances(scene_, figure);
-    const bool is_off = !figure.is_real() && relative_residual(scene_, figure) > rounded_lengths;
-    if (is_far || is_off)
-      if (const auto proven = proven_next_to(scene_, figure)) return report_.candidates.push_back(*proven);
-    missing_.too_far += is_far;
+  /// A simple one.
+  void add_regular(const Figure& figure) {
+    regular_.push_back(report_.candidates.size());
     report_.candidates.push_back({figure, 1});
-    Candidate& candidate = report_.candidates.back();
-    if (figure.is_real()) candidate.error = proven_error(scene_, squares_, figure);
+  }
+
+  /// Of complex ones those whose distances are not those of the file, in doubles; others that have neighbours, when all are
+  /// known.
+  void prove_regular_ones() {
+    std::vector<char> is_far(regular_.size()), is_off(regular_.size());  // threads do not share a char
+    on_threads(regular_.size(), [&](std::size_t i) {
+      const Figure& figure = report_.candidates[regular_[i]].figure;
+      is_far[i] = loses_distances(scene_, figure);
+      is_off[i] = is_far[i] || (!figure.is_real() && relative_residual(scene_, figure) > rounded_lengths);
+    });
+    std::vector<std::size_t> off, others;
+    for (std::size_t i = 0; i < regular_.size(); ++i) (is_off[i] ? off : others).push_back(i);
+    std::vector<const Figure*> figures;
+    for (const std::size_t i : off) figures.push_back(&report_.candidates[regular_[i]].figure);
+    std::vector<std::optional<Candidate>> proven = proven_next_to(scene_, figures, means_);
+    for (std::size_t k = 0; k < off.size(); ++k) {
+      if (proven[k])
+        report_.candidates[regular_[off[k]]] = *std::move(proven[k]);
+      else
+        others.push_back(off[k]);
+      missing_.too_far += is_far[off[k]] && !proven[k];
+    }
+    on_threads(others.size(), [&](std::size_t k) {
+      Candidate& candidate = report_.candidates[regular_[others[k]]];
+      if (candidate.figure.is_real()) candidate.error = proven_error(scene_, squares_, candidate.figure);
+    });
+  }
+
+  void on_threads(std::size_t items, const std::function<void(std::size_t)>& function) const {
+    share_on_threads(items, means_.threads, [&](std::size_t i) {
+      if (!means_.stop.stop_requested()) function(i);
+    });
   }
 
   /// Of simple complex solutions that their distances alone may not tell apart. There are few.
@@ -247,7 +276,7 @@ class ComplexReporter {
     if (!pair) return false;
     const std::array figures{figure_of((*pair)[0], next_to_real), figure_of((*pair)[1], next_to_real)};
     if (!are_told_apart(scene_, figures)) return false;
-    for (const Figure& figure : figures) add_proven(figure);
+    for (const Figure& figure : figures) add_regular(figure);
     return true;
   }
 
@@ -296,10 +325,11 @@ class ComplexReporter {
 
   const Scene& scene_;
   const DistanceSystem& system_;
-  const std::stop_token& stop_;
+  const SolveMeans& means_;
   const std::vector<DoubleDouble> squares_ = target_squares(scene_);
   Shortcomings missing_;
   std::optional<ComplexVectorX> loose_end_;  ///< the first one that is not isolated
+  std::vector<std::size_t> regular_;         ///< candidates to be proven
   SolveReport report_;
 };
 
@@ -345,8 +375,8 @@ PathRecord path_record(const PathEnd& end) {
 }
 
 SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
-                           const WorkCounters& work, std::mt19937_64& random, const std::stop_token& stop) {
-  return ComplexReporter(scene, system, stop).run(ends, work, random);
+                           const WorkCounters& work, std::mt19937_64& random, const SolveMeans& means) {
+  return ComplexReporter(scene, system, means).run(ends, work, random);
 }
 
 }  // namespace gcs

@@ -2,7 +2,6 @@
 /// From the ends of paths to solutions of a scene, with what they prove or leave open.
 
 #include <random>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -26,8 +25,8 @@ void conclude(bool is_stopped, const std::string& moving, const std::string& mis
 /// Newton's method on the real part agrees; a record for every path. The status is partial where paths
 /// failed, where two ended at one regular solution (a step has jumped), where the conjugate of a finite end
 /// is not among the ends, or where a singular end is no multiple solution but lies between some; infinite where ends lie
-/// on motions, which are reported instead of them.
+/// on motions, which are reported instead of them. Of `means` threads, crew and stop are used.
 SolveReport complex_report(const Scene& scene, const DistanceSystem& system, const std::vector<PathEnd>& ends,
-                           const WorkCounters& work, std::mt19937_64& random, const std::stop_token& stop);
+                           const WorkCounters& work, std::mt19937_64& random, const SolveMeans& means);
 
 }  // namespace gcs

@@ -163,7 +163,7 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(start.system, x); },
                     mirror_axes(request.scene, start.coordinates), random, ends);
   const auto make_report = [&] {
-    return complex_report(request.scene, start.coordinates, ends, work, random, request.stop);
+    return complex_report(request.scene, start.coordinates, ends, work, random, request);
   };
   const auto before = [&](const std::vector<std::size_t>& numbers) {
     std::vector<ComplexVectorX> starts;

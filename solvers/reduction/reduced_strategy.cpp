@@ -341,6 +341,21 @@ class ReducedStrategy final : public Strategy {
     return whole;
   }
 
+  /// How many are so far away that doubles lose their distances, and not proven.
+  static std::size_t prove_far_ones(const SolveRequest& request, std::vector<Candidate>& candidates) {
+    std::vector<Candidate*> far;
+    std::vector<const Figure*> figures;
+    for (Candidate& candidate : candidates) {
+      if (!loses_distances(request.scene, candidate.figure)) continue;
+      far.push_back(&candidate);
+      figures.push_back(&candidate.figure);
+    }
+    auto proven = proven_next_to(request.scene, figures, request);
+    for (std::size_t i = 0; i < far.size(); ++i)
+      if (proven[i]) *far[i] = *std::move(proven[i]);
+    return static_cast<std::size_t>(std::ranges::count_if(proven, [](const auto& one) { return !one; }));
+  }
+
   /// Counts, and lists as many as asked for.
   static void multiply(const SolveRequest& request, SolutionProduct& product, SolveReport& whole) {
     const bool only_real = whole.claim != Claim::all_complex;
@@ -357,12 +372,7 @@ class ReducedStrategy final : public Strategy {
         whole.candidates.push_back(std::move(candidate));
     if (!claims_all(whole.claim)) totals.real.reset();  // it is the number of those that were found
     std::vector<std::string> undecided = product.undecided();
-    const auto lost = std::ranges::count_if(whole.candidates, [&](Candidate& candidate) {
-      if (!loses_distances(request.scene, candidate.figure)) return false;
-      std::optional<Candidate> proven = proven_next_to(request.scene, candidate.figure);
-      if (proven) candidate = *std::move(proven);
-      return !proven;
-    });
+    const std::size_t lost = prove_far_ones(request, whole.candidates);
     if (lost > 0)
       undecided.push_back("the coordinates of " + counted(lost, "solution") + " are " +
                           too_large_for_doubles());

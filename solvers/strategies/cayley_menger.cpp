@@ -192,7 +192,7 @@ class Reporter {
 
   void list(Candidate candidate) {
     if (loses_distances(scene_, candidate.figure)) {
-      std::optional<Candidate> proven = proven_next_to(scene_, candidate.figure);
+      std::optional<Candidate> proven = proven_next_to(scene_, {&candidate.figure}, {}).front();
       some_are_too_far_ |= !proven;
       if (proven) candidate = *std::move(proven);
     }

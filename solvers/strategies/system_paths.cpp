@@ -250,7 +250,7 @@ class SystemPathsStrategy final : public Strategy {
     Settling settling(request, coordinates, setup, random, work);
     SolutionSet classes(mirror_axes(request.scene, coordinates), random);
     const SortedEnds ends = sorted(written, paths.ends, classes, settling);
-    SolveReport report = complex_report(request.scene, coordinates, ends.classes, work, random, request.stop);
+    SolveReport report = complex_report(request.scene, coordinates, ends.classes, work, random, request);
     report.particulars = system_facts(written.equations, request);
     report.particulars.push_back({"extraneous_ends", ends.extraneous});
     std::string missing = what_is_missing(paths, ends, written.mirror_images);

@@ -1,6 +1,6 @@
 /// Certificates that other processes prove: here by messages alone, within one.
 
-#include "solvers/answers/certificate_member.hpp"
+#include "solvers/certificates/certificate_member.hpp"
 
 #include <catch2/catch.hpp>
 #include <complex>

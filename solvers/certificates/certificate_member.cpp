@@ -1,4 +1,4 @@
-#include "solvers/answers/certificate_member.hpp"
+#include "solvers/certificates/certificate_member.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -17,8 +17,8 @@ using Point = std::vector<std::complex<double>>;
 
 constexpr std::string_view certificates_task = "certificates\n";
 
-/// Of points for each thread: of a hundredth of a second or so, against which messages cost nothing.
-constexpr std::size_t batch_for_a_thread = 64;
+/// Points for each thread: of a hundredth of a second or so, against which messages cost nothing.
+std::size_t batch_for_a_thread(int least_bits) { return least_bits > bits_of_doubles ? 2 : 64; }
 
 void visit_number(auto& visit, auto& number) {
   visit_all(visit, number.decimal, number.value, number.exponent, number.is_squared, number.is_negative,
@@ -47,10 +47,10 @@ void visit_certificate(auto& visit, auto& c) {
             c.realness, c.cause);
 }
 
-std::string to_task(const QuadraticSystem& system, int threads) {
+std::string to_task(const QuadraticSystem& system, int threads, int least_bits) {
   MessageWriter write;
   write.message = certificates_task;
-  write(threads);
+  visit_all(write, threads, least_bits);
   write(system.unknowns);
   visit_each(write, system.equations, [](auto& v, auto& equation) { visit_equation(v, equation); });
   write(std::vector<SignMask>(system.mirror.begin(), system.mirror.end()));
@@ -113,29 +113,31 @@ class CertificateProgress {
 };
 
 std::vector<Certificate> certificates_here(const Certifier& certifier, std::size_t points,
-                                           const PointOf& point_of, int threads, const std::stop_token& stop,
-                                           CertificateProgress& progress) {
+                                           const PointOf& point_of, int least_bits, int threads,
+                                           const std::stop_token& stop, CertificateProgress& progress) {
   std::vector<Certificate> results(points);
   share_on_threads(points, threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
-    results[i] = certifier.certify(point_of(i));
+    results[i] = certifier.certify(point_of(i), least_bits);
     progress.one_more();
   });
   return results;
 }
 
 /// What becomes of an item.
-std::string certified(const Certifier& certifier, const std::string& item, int threads,
+std::string certified(const Certifier& certifier, const std::string& item, int least_bits, int threads,
                       const std::stop_token& stop) {
   const std::vector<Point> points = read_points(item);
   CertificateProgress unheard;
   const auto point_of = [&](std::size_t i) { return points[i]; };
-  return to_message(certificates_here(certifier, points.size(), point_of, threads, stop, unheard));
+  return to_message(
+      certificates_here(certifier, points.size(), point_of, least_bits, threads, stop, unheard));
 }
 
 std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::size_t points,
-                                              const PointOf& point_of, const ProofSetup& setup) {
-  const std::size_t batch = batch_for_a_thread * static_cast<std::size_t>(setup.threads);
+                                              const PointOf& point_of, const ProofSetup& setup,
+                                              int least_bits) {
+  const std::size_t batch = batch_for_a_thread(least_bits) * static_cast<std::size_t>(setup.threads);
   const auto end_of = [&](std::size_t item) { return std::min((item + 1) * batch, points); };
   std::vector<std::string> items;
   for (std::size_t i = 0; i * batch < points; ++i)
@@ -143,12 +145,13 @@ std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::s
   CertificateProgress handed_out(setup.monitor, items.size());
   OneByOne here([&](const NumberedItem& item) {
     handed_out.reach(item.number);
-    return certified(certifier, item.bytes, setup.threads, setup.stop);
+    return certified(certifier, item.bytes, least_bits, setup.threads, setup.stop);
   });
-  const std::vector<std::string> results = setup.crew->results(
-      to_task(certifier.system(), setup.threads), items, here, [&] { return setup.stop.stop_requested(); });
+  const std::vector<std::string> results =
+      setup.crew->results(to_task(certifier.system(), setup.threads, least_bits), std::move(items), here,
+                          [&] { return setup.stop.stop_requested(); });
   std::vector<Certificate> all;
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
     std::vector<Certificate> some;
     MessageReader read(results[i]);
     if (!results[i].empty())
@@ -162,22 +165,21 @@ std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::s
 }  // namespace
 
 std::vector<Certificate> certificates(const Certifier& certifier, std::size_t points, const PointOf& point_of,
-                                      const ProofSetup& setup) {
-  if (setup.crew != nullptr && points > batch_for_a_thread)
-    return certificates_by_crew(certifier, points, point_of, setup);
+                                      const ProofSetup& setup, int least_bits) {
+  if (setup.crew != nullptr && points > batch_for_a_thread(least_bits))
+    return certificates_by_crew(certifier, points, point_of, setup, least_bits);
   CertificateProgress progress(setup.monitor, points);
-  return certificates_here(certifier, points, point_of, setup.threads, setup.stop, progress);
+  return certificates_here(certifier, points, point_of, least_bits, setup.threads, setup.stop, progress);
 }
 
 std::unique_ptr<ItemWork> begin_certificates(const std::string& task) {
   if (!task.starts_with(certificates_task)) return nullptr;
   MessageReader read(std::string_view(task).substr(certificates_task.size()));
-  int threads = 1;
-  read(threads);
+  int threads = 1, least_bits = bits_of_doubles;
+  visit_all(read, threads, least_bits);
   const auto certifier = std::make_shared<const Certifier>(read_system(read));
-  return std::make_unique<OneByOne>([certifier, threads](const NumberedItem& item) {
-    return certified(*certifier, item.bytes, threads, {});
-  });
+  return std::make_unique<OneByOne>(
+      [=](const NumberedItem& item) { return certified(*certifier, item.bytes, least_bits, threads, {}); });
 }
 
 }  // namespace gcs

@@ -17,7 +17,8 @@ namespace gcs {
 /// is asked for. `point_of`: called from any thread.
 std::vector<Certificate> certificates(
     const Certifier& certifier, std::size_t points,
-    const std::function<std::vector<std::complex<double>>(std::size_t)>& point_of, const ProofSetup& setup);
+    const std::function<std::vector<std::complex<double>>(std::size_t)>& point_of, const ProofSetup& setup,
+    int least_bits = bits_of_doubles);
 
 /// The other side. Null where the task is none of certificates; throws std::invalid_argument for bytes that are none.
 std::unique_ptr<ItemWork> begin_certificates(const std::string& task);

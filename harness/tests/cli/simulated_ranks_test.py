@@ -27,19 +27,33 @@ class SimulatedRanks(command_line.WithFolder):
         self.assertGreater(steps, 0.97 * all_steps)  # the others are of paths that were followed again
 
     def test_lanes_take_the_next_path_when_theirs_ends(self):
-        self.assertEqual(simulate_ranks.rounds([5, 1, 1, 1], 2), 5)
-        self.assertEqual(simulate_ranks.rounds([1, 1, 1, 5], 2), 6)
-        self.assertEqual(simulate_ranks.rounds([3] * 10, 1), 30)
+        for steps, lanes, rounds in (([5, 1, 1, 1], 2, 5), ([1, 1, 1, 5], 2, 6), ([3] * 10, 1, 30)):
+            self.assertEqual(simulate_ranks.Machine(1, 0, 0, 0, lanes).solve_s([([steps], 1)], 1), rounds)
 
     def test_equal_ranks_share_paths(self):
         with mock.patch.multiple(simulate_ranks, LATENCY_S=0, HANDLING_S=0):
-            machine = simulate_ranks.Machine(1, 0, 0, 1)
-            self.assertEqual(machine.solve_s([[10] * 16], 4), 160)  # too few to send
+            machine = simulate_ranks.Machine(1, 0, 0, 0, 1)
+            self.assertEqual(machine.solve_s([([[10] * 16], 1)], 4), 160)  # too few to send
             for ranks in (2, 3, 4):
-                whole = machine.solve_s([[10] * 6400], ranks)
+                whole = machine.solve_s([([[10] * 6400], 1)], ranks)
                 self.assertGreaterEqual(whole, 64000 / ranks)
                 self.assertLess(whole, 64000 / ranks + 160)  # but for the last ones
-            self.assertEqual(machine.solve_s([[10] * 6400], 1), 64000)
+            self.assertEqual(machine.solve_s([([[10] * 6400], 1)], 1), 64000)
+
+    def test_blocks_side_by_side_leave_nobody_idle_while_one_is_sorted_in(self):
+        with mock.patch.multiple(simulate_ranks, LATENCY_S=0, HANDLING_S=0):
+            machine = simulate_ranks.Machine(1, 1, 0, 0, 1)
+            blocks = [[10] * 320] * 20
+            one_by_one, side_by_side = (machine.solve_s([(blocks, number)], 2) for number in (1, 2))
+        self.assertGreaterEqual(one_by_one, 20 * (1600 + 320))
+        self.assertGreaterEqual(side_by_side, 20 * (3200 + 320) / 2)
+        self.assertLess(side_by_side, 1.05 * 20 * (3200 + 320) / 2)
+
+    def test_stages_are_told_by_their_paths(self):
+        blocks = [[1] * 100] * 3 + [[1] * 32] * 2 + [[1] * 3] * 5  # 320 were handed out in the search: the last 20 in vain
+        result = {"statistics": {"loop_paths": 320}, "counts": {"paths": 32}}
+        stages = simulate_ranks.stages_of(blocks, result)
+        self.assertEqual([(len(some), number) for some, number in stages], [(3, 2), (2, 3), (5, 1)])
 
     def test_a_lane_takes_paths_of_the_next_item_when_its_own_ends(self):
         ends = [0.0, 0.0]

@@ -135,7 +135,7 @@ DecimalFigure distance_decimals(Decimals& decimals, const SceneEquations& equati
   }
   for (int line = 0; line < static_cast<int>(scene.problem().lines.size()); ++line) {
     DecimalFigure::Line& place = figure.lines.emplace_back();
-    place.direction[0].re = "1";
+    place.direction[0].re.push_back('1');
     for (int axis = 0; axis < 3 && equations.line_unknown(line, 0, 0) >= 0; ++axis) {
       const auto i = static_cast<std::size_t>(axis);
       place.point[i] = decimals.unknown(equations.line_unknown(line, 0, axis), true);

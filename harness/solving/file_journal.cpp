@@ -127,15 +127,14 @@ std::optional<FileJournal::Record> FileJournal::read_record() {
   const std::uint64_t left = size_ - position_;
   if (left < 3 * word) return std::nullopt;
   std::array<std::uint64_t, 2> head{};
-  std::memcpy(head.data(), read(position_, sizeof head).data(), sizeof head);
+  read(position_, std::as_writable_bytes(std::span(head)));
   const auto [fingerprint, count] = head;
   if (count > left / word - 3) return std::nullopt;
   Record record{fingerprint, Block(count)};
-  const std::string body = read(position_ + sizeof head, (count + 1) * word);
-  std::uint64_t sum = 0;
-  std::memcpy(&sum, body.data() + count * word, word);
-  if (count > 0) std::memcpy(record.block.data(), body.data(), count * word);
-  if (sum == checksum(fingerprint, record.block)) return record;
+  read(position_ + sizeof head, std::as_writable_bytes(std::span(record.block)));
+  std::array<std::uint64_t, 1> sum{};
+  read(position_ + sizeof head + count * word, std::as_writable_bytes(std::span(sum)));
+  if (sum.front() == checksum(fingerprint, record.block)) return record;
   const bool is_last = left == (count + 3) * word;
   if (!is_last) refuse(fmt::format("the journal is damaged at byte {}", position_));
   return std::nullopt;
@@ -153,17 +152,21 @@ void FileJournal::append(std::uint64_t fingerprint, const Block& block) {
 
 std::string FileJournal::read(std::uint64_t position, std::uint64_t count) const {
   std::string bytes(count, '\0');
-  std::uint64_t done = 0;
-  while (done < count) {
+  bytes.resize(read(position, std::as_writable_bytes(std::span(bytes))));
+  return bytes;
+}
+
+std::size_t FileJournal::read(std::uint64_t position, std::span<std::byte> bytes) const {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
     const ssize_t some =
-        pread(descriptor_, bytes.data() + done, count - done, static_cast<off_t>(position + done));
+        pread(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(position + done));
     if (some < 0 && errno == EINTR) continue;
     if (some < 0) throw InputError(name_, "", std::string("cannot be read: ") + std::strerror(errno), "");
     if (some == 0) break;
-    done += static_cast<std::uint64_t>(some);
+    done += static_cast<std::size_t>(some);
   }
-  bytes.resize(done);
-  return bytes;
+  return done;
 }
 
 void FileJournal::cut(std::uint64_t size) {

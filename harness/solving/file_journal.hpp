@@ -6,7 +6,9 @@
 /// record is written as soon as its step is done, so that a run that is killed loses the step in hand alone;
 /// the torn record that it may leave at the end is dropped and overwritten.
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -41,6 +43,8 @@ class FileJournal final : public Journal {
   std::optional<Record> read_record();
   void append(std::uint64_t fingerprint, const Block& block);
   std::string read(std::uint64_t position, std::uint64_t count) const;
+  /// How many there were.
+  std::size_t read(std::uint64_t position, std::span<std::byte> bytes) const;
   void cut(std::uint64_t size);
   void write(std::string_view bytes);
   [[noreturn]] void fail_output(int error) const;

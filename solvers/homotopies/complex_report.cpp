@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "solvers/certificates/near_solutions.hpp"
 #include "solvers/certificates/nearly_singular.hpp"
@@ -104,7 +105,11 @@ class ComplexReporter {
     const DistinctEnds distinct(ends, mirror_axes(scene_, system_), random);
     MotionFinder finder(scene_, system_, random);
     missing_.jumps = distinct.jumps();
-    for (int i = 0; i < distinct.size() && !means_.stop.stop_requested(); ++i) add_end(distinct, i, finder);
+    std::vector<EndFacts> facts(static_cast<std::size_t>(distinct.size()));
+    on_threads(facts.size(),
+               [&](std::size_t i) { facts[i] = facts_of(distinct, static_cast<int>(i), finder); });
+    for (int i = 0; i < distinct.size() && !means_.stop.stop_requested(); ++i)
+      add_end(distinct, i, finder, facts[static_cast<std::size_t>(i)]);
     const bool is_stopped = means_.stop.stop_requested() || is_any_stopped(ends);
     if (loose_end_ && !is_stopped) finder.look_for_apparent_motion(*loose_end_);
     report_.motions = finder.motions();
@@ -116,15 +121,28 @@ class ComplexReporter {
   }
 
  private:
-  void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder) {
-    const bool is_singular = distinct.is_singular(i), is_lonely = !distinct.has_conjugate(i);
+  /// What one end says without the others' reports.
+  struct EndFacts {
+    Figure figure{};  ///< of a regular end
+    bool is_lonely = false;
+    bool is_loose = false;
+  };
+
+  EndFacts facts_of(const DistinctEnds& distinct, int i, const MotionFinder& finder) const {
+    return {distinct.is_singular(i) ? Figure{} : figure_of(distinct[i], next_to_real),
+            !distinct.has_conjugate(i), finder.loose_at(distinct[i], singular_uncertainty).has_value()};
+  }
+
+  void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder, EndFacts& facts) {
+    const bool is_singular = distinct.is_singular(i), is_lonely = facts.is_lonely;
     if (distinct.is_precise(i) && !is_singular)
       if (const auto near = settled_near(distinct[i], 1); near && near->simple.size() == 1) {
         missing_.lonely += is_lonely && near->simple.front().realness != Certificate::Realness::real;
         return add_simple(near->simple);
       }
-    const Figure figure = is_singular ? singular_figure(distinct[i]) : figure_of(distinct[i], next_to_real);
-    const std::optional<Collapse> loose = finder.loose_at(distinct[i], singular_uncertainty);
+    const Figure figure = is_singular ? singular_figure(distinct[i]) : std::move(facts.figure);
+    const std::optional<Collapse> loose =
+        facts.is_loose ? finder.loose_at(distinct[i], singular_uncertainty) : std::nullopt;
     const bool may_move = loose && (is_singular || jacobian_condition(scene_, figure) >= rank_lost);
     if (may_move && finder.lies_on_motion(*loose, distinct[i])) return;
     const bool is_isolated =

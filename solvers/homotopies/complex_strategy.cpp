@@ -156,7 +156,7 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(start.system, squares, x); };
   std::vector<PathEnd> ends = follow_to_end(start.tracking, start.solutions(), start.squares(), squares,
                                             is_zero, stopped, progress, work);
-  settle(start.system, squares, ends);
+  settle(start.system, squares, request.threads, ends);
   if (has_precise_ends(request.scene))
     continue_ends(request.scene, start.squares(), squares, ends, request.stop);
   std::mt19937_64 random(request.seed);

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "solvers/running/run_on_threads.hpp"
+
 namespace gcs {
 namespace {
 
@@ -437,24 +439,28 @@ std::vector<ComplexVectorX> follow_to_endgame(LegTracking& tracking, std::span<c
   return result;
 }
 
-void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, std::vector<PathEnd>& ends) {
+void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, int threads,
+            std::vector<PathEnd>& ends) {
   const auto value = [&](const ComplexVectorX& x) { return values_at(system, coefficients, x).value; };
   const auto jacobian = [&](const ComplexVectorX& x) { return jacobian_at(system, coefficients, x); };
-  for (PathEnd& end : ends)
-    if (may_be_regular(end)) settle_one(value, jacobian, end);
+  share_on_threads(ends.size(), threads, [&](std::size_t i) {
+    if (may_be_regular(ends[i])) settle_one(value, jacobian, ends[i]);
+  });
 }
 
-void settle(const SquareSystem& system, const ComplexVectorX& squares, std::vector<PathEnd>& ends) {
+void settle(const SquareSystem& system, const ComplexVectorX& squares, int threads,
+            std::vector<PathEnd>& ends) {
   const auto value = [&](const ComplexVectorX& x) {
     ComplexVectorX off = squares_at(system, x);
     for (std::size_t e = 0; e < off.size(); ++e) off[e] = (off[e] - squares[e]) / 2.0;
     return off;
   };
   const auto jacobian = [&](const ComplexVectorX& x) { return jacobian_at(system, x); };
-  for (PathEnd& end : ends) {
+  share_on_threads(ends.size(), threads, [&](std::size_t i) {
+    PathEnd& end = ends[i];
     const bool is_rough = end.kind == PathEnd::Kind::regular && !is_zero_at(system, squares, end.x);
     if (may_be_regular(end) || is_rough) settle_one(value, jacobian, end);
-  }
+  });
 }
 
 }  // namespace gcs

@@ -49,8 +49,10 @@ std::vector<ComplexVectorX> follow_to_endgame(LegTracking& tracking, std::span<c
                                               const std::function<bool()>& stopped, WorkCounters& work);
 
 /// Newton's method on ends that the trackers, whose order of elimination is fixed, did not take for regular ones or, where
-/// small pivots enlarge rounding, left beside them.
-void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, std::vector<PathEnd>& ends);
-void settle(const SquareSystem& system, const ComplexVectorX& squares, std::vector<PathEnd>& ends);
+/// small pivots enlarge rounding, left beside them. On `threads` ≥ 1.
+void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, int threads,
+            std::vector<PathEnd>& ends);
+void settle(const SquareSystem& system, const ComplexVectorX& squares, int threads,
+            std::vector<PathEnd>& ends);
 
 }  // namespace gcs

@@ -23,10 +23,11 @@ namespace gcs {
 struct TrackingSetup {
   TrackingOptions options;
   InstructionSet set = InstructionSet::portable;
-  int threads = 1;             ///< ≥ 1
-  Journal* journal = nullptr;  ///< what it has recorded is not followed again
-  bool all_wide = false;       ///< everything in twice the precision, not only what doubles cannot follow
-  Crew* crew = nullptr;        ///< other processes that follow some
+  int threads = 1;  ///< ≥ 1
+  /// What it has recorded is not followed again; after a step that it does not have it has none.
+  Journal* journal = nullptr;
+  bool all_wide = false;  ///< everything in twice the precision, not only what doubles cannot follow
+  Crew* crew = nullptr;   ///< other processes that follow some
 };
 
 /// Options for the arithmetic of twice the precision.

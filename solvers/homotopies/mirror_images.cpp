@@ -16,6 +16,12 @@ constexpr double equality = 1e-9;
 /// An entry that is 0 may come out as this, likewise, where each is right to its own rounding.
 constexpr double vanishing = 1e-60;
 
+/// |z| ≤ most; the absolute value, which guards against overflow, is taken only where it decides.
+bool is_within(std::complex<double> z, double most) {
+  const double re = std::abs(z.real()), im = std::abs(z.imag());
+  return re + im <= most || (std::max(re, im) <= most && std::abs(z) <= most);
+}
+
 }  // namespace
 
 std::vector<int> divided_by_none(const std::vector<int>& axes) { return std::vector<int>(axes.size(), -1); }
@@ -60,7 +66,7 @@ bool SolutionSet::equal(const ComplexVectorX& x, const ComplexVectorX& y, const 
     return relative * std::max({std::abs(x[i]), std::abs(y[i]), vanishing * most});
   };
   return some_signs_fit(
-      signs_, [&](std::size_t i, double sign) { return std::abs(x[i] - sign * y[i]) <= tolerance(i); });
+      signs_, [&](std::size_t i, double sign) { return is_within(x[i] - sign * y[i], tolerance(i)); });
 }
 
 /// Both have to be known by each entry where that decides.

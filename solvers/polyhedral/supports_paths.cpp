@@ -71,7 +71,7 @@ class Following {
     result_.ends = follow_to_end(
         tracking, zeros.zeros, zeros.coefficients, coefficients_, [](const ComplexVectorX&) { return true; },
         stopped_, [&](double fraction) { request_.progress(stage, fraction); }, work_);
-    settle(system, coefficients_, result_.ends);
+    settle(system, coefficients_, request_.setup.threads, result_.ends);
     for (const PathEnd& end : result_.ends)
       result_.counts.at_infinity += end.kind == PathEnd::Kind::at_infinity;
   }

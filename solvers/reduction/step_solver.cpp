@@ -121,7 +121,7 @@ std::vector<PathEnd> StepSolver::followed_to(const ComplexVectorX& coefficients,
   const auto stopped = [&] { return means_.stop.stop_requested(); };
   std::vector<PathEnd> ends = follow_to_end(
       *tracking_, starts_, parameters_, coefficients, is_zero, stopped, [](double) {}, work);
-  settle(system_, coefficients, ends);
+  settle(system_, coefficients, means_.threads, ends);
   count_lost(ends);
   return ends;
 }

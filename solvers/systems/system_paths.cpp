@@ -110,7 +110,7 @@ class Following {
     result_.ends = follow_to_end(
         tracking, starts, from, to, is_zero, stopped_,
         [&](double fraction) { request_.progress("paths to the system", fraction); }, work_);
-    settle(system, to, result_.ends);
+    settle(system, to, request_.setup.threads, result_.ends);
     for (PathEnd& end : result_.ends)
       if (!end.x.empty()) end.x.resize(static_cast<std::size_t>(lift.unknowns));
   }

@@ -443,9 +443,10 @@ void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, in
             std::vector<PathEnd>& ends) {
   const auto value = [&](const ComplexVectorX& x) { return values_at(system, coefficients, x).value; };
   const auto jacobian = [&](const ComplexVectorX& x) { return jacobian_at(system, coefficients, x); };
-  share_on_threads(ends.size(), threads, [&](std::size_t i) {
-    if (may_be_regular(ends[i])) settle_one(value, jacobian, ends[i]);
-  });
+  std::vector<PathEnd*> open;  // few, and often none
+  for (PathEnd& end : ends)
+    if (may_be_regular(end)) open.push_back(&end);
+  share_on_threads(open.size(), threads, [&](std::size_t i) { settle_one(value, jacobian, *open[i]); });
 }
 
 void settle(const SquareSystem& system, const ComplexVectorX& squares, int threads,

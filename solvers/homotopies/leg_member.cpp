@@ -1,7 +1,6 @@
 #include "solvers/homotopies/leg_member.hpp"
 
 #include <memory>
-#include <utility>
 #include <variant>
 
 #include "solvers/homotopies/leg_message.hpp"
@@ -10,30 +9,25 @@
 namespace gcs {
 namespace {
 
-class LegMember final : public ItemWork {
- public:
-  explicit LegMember(const std::string& task) : task_(read_task(task)) {
-    TrackingSetup setup{task_.options, is_available(task_.set) ? task_.set : widest_instruction_set(),
-                        task_.threads};
-    setup.all_wide = task_.all_wide;
-    stream_ = std::visit(
-        [&](const auto& system) { return make_leg_stream(system, task_.elimination, setup); }, task_.system);
-    items_ = std::make_unique<LegItems>(*stream_);
+/// A stream, and what it refers to.
+struct TaskStream {
+  explicit TaskStream(const std::string& message) : task(read_task(message)) {
+    TrackingSetup setup{task.options, is_available(task.set) ? task.set : widest_instruction_set(),
+                        task.threads};
+    setup.all_wide = task.all_wide;
+    stream = std::visit([&](const auto& system) { return make_leg_stream(system, task.elimination, setup); },
+                        task.system);
   }
 
-  void add(NumberedItem item) override { items_->add(std::move(item)); }
-  std::size_t reserve() const override { return items_->reserve(); }
-  bool is_idle() const override { return items_->is_idle(); }
-  std::vector<NumberedItem> advance() override { return items_->advance(); }
-
- private:
-  LegTask task_;
-  std::unique_ptr<LegStream> stream_;
-  std::unique_ptr<LegItems> items_;
+  LegTask task;
+  std::unique_ptr<LegStream> stream;
 };
 
 }  // namespace
 
-std::unique_ptr<ItemWork> begin_legs(const std::string& task) { return std::make_unique<LegMember>(task); }
+std::unique_ptr<ItemWork> begin_legs(const std::string& task) {
+  const auto whole = std::make_shared<TaskStream>(task);
+  return std::make_unique<LegItems>(std::shared_ptr<LegStream>(whole, whole->stream.get()));
+}
 
 }  // namespace gcs

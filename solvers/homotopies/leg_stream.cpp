@@ -179,12 +179,12 @@ void LegStream::take_result(Lanes& lanes, int lane) {
 
 void LegItems::add(NumberedItem item) {
   const SentLegs& sent = sent_[item.number] = read_legs(item.bytes);
-  stream_.add(item.number, sent.legs(), sent.arithmetic);
+  stream_->add(item.number, sent.legs(), sent.arithmetic);
 }
 
 std::vector<NumberedItem> LegItems::advance() {
   std::vector<NumberedItem> results;
-  for (const FollowedList& list : stream_.advance()) {
+  for (const FollowedList& list : stream_->advance()) {
     sent_.erase(list.number);
     results.push_back({list.number, to_message(list.legs)});
   }

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "solvers/homotopies/leg_block.hpp"
@@ -96,20 +97,20 @@ class LegStream {
 /// A stream's lists as items, whose bytes are those of leg_message.hpp.
 class LegItems final : public ItemWork {
  public:
-  explicit LegItems(LegStream& stream) : stream_(stream) {}
+  explicit LegItems(std::shared_ptr<LegStream> stream) : stream_(std::move(stream)) {}
   /// Leaves nothing in the stream.
-  ~LegItems() override { stream_.give_up(); }
+  ~LegItems() override { stream_->give_up(); }
   LegItems(const LegItems&) = delete;
   LegItems& operator=(const LegItems&) = delete;
 
   void add(NumberedItem item) override;
   /// Lanes that the last legs of an item leave empty have others before the next look for messages.
   std::size_t reserve() const override { return 2; }
-  bool is_idle() const override { return stream_.is_idle(); }
+  bool is_idle() const override { return stream_->is_idle(); }
   std::vector<NumberedItem> advance() override;
 
  private:
-  LegStream& stream_;
+  std::shared_ptr<LegStream> stream_;
   std::map<std::uint64_t, SentLegs> sent_;
 };
 

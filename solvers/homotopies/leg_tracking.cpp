@@ -139,7 +139,7 @@ std::vector<Leg> LegTracking::legs_of_phase(Block& block) {
 
 void LegTracking::hand_in(Block& block, const std::vector<Leg>& legs, LegArithmetic arithmetic) {
   if (crew_ != nullptr && shared_ == nullptr) {
-    items_ = std::make_unique<LegItems>(*stream_);
+    items_ = std::make_unique<LegItems>(stream_);
     shared_ = crew_->share(task_, *items_);
   }
   block.open = legs.size();

@@ -114,7 +114,7 @@ class LegTracking {
   std::deque<std::unique_ptr<Block>> blocks_;
   std::map<std::uint64_t, Piece> pieces_;  ///< that are followed, by the numbers of their lists
   std::uint64_t last_block_ = 0;
-  std::unique_ptr<LegStream> stream_;
+  std::shared_ptr<LegStream> stream_;
   // While the crew follows some.
   std::unique_ptr<LegItems> items_;  ///< of the stream
   std::unique_ptr<ItemWork> shared_;

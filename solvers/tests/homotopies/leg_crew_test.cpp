@@ -93,6 +93,11 @@ void check_same(const LegResult& a, const LegResult& b) {
   CHECK(a.state.last_correction == b.state.last_correction);
 }
 
+void check_same(const std::vector<LegResult>& a, const std::vector<LegResult>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) check_same(a[i], b[i]);
+}
+
 template <class System>
 void check_crew(const Task<System>& task, const Elimination& elimination) {
   for (const bool all_wide : {false, true}) {
@@ -105,8 +110,7 @@ void check_crew(const Task<System>& task, const Elimination& elimination) {
     const std::vector<LegResult> expected = alone.follow(task.legs(), is_stopped, work);
     const std::vector<LegResult> results = together.follow(task.legs(), is_stopped, work_of_crew);
     CHECK(crew.handed_out > 0);
-    REQUIRE(results.size() == expected.size());
-    for (std::size_t i = 0; i < results.size(); ++i) check_same(results[i], expected[i]);
+    check_same(results, expected);
     CHECK(work.iterations == work_of_crew.iterations);
     CHECK(work.rejected_steps == work_of_crew.rejected_steps);
     CHECK(work.evaluations == work_of_crew.evaluations);
@@ -117,15 +121,6 @@ void check_crew(const Task<System>& task, const Elimination& elimination) {
 FollowedLegs only_list(LegStream& stream) {
   while (true)
     for (FollowedList& list : stream.advance()) return std::move(list.legs);
-}
-
-LegStream stream_of(const Task<SquareSystem>& task, const Elimination& elimination, int threads) {
-  LaneTrackers trackers, wide_trackers;
-  for (int i = 0; i < threads; ++i) {
-    trackers.push_back(make_lane_tracker(widest_instruction_set(), task.system, elimination, {}));
-    wide_trackers.push_back(make_wide_tracker(widest_instruction_set(), task.system, elimination, {}));
-  }
-  return LegStream(task.system.unknowns, std::move(trackers), std::move(wide_trackers));
 }
 
 /// The i-th list of legs has i of them, every third is wide.
@@ -143,8 +138,7 @@ LegArithmetic arithmetic_of(std::size_t list) {
 }
 
 void check_same(const FollowedLegs& a, const FollowedLegs& b) {
-  REQUIRE(a.results.size() == b.results.size());
-  for (std::size_t i = 0; i < a.results.size(); ++i) check_same(a.results[i], b.results[i]);
+  check_same(a.results, b.results);
   CHECK(a.work.accepted == b.work.accepted);
   CHECK(a.work.rejected == b.work.rejected);
   CHECK(a.work.evaluations == b.work.evaluations);
@@ -158,20 +152,20 @@ TEST_CASE("lists of one stream have the bits of each alone, on any number of thr
   const Task<SquareSystem> task = square_task(count * (count + 1) / 2, random);
   const Elimination elimination = order_elimination(task.system, random);
   const std::vector<std::vector<Leg>> lists = lists_of(task, count);
-  LegStream alone = stream_of(task, elimination, 1);
+  const auto alone = make_leg_stream(task.system, elimination, {{}, widest_instruction_set(), 1});
   std::vector<FollowedLegs> expected;
   for (std::size_t i = 0; i < count; ++i) {
-    alone.add(i, lists[i], arithmetic_of(i));
-    expected.push_back(only_list(alone));
+    alone->add(i, lists[i], arithmetic_of(i));
+    expected.push_back(only_list(*alone));
     for (const LegResult& result : expected.back().results) CHECK(result.state.end == LegEnd::arrived);
   }
   for (const int threads : {1, 3}) {
-    LegStream stream = stream_of(task, elimination, threads);
+    const auto stream = make_leg_stream(task.system, elimination, {{}, widest_instruction_set(), threads});
     std::size_t added = 0, done = 0;
-    while (added < count || !stream.is_idle()) {
-      if (added < count) stream.add(added, lists[added], arithmetic_of(added));
+    while (added < count || !stream->is_idle()) {
+      if (added < count) stream->add(added, lists[added], arithmetic_of(added));
       added = std::min(added + 1, count);
-      for (const FollowedList& list : stream.advance()) {
+      for (const FollowedList& list : stream->advance()) {
         check_same(list.legs, expected[list.number]);
         ++done;
       }
@@ -184,13 +178,13 @@ TEST_CASE("lists that are given up keep what is followed, and leave nothing behi
   std::mt19937_64 random(35);
   const Task<SquareSystem> task = square_task(64, random);
   const Elimination elimination = order_elimination(task.system, random);
-  LegStream stream = stream_of(task, elimination, 1);
-  stream.add(0, task.legs(), LegArithmetic::doubles);
-  const FollowedLegs whole = only_list(stream);
-  stream.add(1, task.legs(), LegArithmetic::doubles);
-  for (int i = 0; i < 2; ++i) CHECK(stream.advance().empty());
-  const FollowedLegs part = stream.give_up().at(0).legs;
-  CHECK(stream.is_idle());
+  const auto stream = make_leg_stream(task.system, elimination, {{}, widest_instruction_set(), 1});
+  stream->add(0, task.legs(), LegArithmetic::doubles);
+  const FollowedLegs whole = only_list(*stream);
+  stream->add(1, task.legs(), LegArithmetic::doubles);
+  for (int i = 0; i < 2; ++i) CHECK(stream->advance().empty());
+  const FollowedLegs part = stream->give_up().at(0).legs;
+  CHECK(stream->is_idle());
   REQUIRE(part.results.size() == whole.results.size());
   int followed = 0;
   for (std::size_t i = 0; i < part.results.size(); ++i) {
@@ -204,8 +198,8 @@ TEST_CASE("lists that are given up keep what is followed, and leave nothing behi
   }
   CHECK(followed > 0);
   CHECK(followed < static_cast<int>(part.results.size()));
-  stream.add(2, task.legs(), LegArithmetic::doubles);
-  check_same(only_list(stream), whole);
+  stream->add(2, task.legs(), LegArithmetic::doubles);
+  check_same(only_list(*stream), whole);
 }
 
 TEST_CASE("legs that a crew follows have the same bits and count the same work") {
@@ -238,10 +232,7 @@ TEST_CASE("blocks that are followed side by side have the bits of each alone, in
           const Task<SquareSystem> brief = task;  // what legs refer to is copied
           tracking.add(std::span<const Leg>(lists_of(brief, count)[added]));
         }
-        const std::vector<LegResult> results = tracking.take(is_stopped, work);
-        const std::vector<LegResult> expected = alone.follow(blocks[taken], is_stopped, work);
-        REQUIRE(results.size() == expected.size());
-        for (std::size_t i = 0; i < results.size(); ++i) check_same(results[i], expected[i]);
+        check_same(tracking.take(is_stopped, work), alone.follow(blocks[taken], is_stopped, work));
       }
     }
   }
@@ -267,8 +258,7 @@ TEST_CASE("blocks that are given up leave nothing to those that come after") {
       CHECK(part[i].state.s == 0);
   }
   tracking.give_up();
-  const std::vector<LegResult> again = tracking.follow(task.legs(), is_stopped, work);
-  for (std::size_t i = 0; i < again.size(); ++i) check_same(again[i], expected[i]);
+  check_same(tracking.follow(task.legs(), is_stopped, work), expected);
 }
 
 TEST_CASE("what a crew was stopped before is not followed") {

@@ -12,7 +12,7 @@
 #include "harness/base/errors.hpp"
 #include "harness/instances/problem_text.hpp"
 #include "harness/results/result_reader.hpp"
-#include "solvers/model/complex_lines.hpp"
+#include "solvers/elements/placement.hpp"
 #include "solvers/reading/utf8_text.hpp"
 
 namespace gcs {
@@ -63,13 +63,12 @@ std::optional<std::string> failure(const CommandOutcome& outcome) {
   return std::nullopt;
 }
 
-/// Every line with a direction of length 1.
+/// Every line and plane with a direction of length 1.
 Candidate candidate_of(const AssessedSolution& solution) {
-  const Figure& given = solution.figure;
-  Figure figure = figure_of(complex_points(given), normalised(complex_lines(given)), given.is_real());
-  figure.planes = given.planes;
-  figure.imaginary_planes = given.imaginary_planes;
-  return {std::move(figure), solution.multiplicity};
+  Placement at = placement_of(solution.figure);
+  for (ComplexPlane& plane : at.planes) plane = normalised(plane);
+  const std::vector<bool> turned(at.planes.size(), false);
+  return {figure_of(at, solution.figure.is_real(), turned), solution.multiplicity};
 }
 
 /// The path that a program says to be closed. A result has one representative of each class, and S meets a

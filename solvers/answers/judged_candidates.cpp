@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <utility>
 
@@ -14,9 +13,6 @@
 
 namespace gcs {
 namespace {
-
-/// Up to this, a solution for residuals in doubles is one to 1e-13 or so.
-constexpr double ill_condition = 1e2;
 
 bool is_finite(const LinePosition& line) { return line.point.allFinite() && line.direction.allFinite(); }
 bool is_finite(const PlanePosition& plane) { return plane.normal.allFinite() && std::isfinite(plane.offset); }
@@ -127,7 +123,14 @@ SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, c
 /// Judges some candidates at a time, on any thread.
 class CandidateJudge {
  public:
-  CandidateJudge(const Scene& scene, const FigureJudge& judge) : scene_(scene), judge_(judge) {}
+  CandidateJudge(const Scene& scene, const FigureJudge& judge) : scene_(scene), judge_(judge) {
+    if (const SceneSystem* system = judge.system()) {
+      settler_.emplace(*system);
+    } else if (scene.problem().lines.size() > 1 && !why_no_system(scene)) {
+      of_lines_.emplace(scene);
+      settler_.emplace(*of_lines_);
+    }
+  }
 
   /// Fills a place for each; the first has that number.
   void judge(std::span<const Candidate> candidates, std::size_t first,
@@ -158,21 +161,21 @@ class CandidateJudge {
       judged[i]->condition = points_ ? conditions[i] : judge_.condition(*figures[i]);
   }
 
-  /// Of general scenes: their strategies take residuals in doubles.
+  /// Of scenes that are solved by the equations of all kinds of elements: their strategies take residuals in doubles.
   void settle(Judged& judged, const Figure& figure) const {
-    const bool is_ill = judged.condition > ill_condition && judged.condition < singular_condition;
-    if (!is_ill || judged.multiplicity > 1 || std::isfinite(judged.error)) return;
-    if (!scene_.problem().is_general()) return;
-    std::call_once(is_set_up_, [&] { settler_.emplace(scene_); });
-    judged.representative = scene_.representative(settler_->settled(scene_.in_frame(figure)));
+    if (!settler_ || !(judged.condition < singular_condition) || judged.multiplicity > 1 ||
+        std::isfinite(judged.error))
+      return;
+    const Figure settled = settler_->settled(scene_.in_frame(figure), judged.condition);
+    judged.representative = scene_.representative(settled);
   }
 
   const Scene& scene_;
   const FigureJudge& judge_;
   const std::optional<PointConditions> points_ = PointConditions::of(scene_);
   const std::vector<StatedSign> signs_ = stated_signs(scene_.problem());
-  mutable std::once_flag is_set_up_;
-  mutable std::optional<FigureSettler> settler_;  ///< where it is needed
+  std::optional<SceneSystem> of_lines_;   ///< where there are several, and distances alone
+  std::optional<FigureSettler> settler_;  ///< where there are equations of elements
 };
 
 /// Multiplicity of a class: the largest that was reported for a member.

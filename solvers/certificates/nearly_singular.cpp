@@ -54,11 +54,13 @@ class Figures {
 }  // namespace
 
 bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates) {
+  if (candidates.size() < 2) return true;
+  const FigureJudge judge(scene);
   std::vector<Figure> representatives;
   std::vector<SolutionAccuracy> accuracies;
   for (const Candidate& candidate : candidates) {
     representatives.push_back(scene.representative(candidate.figure));
-    accuracies.push_back({jacobian_condition(scene, representatives.back()), candidate.error});
+    accuracies.push_back({judge.condition(representatives.back()), candidate.error});
   }
   return solution_classes(scene, representatives, accuracies).first.size() == candidates.size();
 }

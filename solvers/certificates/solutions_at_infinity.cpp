@@ -30,16 +30,15 @@ constexpr std::size_t sample_size = 8;
 
 /// Newton's method in doubles, until rounding keeps it from coming nearer. Nothing where it does not settle, or moves an
 /// unknown by many times their size.
-std::optional<Point> settled(const QuadraticSystem& system, const Point& start) {
+std::optional<Point> settled(const DenseEquations& system, const Point& start) {
   constexpr int most_steps = 40;
   constexpr double settled_change = 1e-5, far = 16;
   Point x = start;
-  Eigen::Map<Eigen::VectorXcd> at(x.data(), system.unknowns);
-  const Eigen::Map<const Eigen::VectorXcd> from(start.data(), system.unknowns);
+  Eigen::Map<Eigen::VectorXcd> at(x.data(), system.unknowns());
+  const Eigen::Map<const Eigen::VectorXcd> from(start.data(), system.unknowns());
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps; ++step) {
-    const Eigen::VectorXcd change =
-        jacobian_at(system, x).partialPivLu().solve(residuals_at(system, x).value);
+    const Eigen::VectorXcd change = system.jacobian(x).partialPivLu().solve(system.residuals(x).value);
     at -= change;
     const double size = 1 + at.cwiseAbs().maxCoeff(), length = change.cwiseAbs().maxCoeff();
     if (!((at - from).cwiseAbs().maxCoeff() <= far * size)) return std::nullopt;
@@ -193,7 +192,7 @@ class FrameOfInfinity {
   std::optional<AtInfinity> prove(std::size_t number, const ComplexPoints& points) const {
     const Guess& guess = *guesses_[number];
     const Point near = guess.equations.unknowns_near(points);
-    const auto start = settled(guess.at_infinity.system(), near);
+    const auto start = settled(DenseEquations(guess.at_infinity.system()), near);
     if (!start) return std::nullopt;
     const Certificate at_infinity = guess.at_infinity.certify(*start);
     if (!at_infinity.is_proven || !guess.equations.holds_solution(at_infinity.enclosure)) return std::nullopt;

@@ -4,15 +4,35 @@
 #include <algorithm>
 
 namespace gcs {
-EquationResiduals residuals_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x) {
-  const auto n = static_cast<Eigen::Index>(system.equations.size());
-  EquationResiduals result{Eigen::VectorXcd::Zero(n), Eigen::VectorXd::Zero(n)};
-  for (Eigen::Index e = 0; e < n; ++e) {
-    const QuadraticEquation& equation = system.equations[static_cast<std::size_t>(e)];
-    result.value[e] = -rounded_to_double(equation.given);
+
+DenseEquations::Form::Form(const LinearForm& form) : constant(rounded_to_double(form.constant)) {
+  for (const ScaledUnknown& term : form.terms)
+    terms.push_back({term.unknown, rounded_to_double(term.coefficient)});
+}
+
+std::complex<double> DenseEquations::Form::at(const std::vector<std::complex<double>>& x) const {
+  std::complex<double> sum = constant;
+  for (const auto& [unknown, coefficient] : terms) sum += coefficient * x[static_cast<std::size_t>(unknown)];
+  return sum;
+}
+
+DenseEquations::DenseEquations(const QuadraticSystem& system) : unknowns_(system.unknowns) {
+  for (const QuadraticEquation& equation : system.equations) {
+    Row& row = rows_.emplace_back();
+    row.given = rounded_to_double(equation.given);
+    for (const FormProduct& product : equation.products)
+      row.products.push_back({Form(product.left), Form(product.right)});
+  }
+}
+
+EquationResiduals DenseEquations::residuals(const std::vector<std::complex<double>>& x) const {
+  EquationResiduals result{Eigen::VectorXcd::Zero(count()), Eigen::VectorXd::Zero(count())};
+  for (int e = 0; e < count(); ++e) {
+    const Row& row = rows_[static_cast<std::size_t>(e)];
+    result.value[e] = -row.given;
     result.size[e] = std::abs(result.value[e]);
-    for (const FormProduct& product : equation.products) {
-      const std::complex<double> term = value_at(product.left, x) * value_at(product.right, x);
+    for (const Product& product : row.products) {
+      const std::complex<double> term = product.left.at(x) * product.right.at(x);
       result.value[e] += term;
       result.size[e] += std::abs(term);
     }
@@ -20,32 +40,30 @@ EquationResiduals residuals_at(const QuadraticSystem& system, const std::vector<
   return result;
 }
 
-Eigen::MatrixXcd jacobian_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x) {
-  Eigen::MatrixXcd result =
-      Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(system.equations.size()), system.unknowns);
-  const auto add = [&](Eigen::Index row, const LinearForm& form, std::complex<double> factor) {
-    for (const ScaledUnknown& term : form.terms)
-      result(row, term.unknown) += rounded_to_double(term.coefficient) * factor;
+Eigen::MatrixXcd DenseEquations::jacobian(const std::vector<std::complex<double>>& x) const {
+  Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(count(), unknowns_);
+  const auto add = [&](int row, const Form& form, std::complex<double> factor) {
+    for (const auto& [unknown, coefficient] : form.terms) result(row, unknown) += coefficient * factor;
   };
-  for (std::size_t e = 0; e < system.equations.size(); ++e)
-    for (const FormProduct& product : system.equations[e].products) {
-      add(static_cast<Eigen::Index>(e), product.left, value_at(product.right, x));
-      add(static_cast<Eigen::Index>(e), product.right, value_at(product.left, x));
+  for (int e = 0; e < count(); ++e)
+    for (const Product& product : rows_[static_cast<std::size_t>(e)].products) {
+      add(e, product.left, product.right.at(x));
+      add(e, product.right, product.left.at(x));
     }
   return result;
 }
 
-std::optional<std::vector<std::complex<double>>> zero_near(const QuadraticSystem& system,
+std::optional<std::vector<std::complex<double>>> zero_near(const DenseEquations& system,
                                                            const std::vector<int>& equations,
                                                            std::vector<std::complex<double>> x) {
   constexpr int most_iterations = 60;
   constexpr double settled = 1e-14, far = 1e3;
-  Eigen::Map<Eigen::VectorXcd> point(x.data(), system.unknowns);
+  Eigen::Map<Eigen::VectorXcd> point(x.data(), system.unknowns());
   for (int i = 0; i < most_iterations && point.allFinite(); ++i) {
-    const EquationResiduals here = residuals_at(system, x);
+    const EquationResiduals here = system.residuals(x);
     if ((here.value(equations).cwiseAbs().array() <= settled * (1 + here.size(equations).array())).all())
       return point.lpNorm<Eigen::Infinity>() <= far ? std::optional(x) : std::nullopt;
-    const Eigen::MatrixXcd jacobian = jacobian_at(system, x)(equations, Eigen::all);
+    const Eigen::MatrixXcd jacobian = system.jacobian(x)(equations, Eigen::all);
     point -= jacobian.completeOrthogonalDecomposition().solve(Eigen::VectorXcd(here.value(equations)));
   }
   return std::nullopt;
@@ -63,9 +81,9 @@ std::vector<std::complex<double>> random_point(int unknowns, std::mt19937_64& ra
   return x;
 }
 
-Eigen::Index rank_at(const QuadraticSystem& system, const std::vector<std::complex<double>>& x) {
+Eigen::Index rank_at(const DenseEquations& system, const std::vector<std::complex<double>>& x) {
   constexpr double tolerance = 1e-9;  // of rows of length 1
-  Eigen::MatrixXcd jacobian = jacobian_at(system, x);
+  Eigen::MatrixXcd jacobian = system.jacobian(x);
   jacobian.rowwise().normalize();
   Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(jacobian);
   factors.setThreshold(tolerance);
@@ -74,16 +92,15 @@ Eigen::Index rank_at(const QuadraticSystem& system, const std::vector<std::compl
 
 }  // namespace
 
-std::optional<std::vector<std::complex<double>>> random_zero(const QuadraticSystem& system,
+std::optional<std::vector<std::complex<double>>> random_zero(const DenseEquations& system,
                                                              const std::vector<int>& equations,
                                                              std::mt19937_64& random) {
   constexpr int most_starts = 20;
-  const auto full = std::min(static_cast<Eigen::Index>(system.equations.size()),
-                             static_cast<Eigen::Index>(system.unknowns));
+  const auto full = static_cast<Eigen::Index>(std::min(system.count(), system.unknowns()));
   std::optional<std::vector<std::complex<double>>> best;
   Eigen::Index best_rank = -1;
   for (int start = 0; start < most_starts && best_rank < full; ++start) {
-    auto zero = zero_near(system, equations, random_point(system.unknowns, random));
+    auto zero = zero_near(system, equations, random_point(system.unknowns(), random));
     if (!zero) continue;
     const Eigen::Index rank = rank_at(system, *zero);
     if (rank <= best_rank) continue;

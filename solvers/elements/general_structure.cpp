@@ -108,13 +108,14 @@ Structure analyse_general_structure(const Scene& scene) {
   if (why_no_system(scene)) return structure;
   const SceneSystem system(scene);
   if (system.equations().unknowns == 0) return structure;
+  const DenseEquations equations(system.equations());
   std::mt19937_64 random(1);
-  auto figure = random_zero(system.equations(), system.without_value(), random);
-  if (!figure) figure = random_zero(system.equations(), system.of_parts(), random);
+  auto figure = random_zero(equations, system.without_value(), random);
+  if (!figure) figure = random_zero(equations, system.of_parts(), random);
   structure.unknowns = system.equations().unknowns;
   structure.constraints = static_cast<int>(system.equations().equations.size());
   if (!figure) return structure;
-  const Kernels kernels = kernels_of(jacobian_at(system.equations(), *figure));
+  const Kernels kernels = kernels_of(equations.jacobian(*figure));
   structure.generic_rank = static_cast<int>(kernels.rank);
   if (kernels.motions.cols() > 0 || kernels.dependences.cols() > 0)
     structure.defects.push_back(GeneralDefect(scene.problem(), system, kernels).defect());
@@ -141,7 +142,7 @@ std::vector<int> flat_orientations(const Scene& scene) {
   if (!is_any || why_no_system(scene)) return {};
   const SceneSystem system(scene);
   std::mt19937_64 random(1);
-  const auto figure = random_zero(system.equations(), system.without_value(), random);
+  const auto figure = random_zero(DenseEquations(system.equations()), system.without_value(), random);
   return figure ? flat_orientations(signs, system.elements().placement(*figure).points) : std::vector<int>();
 }
 

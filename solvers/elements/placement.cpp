@@ -1,5 +1,10 @@
 #include "solvers/elements/placement.hpp"
 
+#include <cmath>
+
+#include "solvers/numeric/bilinear_product.hpp"
+#include "solvers/numeric/rounding.hpp"
+
 namespace gcs {
 namespace {
 
@@ -24,6 +29,16 @@ ComplexPlane with_first_positive(const ComplexPlane& plane) {
 }
 
 }  // namespace
+
+ComplexPlane normalised(const ComplexPlane& plane) {
+  constexpr double rounding = 4 * epsilon;
+  const double largest = plane.normal.cwiseAbs().maxCoeff();
+  if (!(largest > 0) || !std::isfinite(largest)) return plane;
+  const Eigen::Vector3cd direction = plane.normal / largest;  // whose square neither overflows nor vanishes
+  const std::complex<double> length = std::sqrt(bilinear_product(direction, direction));
+  if (length == 0.0 || std::abs(largest * length - 1.0) <= rounding) return plane;
+  return {direction / length, plane.offset / largest / length};
+}
 
 Placement placement_of(const Figure& figure) {
   return {complex_points(figure), normalised(complex_lines(figure)), complex_planes(figure)};

@@ -16,6 +16,9 @@ struct ComplexPlane {
   std::complex<double> offset;
 };
 
+/// The same side of the same plane with a normal of length 1; as it is where normal·normal = 0.
+ComplexPlane normalised(const ComplexPlane& plane);
+
 /// In space; in the plane z = 0. A line by its point with point·direction = 0, direction·direction = 1.
 struct Placement {
   ComplexPoints points;

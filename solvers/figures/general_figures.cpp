@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/elements/dense_equations.hpp"
 #include "solvers/figures/singular_ratio.hpp"
 
 namespace gcs {
@@ -24,14 +23,9 @@ double size_of(const ComplexValues& x) {
 
 }  // namespace
 
-double general_residual(const Scene& scene, const Figure& figure) {
-  return why_no_system(scene) ? infinity : general_residual(SceneSystem(scene), figure);
-}
-
-double general_residual(const SceneSystem& system, const Figure& figure) {
-  const ComplexValues x = system.coordinates(figure);
-  const EquationResiduals here = residuals_at(system.equations(), x);
-  double worst = system.misfit(figure) / system.elements().scene().size();
+double GeneralJudge::residual(const Figure& figure) const {
+  const EquationResiduals here = equations_.residuals(system_.coordinates(figure));
+  double worst = system_.misfit(figure) / system_.elements().scene().size();
   if (!std::isfinite(worst)) return infinity;
   for (Eigen::Index e = 0; e < here.value.size(); ++e) {
     const double error = std::abs(here.value[e]) / std::max(here.size[e], smallest_size);
@@ -41,18 +35,25 @@ double general_residual(const SceneSystem& system, const Figure& figure) {
   return worst;
 }
 
-Eigen::MatrixXcd general_jacobian(const SceneSystem& system, const Figure& figure) {
-  Eigen::MatrixXcd matrix = jacobian_at(system.equations(), system.coordinates(figure));
-  matrix.rowwise().normalize();
+Eigen::MatrixXcd GeneralJudge::jacobian(const Figure& figure) const {
+  Eigen::MatrixXcd matrix = equations_.jacobian(system_.coordinates(figure));
+  for (auto row : matrix.rowwise()) {
+    const double norm = row.norm();
+    if (!(norm > 0)) continue;
+    row.real() /= norm;
+    row.imag() /= norm;
+  }
   return matrix;
 }
 
-double general_condition(const SceneSystem& system, const Figure& figure) {
-  const Eigen::MatrixXcd matrix = general_jacobian(system, figure);
+double GeneralJudge::condition(const Figure& figure) const {
+  const Eigen::MatrixXcd matrix = jacobian(figure);
   if (!matrix.allFinite()) return infinity;
-  if ((matrix.imag().array() == 0).all()) return rounded_singular_ratio(Eigen::MatrixXd(matrix.real()));
-  return rounded_singular_ratio(matrix);
+  return is_real(matrix) ? rounded_singular_ratio(Eigen::MatrixXd(matrix.real()))
+                         : rounded_singular_ratio(matrix);
 }
+
+bool is_real(const Eigen::MatrixXcd& matrix) { return (matrix.imag().array() == 0).all(); }
 
 ReflectionClasses general_classes(const Scene& scene, std::span<const Figure> figures,
                                   std::span<const double> tolerances) {

@@ -4,24 +4,36 @@
 #include <span>
 #include <vector>
 
+#include "solvers/elements/dense_equations.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/figures/reflection_classes.hpp"
 #include "solvers/model/scene.hpp"
 
 namespace gcs {
 
-/// The largest |left − right| of an equation of the scene, relative to the sizes of its terms together or, where these
-/// are smaller, to a thousandth of the scene's unit, or misfit of a body's elements, relative to the scene's size;
-/// infinite where there are no equations. Dimensionless.
-double general_residual(const Scene& scene, const Figure& figure);
-/// The same with the scene's system.
-double general_residual(const SceneSystem& system, const Figure& figure);
+/// Judges figures of one general scene by its equations.
+class GeneralJudge {
+ public:
+  /// Keeps a reference to the system.
+  explicit GeneralJudge(const SceneSystem& system) : system_(system), equations_(system.equations()) {}
 
-/// The Jacobian of the scene's equations at the figure, its rows normalised.
-Eigen::MatrixXcd general_jacobian(const SceneSystem& system, const Figure& figure);
+  const SceneSystem& system() const { return system_; }
+  /// The largest |left − right| of an equation of the scene, relative to the sizes of its terms together or, where these
+  /// are smaller, to a thousandth of the scene's unit, or misfit of a body's elements, relative to the scene's size.
+  /// Dimensionless.
+  double residual(const Figure& figure) const;
+  /// The Jacobian of the scene's equations at the figure, its rows normalised.
+  Eigen::MatrixXcd jacobian(const Figure& figure) const;
+  /// Its 2-norm condition number, to seven digits at most. Infinite at a singular figure.
+  double condition(const Figure& figure) const;
 
-/// Its 2-norm condition number, to seven digits at most. Infinite at a singular figure.
-double general_condition(const SceneSystem& system, const Figure& figure);
+ private:
+  const SceneSystem& system_;
+  DenseEquations equations_;
+};
+
+/// Whether all imaginary parts are 0.
+bool is_real(const Eigen::MatrixXcd& matrix);
 
 /// Two figures are the same class when no unknown of the scene's equations differs by more than the tolerance, relative
 /// to 1 + the largest, after some change of signs. Of two tolerances, one for each figure, the larger counts. No complex

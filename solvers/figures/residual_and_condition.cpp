@@ -134,24 +134,35 @@ double condition_of_distances(const Scene& scene, const Figure& figure) {
 }  // namespace
 
 FigureJudge::FigureJudge(const Scene& scene) : scene_(scene) {
-  if (scene.problem().is_general() && !why_no_system(scene))
-    system_ = std::make_shared<const SceneSystem>(scene);
+  if (!scene.problem().is_general() || why_no_system(scene)) return;
+  system_ = std::make_shared<const SceneSystem>(scene);
+  general_ = std::make_shared<const GeneralJudge>(*system_);
 }
 
+FigureJudge::FigureJudge(const SceneSystem& system) : scene_(system.elements().scene()) {
+  if (scene_.problem().is_general()) general_ = std::make_shared<const GeneralJudge>(system);
+}
+
+const SceneSystem* FigureJudge::system() const { return general_ ? &general_->system() : nullptr; }
+
 double FigureJudge::residual(const Figure& figure) const {
-  if (system_) return general_residual(*system_, figure);
+  if (general_) return general_->residual(figure);
   return scene_.problem().is_general() ? std::numeric_limits<double>::infinity()
                                        : residual_of_distances(scene_, figure);
 }
 
 double FigureJudge::condition(const Figure& figure) const {
-  if (system_) return general_condition(*system_, figure);
+  if (general_) return general_->condition(figure);
   return scene_.problem().is_general() ? std::numeric_limits<double>::infinity()
                                        : condition_of_distances(scene_, figure);
 }
 
 bool FigureJudge::may_be_stiff(const Figure& figure) const {
-  if (system_) return is_perhaps_stiff(general_jacobian(*system_, figure));
+  if (general_) {
+    const Eigen::MatrixXcd jacobian = general_->jacobian(figure);
+    return is_real(jacobian) ? is_perhaps_stiff(Eigen::MatrixXd(jacobian.real()))
+                             : is_perhaps_stiff(jacobian);
+  }
   if (scene_.problem().is_general() || scene_.has_lines()) return true;
   const DistanceSystem system(scene_);
   if (system.unknowns() > most_dense_unknowns) return true;

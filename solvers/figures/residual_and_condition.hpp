@@ -7,6 +7,7 @@
 
 namespace gcs {
 
+class GeneralJudge;
 class SceneSystem;
 
 /// max over the constraints of |distance − length| / max(length, scene size · 1e-3), with the distance
@@ -32,9 +33,13 @@ class FigureJudge {
  public:
   /// Keeps a reference to the scene.
   explicit FigureJudge(const Scene& scene);
+  /// The same with the scene's system, to which a reference is kept.
+  explicit FigureJudge(const SceneSystem& system);
 
   double residual(const Figure& figure) const;   ///< see relative_residual
   double condition(const Figure& figure) const;  ///< see jacobian_condition
+  /// The equations of a general scene that has some; null otherwise.
+  const SceneSystem* system() const;
   /// condition(figure) ≥ stiff_condition, in a tenth of the time where it is far below.
   bool is_stiff(const Figure& figure) const;
 
@@ -42,7 +47,9 @@ class FigureJudge {
   bool may_be_stiff(const Figure& figure) const;
 
   const Scene& scene_;
-  std::shared_ptr<const SceneSystem> system_;  ///< of a general scene that has one
+  std::shared_ptr<const SceneSystem>
+      system_;  ///< of a general scene that has one, where it is this one's own
+  std::shared_ptr<const GeneralJudge> general_;  ///< of a general scene that has a system
 };
 
 /// See FigureJudge.

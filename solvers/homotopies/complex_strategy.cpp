@@ -110,7 +110,7 @@ std::optional<std::string> ComplexStrategy::why_unsupported(const SolveRequest& 
 
 void ComplexStrategy::prepare(const SolveRequest& request) {
   if (takes_general_road(request.scene)) {
-    prepared_general_ = general_start(request);
+    prepared_general_ = general_start(request, GivenScene(request.scene).equations);
     return;
   }
   if (!is_released(request.scene)) {
@@ -121,18 +121,21 @@ void ComplexStrategy::prepare(const SolveRequest& request) {
   prepared_ = solve_at_random_lengths(request.on(released.scene()), limit_of(request, released.doublings()));
 }
 
-std::unique_ptr<GeneralStart> ComplexStrategy::general_start(const SolveRequest& request) const {
-  auto start = std::make_unique<GeneralStart>(request.scene, request.seed, setup_for(request));
+std::unique_ptr<GeneralStart> ComplexStrategy::general_start(const SolveRequest& request,
+                                                             const GeneralEquations& equations) const {
+  auto start = std::make_unique<GeneralStart>(equations, request.seed, setup_for(request));
   solve_random_member(request, limit_of(request), *start);
   return start;
 }
 
 SolveReport ComplexStrategy::solve_general(const SolveRequest& request) const {
-  const bool is_prepared = prepared_general_ && prepared_general_->serves(request.scene);
-  const std::unique_ptr<GeneralStart> fresh = is_prepared ? nullptr : general_start(request);
+  const GivenScene given(request.scene);
+  const bool is_prepared = prepared_general_ && prepared_general_->serves(given);
+  const std::unique_ptr<GeneralStart> fresh = is_prepared ? nullptr : general_start(request, given.equations);
   GeneralStart& start = fresh ? *fresh : *prepared_general_;
-  return start.carried_to_values(
-      request, [&](double fraction) { report_progress(request, "paths to the given values", fraction); });
+  return start.carried_to_values(request, given, [&](double fraction) {
+    report_progress(request, "paths to the given values", fraction);
+  });
 }
 
 SolveReport ComplexStrategy::solve(const SolveRequest& request) {

@@ -89,7 +89,8 @@ class ComplexStrategy : public Strategy {
   /// Finds a member of the scene's family with its solutions. Precondition: !why_no_general_scenes().
   virtual void solve_random_member(const SolveRequest& request, const ClassLimit& limit,
                                    GeneralStart& start) const = 0;
-  std::unique_ptr<GeneralStart> general_start(const SolveRequest& request) const;
+  std::unique_ptr<GeneralStart> general_start(const SolveRequest& request,
+                                              const GeneralEquations& equations) const;
   SolveReport solve_general(const SolveRequest& request) const;
   SolveReport solve_free(const SolveRequest& request, const ClassLimit& limit) const;
   bool is_prepared_for(const Scene& scene) const;

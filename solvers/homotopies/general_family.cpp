@@ -109,7 +109,7 @@ ComplexVectorX with_values(const GeneralEquations& equations, const ComplexVecto
 }
 
 FamilyMember random_member(const GeneralEquations& equations, std::mt19937_64& random) {
-  auto x = random_zero(equations.exact, without_value(equations), random);
+  auto x = random_zero(DenseEquations(equations.exact), without_value(equations), random);
   if (!x) throw std::runtime_error("no figure at random meets the constraints without a value");
   FamilyMember member{std::move(*x), equations.coefficients};
   const ComplexVectorX value = values_at(equations.system, equations.coefficients, member.x).value;

@@ -1,10 +1,8 @@
 #include "solvers/homotopies/general_report.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
-#include "solvers/certificates/interval_equations.hpp"
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/homotopies/complex_report.hpp"
@@ -184,26 +182,14 @@ class GeneralReporter {
   Figure figure_of(const ComplexVectorX& x, bool is_singular) const {
     const std::optional<ComplexVectorX> real =
         real_end(equations_.system, equations_.coefficients, x, is_singular);
-    const ComplexVectorX& end = real ? *real : x;
-    return system_.figure(is_singular ? end : with_last_step(end), real.has_value());
-  }
-
-  /// One of Newton's method with the residual in double-double, by the file's own numbers: doubles leave several roundings.
-  ComplexVectorX with_last_step(const ComplexVectorX& x) const {
-    Eigen::VectorXcd at = Eigen::Map<const Eigen::VectorXcd>(x.data(), std::ssize(x));
-    const LinearisedSystem<std::complex<double>> f = linearised(numbers_, at);
-    const Eigen::VectorXcd step = f.jacobian.partialPivLu().solve(f.value);
-    if (!(step.cwiseAbs().maxCoeff() <= same_solution * (1 + largest(x)))) return x;
-    at -= step;
-    return {at.begin(), at.end()};
+    return system_.figure(real ? *real : x, real.has_value());
   }
 
   const Scene& scene_;
   const SceneSystem& system_;
   const GeneralEquations& equations_;
   const std::stop_token& stop_;
-  const FigureJudge judge_{scene_};
-  const IntervalEquations numbers_{equations_.exact};
+  const FigureJudge judge_{system_};
   Shortcomings missing_;
   int without_angle_ = 0;                    ///< ends
   std::optional<ComplexVectorX> loose_end_;  ///< the first one that is not isolated

@@ -1,5 +1,7 @@
 #include "solvers/homotopies/general_start.hpp"
 
+#include <utility>
+
 #include "solvers/homotopies/conjugate_ends.hpp"
 #include "solvers/homotopies/general_report.hpp"
 
@@ -21,21 +23,20 @@ bool are_of_one_family(const GeneralEquations& a, const GeneralEquations& b) {
 
 }  // namespace
 
-GeneralStart::GeneralStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup)
+GeneralStart::GeneralStart(GeneralEquations given, std::uint64_t seed, const TrackingSetup& setup)
     : random(seed),
-      equations(sharing_coefficients(general_equations(SceneSystem(scene)))),
+      equations(sharing_coefficients(std::move(given))),
       family(family_of(equations)),
       elimination(order_elimination(equations.system, family, random)),
       tracking(equations.system, elimination, setup) {}
 
-bool GeneralStart::serves(const Scene& scene) const {
-  return !why_no_system(scene) && are_of_one_family(equations, general_equations(SceneSystem(scene)));
+bool GeneralStart::serves(const GivenScene& given) const {
+  return are_of_one_family(equations, given.equations);
 }
 
-SolveReport GeneralStart::carried_to_values(const SolveRequest& request,
+SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const GivenScene& scene,
                                             const std::function<void(double)>& progress) {
-  const SceneSystem system(request.scene);
-  const GeneralEquations given = general_equations(system);
+  const GeneralEquations& given = scene.equations;
   const auto stopped = [&] { return request.stop.stop_requested(); };
   const auto is_zero = [&](const ComplexVectorX& x) {
     return is_zero_at(given.system, given.coefficients, x);
@@ -46,7 +47,7 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request,
   std::mt19937_64 keys(request.seed);
   end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(given.system, given.coefficients, x); },
                     given.signs, keys, ends);
-  SolveReport report = general_report(system, given, ends, all_work, keys, request.stop);
+  SolveReport report = general_report(scene.system, given, ends, all_work, keys, request.stop);
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
   if (missing.empty()) {
     report.generic = solutions.size();

@@ -12,18 +12,27 @@
 
 namespace gcs {
 
+/// A scene whose solutions are sought, with its equations. Precondition: !why_not_general(scene). The scene outlives this.
+struct GivenScene {
+  explicit GivenScene(const Scene& scene) : system(scene), equations(general_equations(system)) {}
+
+  SceneSystem system;
+  GeneralEquations equations;
+};
+
 /// Not to be moved: trackers refer to the system.
 class GeneralStart {
  public:
-  /// Precondition: !why_not_general(scene). The scene outlives this.
-  GeneralStart(const Scene& scene, std::uint64_t seed, const TrackingSetup& setup);
+  /// With equations as one scene has them.
+  GeneralStart(GeneralEquations given, std::uint64_t seed, const TrackingSetup& setup);
   GeneralStart(const GeneralStart&) = delete;
   GeneralStart& operator=(const GeneralStart&) = delete;
 
   /// Whether another scene has the same equations but for its values.
-  bool serves(const Scene& scene) const;
-  /// Every solution followed to the values of the request's scene, which it serves.
-  SolveReport carried_to_values(const SolveRequest& request, const std::function<void(double)>& progress);
+  bool serves(const GivenScene& given) const;
+  /// Every solution followed to the values of the request's scene, `given`, which it serves.
+  SolveReport carried_to_values(const SolveRequest& request, const GivenScene& given,
+                                const std::function<void(double)>& progress);
 
   std::mt19937_64 random;
   GeneralEquations equations;

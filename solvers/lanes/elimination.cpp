@@ -57,9 +57,10 @@ class PivotSearch {
     double best_cost = std::numeric_limits<double>::infinity(), best_ratio = 0;
     for (int i = 0; i < pattern_.rows(); ++i) {
       if (!row_is_open_[i]) continue;
+      const Eigen::ArrayXd ratios = smallest_ratios(i);
       for (int j = 0; j < pattern_.cols(); ++j) {
         if (!column_is_open_[j] || !pattern_(i, j)) continue;
-        const double ratio = smallest_ratio(i, j);
+        const double ratio = ratios[j];
         const double cost = ratio < least_ratio ? 1e9 / (ratio + 1e-9) : fill_of(i, j);
         if (cost < best_cost || (cost == best_cost && ratio > best_ratio)) {
           best = {i, j};
@@ -81,14 +82,15 @@ class PivotSearch {
     return static_cast<double>(in_row) * in_column;
   }
 
-  /// |pivot| over the largest open entry of its row, at the worst sample.
-  double smallest_ratio(int row, int column) const {
-    double smallest = 1;
+  /// Of each open column |pivot| over the largest open entry of the row, at the worst sample.
+  Eigen::ArrayXd smallest_ratios(int row) const {
+    Eigen::ArrayXd smallest = Eigen::ArrayXd::Ones(pattern_.cols());
     for (const Eigen::MatrixXcd& sample : samples_) {
-      double largest = 0;
-      for (int k = 0; k < sample.cols(); ++k)
-        if (column_is_open_[k]) largest = std::max(largest, std::abs(sample(row, k)));
-      smallest = std::min(smallest, largest > 0 ? std::abs(sample(row, column)) / largest : 0);
+      Eigen::ArrayXd sizes = Eigen::ArrayXd::Zero(pattern_.cols());
+      for (int k = 0; k < pattern_.cols(); ++k)
+        if (column_is_open_[k]) sizes[k] = std::abs(sample(row, k));
+      const double largest = sizes.maxCoeff();
+      smallest = smallest.min(largest > 0 ? Eigen::ArrayXd(sizes / largest) : sizes);
     }
     return smallest;
   }

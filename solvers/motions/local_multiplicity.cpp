@@ -42,8 +42,8 @@ Exponents sum_of(Exponents a, const Exponents& b) {
 class ReducedSeries {
  public:
   ReducedSeries(const QuadraticSystem& system, const std::vector<std::complex<double>>& x)
-      : system_(system), at_origin_(jacobian_at(system, std::vector<std::complex<double>>(x.size()))) {
-    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(jacobian_at(system, x),
+      : system_(system), at_origin_(system_.jacobian(std::vector<std::complex<double>>(x.size()))) {
+    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(system_.jacobian(x),
                                                  Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Eigen::VectorXd& sizes = svd.singularValues();
     const Eigen::Index rank = (sizes.array() > nearly_free * sizes[0]).count();
@@ -55,7 +55,7 @@ class ReducedSeries {
       Exponents one(static_cast<std::size_t>(left), 0);
       one[static_cast<std::size_t>(i)] = 1;
       const Eigen::VectorXcd direction = svd.matrixV().col(rank + i);
-      terms_[one] = remaining_ * (jacobian_at(system, x) * direction);
+      terms_[one] = remaining_ * (system_.jacobian(x) * direction);
       unknowns_[one] = direction;
       slopes_[one] = slope_along(direction);
     }
@@ -91,7 +91,7 @@ class ReducedSeries {
  private:
   /// Half of the change of the Jacobian: the quadratic part of the equations at (u, v) is slope(u) v.
   Eigen::MatrixXcd slope_along(const Eigen::VectorXcd& u) const {
-    return (jacobian_at(system_, {u.begin(), u.end()}) - at_origin_) / 2;
+    return (system_.jacobian({u.begin(), u.end()}) - at_origin_) / 2;
   }
 
   Eigen::VectorXcd product_at(const Exponents& monomial) const {
@@ -104,7 +104,7 @@ class ReducedSeries {
     return sum;
   }
 
-  const QuadraticSystem& system_;
+  const DenseEquations system_;
   Eigen::MatrixXcd at_origin_, solving_, remaining_;
   std::map<Exponents, Eigen::VectorXcd> terms_, unknowns_, new_unknowns_;
   std::map<Exponents, Eigen::MatrixXcd> slopes_;

@@ -27,7 +27,7 @@ Eigen::Map<const Eigen::VectorXcd> as_vector(const Point& x) {
 
 /// As many unknowns held at x as leave so many free, those on which the others depend best.
 QuadraticSystem held_at(QuadraticSystem system, const Point& x, int free) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(jacobian_at(system, x));
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(DenseEquations(system).jacobian(x));
   const auto& order = factors.colsPermutation().indices();
   for (auto i = static_cast<Eigen::Index>(system.equations.size()) + free; i < system.unknowns; ++i) {
     const int unknown = order[i];
@@ -112,7 +112,7 @@ bool MotionFinder::lies_on_motion(const Collapse& loose, const Point& x) {
 
 std::optional<MotionFinder::LoosePoint> MotionFinder::proven(const QuadraticSystem& loose,
                                                              const Point& start) const {
-  const auto zero = zero_near(loose, all_of(loose), start);
+  const auto zero = zero_near(DenseEquations(loose), all_of(loose), start);
   if (!zero) return std::nullopt;
   const Certificate certificate = Certifier(held_at(loose, *zero, 0)).certify(*zero);
   if (!certificate.is_proven) return std::nullopt;
@@ -154,7 +154,7 @@ std::optional<MotionFinder::LoosePoint> MotionFinder::proven_real(const Quadrati
 /// Whether the scene's Jacobian is proven to have a rank of at least unknowns − dimension at the solution: no component
 /// through it is larger.
 bool MotionFinder::has_corank(const LoosePoint& point, int dimension) const {
-  const Eigen::MatrixXcd jacobian = jacobian_at(search_->distances(), point.enclosure.mid);
+  const Eigen::MatrixXcd jacobian = DenseEquations(search_->distances()).jacobian(point.enclosure.mid);
   const Eigen::FullPivLU<Eigen::MatrixXcd> factors(jacobian);
   const Eigen::Index order = jacobian.cols() - dimension;
   const Eigen::PermutationMatrix<Eigen::Dynamic> order_of_rows(factors.permutationP().inverse());

@@ -109,6 +109,18 @@ class ExternalProgram(command_line.WithFolder):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.result["counts"]["complex_up_to_reflection"], 1)
 
+    def test_planes_may_have_normals_of_any_length(self):
+        scene = str(SOURCE / "instances" / "octahedral-3p3h.json")
+        self.assertEqual(self.solve("monodromy", instance=scene).returncode, 0)
+        known = next(s for s in json.loads(self.out.read_text())["solutions"] if s["real"])
+        scaled = {name: {"normal": [factor * c for c in plane["normal"]], "offset": factor * plane["offset"]}
+                  for (name, plane), factor in zip(known["planes"].items(), [3, 1e-170, 1e170])}
+        done = self.solve(self.prints(answer({"points": known["points"], "planes": scaled})), instance=scene)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        [solution] = done.result["solutions"]
+        for name, plane in known["planes"].items():
+            self.assertAlmostEqual(solution["planes"][name]["offset"], plane["offset"], 12)
+
     def test_a_program_gets_the_problem_and_no_more(self):
         kept = self.folder / "seen.json"
         done = self.solve(self.script(f"""

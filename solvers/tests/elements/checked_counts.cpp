@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "solvers/elements/general_structure.hpp"
-#include "solvers/figures/general_figures.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/strategies/monodromy.hpp"
@@ -42,7 +42,7 @@ Answer check_counts(const ProblemStatement& problem, const Figure& figure, std::
   REQUIRE_FALSE(why_no_system(scene));
   CHECK(analyse_general_structure(scene).well_posed());
   const Figure made = scene.in_scene_unit(figure);
-  CHECK(general_residual(scene, made) <= 1e-12);
+  CHECK(relative_residual(scene, made) <= 1e-12);
   Answer loops = solve(scene, Monodromy{.seed = seed, .certify = true});
   check_complete(loops, count);
   const Answer cells = solve(scene, Polyhedral{.seed = seed, .threads = 2, .certify = true});

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "solvers/elements/scene_system.hpp"
-#include "solvers/figures/general_figures.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/tests/random_numbers.hpp"
 
 using namespace gcs;
@@ -175,7 +175,7 @@ Scene scene_of(const World& world, const Relation& relation) {
 }
 
 double residual_of(const Scene& scene, const World& world) {
-  return general_residual(scene, world.figure.scaled(-scene.unit_exponent()));
+  return relative_residual(scene, world.figure.scaled(-scene.unit_exponent()));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/elements/scene_system.hpp"
-#include "solvers/figures/general_figures.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/solving/solve.hpp"
 #include "solvers/strategies/monodromy.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
@@ -119,9 +119,9 @@ TEST_CASE("the equations of lines and planes of a body hold where it stands") {
                                {normal.dot(base.col(1)) - figure.planes[0].offset, ""}});
   const Scene scene = Scene::unchecked(problem);
   REQUIRE_FALSE(why_no_system(scene));
-  CHECK(general_residual(scene, figure.scaled(-scene.unit_exponent())) <= 1e-14);
+  CHECK(relative_residual(scene, figure.scaled(-scene.unit_exponent())) <= 1e-14);
   figure.planes[0].offset += 1e-3;
-  CHECK(general_residual(scene, figure.scaled(-scene.unit_exponent())) > 1e-5);
+  CHECK(relative_residual(scene, figure.scaled(-scene.unit_exponent())) > 1e-5);
 }
 
 TEST_CASE("octahedral scenes with up to three planes have 8 solutions up to reflection") {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "solvers/counting/ring_bound.hpp"
+#include "solvers/counting/system_bound.hpp"
 #include "solvers/counting/three_lines_bound.hpp"
 #include "solvers/structure/octahedral_pairs.hpp"
 
@@ -113,6 +114,7 @@ void bound_in_order(const ProblemStatement& problem, const ElementOrder& order, 
     bound.count.fixed_frame = bound.count.fixed_frame * of_core.upper_limit()->fixed_frame;
   }
   counts.bound = std::move(bound);
+  counts.why_no_bound.clear();
 }
 
 /// Of each opposite pair one is a point, and these three are the frame. What is opposite keeps two pairs with them and
@@ -125,10 +127,31 @@ void bound_octahedron_with_planes(const ProblemStatement& problem, TheoreticalCo
   counts.bound->theorem = "an octahedron of points and planes: three elements, each on a conic, by Bézout";
 }
 
+/// By the scene's equations, where that is less.
+void bound_by_equations(const ProblemStatement& problem, TheoreticalCounts& counts) {
+  const Scene scene = Scene::unchecked(problem);
+  if (why_no_system(scene)) return;
+  const std::optional<Natural> classes = class_bound(SceneSystem(scene));
+  if (!classes || (counts.bound && !(*classes < counts.bound->count.up_to_reflection()))) return;
+  const FrameImages images = frame_images(problem);
+  counts.bound =
+      CountBound{{*classes * Natural(static_cast<std::uint64_t>(images.in_frame)), images}, {}, {}};
+  counts.bound->theorem = "the m-Bézout bound of its equations, with groups of unknowns";
+  counts.why_no_bound.clear();
+}
+
 void bound_three_lines(const ProblemStatement& problem, std::uint64_t most, TheoreticalCounts& counts) {
   counts.bound = CountBound{{Natural(most), frame_images(problem)}, {}, {}};
   counts.bound->theorem =
       "three points and three lines: the lines at given distances from the points, by their directions";
+}
+
+void bound_by_products(const ProblemStatement& problem, const std::optional<ElementOrder>& order,
+                       const CountsOf& counts_of, TheoreticalCounts& counts) {
+  counts.why_no_bound =
+      "No theorem is known for scenes of its kind, and its equations are too many for the m-Bézout bound.";
+  if (order) bound_in_order(problem, *order, counts_of, counts);
+  bound_by_equations(problem, counts);
 }
 
 }  // namespace
@@ -156,13 +179,8 @@ TheoreticalCounts general_counts(const ProblemStatement& problem, const std::opt
     bound_octahedron_with_planes(problem, counts);
   else if (const auto most = three_lines_bound(problem))
     bound_three_lines(problem, *most, counts);
-  else if (order)
-    bound_in_order(problem, *order, counts_of, counts);
   else
-    counts.why_no_bound =
-        "The bound is known for distances of points, of one line, of two bodies alone, for six in a ring, "
-        "for "
-        "octahedra of points and planes, for three points and three lines, and for what hangs on these.";
+    bound_by_products(problem, order, counts_of, counts);
   return counts;
 }
 

@@ -10,8 +10,10 @@
 namespace gcs {
 namespace {
 
-/// Of one sum over groups, and of all elements of a group of signs that are looked at.
-constexpr std::size_t most_states = 20'000;
+/// Of one sum over groups, and of all sums of a block: a fraction of a second.
+constexpr std::size_t most_states = 5'000;
+constexpr std::int64_t most_states_of_block = 500'000;
+/// Of a group of signs of which all elements are looked at.
 constexpr int most_generators = 12;
 
 using Group = std::vector<int>;
@@ -109,9 +111,9 @@ int degree_in(const QuadraticEquation& equation, const Group& group) {
   return degree;
 }
 
-/// The coefficient of Π_j a_j^|group j| in Π_e Σ_j degree_ej a_j.
+/// The coefficient of Π_j a_j^|group j| in Π_e Σ_j degree_ej a_j. Takes the states that it makes from `states_left`.
 std::optional<Natural> bezout_number(const QuadraticSystem& system, const Block& block,
-                                     const std::vector<Group>& groups) {
+                                     const std::vector<Group>& groups, std::int64_t& states_left) {
   using Left = std::vector<int>;  // unknowns of each group that no equation has taken
   Left all;
   for (const Group& group : groups) all.push_back(static_cast<int>(group.size()));
@@ -128,7 +130,8 @@ std::optional<Natural> bezout_number(const QuadraticSystem& system, const Block&
         next[std::move(fewer)] += count * Natural(static_cast<std::uint64_t>(degree));
       }
     }
-    if (next.size() > most_states) return std::nullopt;
+    states_left -= std::ssize(next);
+    if (next.size() > most_states || states_left < 0) return std::nullopt;
     ways = std::move(next);
   }
   return ways.empty() ? Natural(0) : ways.begin()->second;
@@ -153,30 +156,30 @@ std::vector<Group> joined(std::vector<Group> groups, std::size_t i, std::size_t 
   return groups;
 }
 
-/// With groups joined while that is for the better, or counting takes too long.
-std::optional<Natural> smallest_bezout_number(const QuadraticSystem& system, const Block& block,
-                                              std::vector<Group> groups) {
-  std::optional<Natural> smallest = bezout_number(system, block, groups);
-  while (!smallest && groups.size() > 1) {
+/// By Bézout, or less by groups: by joining two of them while that is for the better, or counting takes too long.
+Natural smallest_bezout_number(const QuadraticSystem& system, const Block& block, std::vector<Group> groups) {
+  std::int64_t states_left = most_states_of_block;
+  const Group all(block.unknowns.begin(), block.unknowns.end());
+  const Natural of_one = bezout_number(system, block, {all}, states_left).value();
+  std::optional<Natural> here = bezout_number(system, block, groups, states_left);
+  const auto join = [&](std::size_t i, std::size_t j) {
+    std::vector<Group> fewer = joined(groups, i, j);
+    std::optional<Natural> number = bezout_number(system, block, fewer, states_left);
+    if (here && !(number && *number < *here)) return false;
+    groups = std::move(fewer);
+    here = std::move(number);
+    return true;
+  };
+  const auto join_any = [&] {
     std::ranges::sort(groups, {}, &Group::size);
-    groups = joined(std::move(groups), 0, 1);
-    smallest = bezout_number(system, block, groups);
-  }
-  for (bool is_better = true; is_better;) {
-    is_better = false;
-    std::vector<Group> best;
     for (std::size_t i = 0; i < groups.size(); ++i)
-      for (std::size_t j = i + 1; j < groups.size(); ++j) {
-        std::vector<Group> fewer = joined(groups, i, j);
-        const std::optional<Natural> number = bezout_number(system, block, fewer);
-        if (!number || !(*number < *smallest)) continue;
-        smallest = number;
-        best = std::move(fewer);
-        is_better = true;
-      }
-    if (is_better) groups = std::move(best);
+      for (std::size_t j = i + 1; j < groups.size(); ++j)
+        if (join(i, j)) return true;
+    return false;
+  };
+  while (join_any()) {
   }
-  return smallest;
+  return here ? std::min(of_one, *here) : of_one;
 }
 
 /// Vectors of the scene's elements, and what a description names beside them.
@@ -245,7 +248,8 @@ class SignChange {
   std::vector<bool> changes_;
 };
 
-/// Whether the Jacobian loses rank wherever the change leaves a solution in its place.
+/// Whether the Jacobian loses rank wherever the change leaves a solution in its place: equations and unknowns that change
+/// their signs are not as many.
 bool is_singular_where_fixed(const QuadraticSystem& system, const SignChange& change) {
   std::ptrdiff_t excess = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(system.unknowns); ++i) excess += change.unknown(i);
@@ -253,11 +257,7 @@ bool is_singular_where_fixed(const QuadraticSystem& system, const SignChange& ch
   return excess != 0;
 }
 
-bool is_identity(const QuadraticSystem& system, SignMask element) {
-  return SignChange(system, element).is_identity();
-}
-
-/// The elements of the group, by the generators that they are made of, that may leave a solution where it is.
+/// The elements of the group, by the generators that they are made of, that may leave a solution in its place.
 std::set<SignMask> fixing_elements(const QuadraticSystem& system) {
   std::set<SignMask> result;
   const SignMask generators = generators_of(system.mirror);
@@ -272,13 +272,10 @@ std::set<SignMask> fixing_elements(const QuadraticSystem& system) {
 int dividing_rank(const QuadraticSystem& system) {
   if (std::popcount(generators_of(system.mirror)) > most_generators) return 0;
   const std::set<SignMask> fixing = fixing_elements(system);
-  // Where two of them leave a solution in its place the rank is not known to fall by two.
+  // Where two of them may leave a solution in its place the rank is not known to fall by two.
   const auto counts = [&](SignMask element) {
     return is_singular_where_fixed(system, SignChange(system, element)) &&
-           std::ranges::none_of(fixing, [&](SignMask other) {
-             const SignMask product = element ^ other;
-             return fixing.contains(product) && !is_identity(system, product);
-           });
+           std::ranges::none_of(fixing, [&](SignMask other) { return fixing.contains(element ^ other); });
   };
   if (std::ranges::all_of(fixing, counts)) return system.mirror.rank();
   const auto turns = [](SignMask element) { return element & ~(first_turning - 1); };
@@ -294,11 +291,8 @@ std::optional<Natural> system_bound(const QuadraticSystem& system, const std::ve
   const std::optional<std::vector<Block>> blocks = BlockDivision(system).blocks();
   if (!blocks) return std::nullopt;
   Natural bound(1);
-  for (const Block& block : *blocks) {
-    const auto of_block = smallest_bezout_number(system, block, groups_in(block, groups));
-    if (!of_block) return std::nullopt;
-    bound = bound * *of_block;
-  }
+  for (const Block& block : *blocks)
+    bound = bound * smallest_bezout_number(system, block, groups_in(block, groups));
   return bound;
 }
 

@@ -13,8 +13,8 @@ namespace gcs {
 /// The isolated solutions in Cⁿ together with their multiplicities. The system is divided into blocks of as many equations as
 /// unknowns, each with unknowns of earlier blocks at most beside its own, and the bounds of the blocks are multiplied: an
 /// isolated solution is one of each block. `groups`: of unknowns; those that are in none are groups of one. Those that meet
-/// a block are joined, two by two, while its bound falls. Nothing where equations and unknowns cannot be paired, or
-/// where counting takes too long.
+/// a block are joined, two by two, while its bound falls; it is Bézout's at most. Nothing where equations and unknowns
+/// cannot be paired. Time: a fraction of a second for each block.
 std::optional<Natural> system_bound(const QuadraticSystem& system,
                                     const std::vector<std::vector<int>>& groups);
 

@@ -3,6 +3,7 @@
 #include "solvers/counting/system_bound.hpp"
 
 #include <catch2/catch.hpp>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,8 +73,15 @@ void check_sharp(const ProblemStatement& problem, std::size_t count) {
 }  // namespace
 
 TEST_CASE("an eigenvalue problem has as many solutions as the matrix has rows") {
-  for (const int n : {2, 5, 9})
-    CHECK(system_bound(eigenvectors(n), {}) == Natural(static_cast<std::uint64_t>(n)));
+  for (const int n : {2, 5, 40}) {
+    std::vector<int> vector(static_cast<std::size_t>(n));
+    std::iota(vector.begin(), vector.end(), 0);
+    CHECK(system_bound(eigenvectors(n), {vector}) == Natural(static_cast<std::uint64_t>(n)));
+  }
+}
+
+TEST_CASE("where counting in many groups takes too long a bound is Bézout's at most") {
+  CHECK(system_bound(eigenvectors(40), {}).value() <= Natural::power_of_two(40));
 }
 
 TEST_CASE("the bounds of blocks that are solved one after the other are multiplied") {

@@ -149,7 +149,7 @@ void bound_three_lines(const ProblemStatement& problem, std::uint64_t most, Theo
 void bound_by_products(const ProblemStatement& problem, const std::optional<ElementOrder>& order,
                        const CountsOf& counts_of, TheoreticalCounts& counts) {
   counts.why_no_bound =
-      "No theorem is known for scenes of its kind, and it has not as many equations as unknowns.";
+      "No theorem is known for scenes of its kind, and it has no square system of equations.";
   if (order) bound_in_order(problem, *order, counts_of, counts);
   bound_by_equations(problem, counts);
 }

@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "solvers/elements/placing_steps.hpp"
+
 namespace gcs {
 namespace {
 
@@ -17,14 +19,6 @@ constexpr std::int64_t most_states_of_block = 500'000;
 constexpr int most_generators = 12;
 
 using Group = std::vector<int>;
-
-std::set<int> unknowns_of(const QuadraticEquation& equation) {
-  std::set<int> unknowns;
-  for (const FormProduct& product : equation.products)
-    for (const LinearForm* form : {&product.left, &product.right})
-      for (const ScaledUnknown& term : form->terms) unknowns.insert(term.unknown);
-  return unknowns;
-}
 
 /// Equations with as many unknowns, each matched to one.
 struct Block {

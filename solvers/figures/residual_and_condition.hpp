@@ -47,8 +47,7 @@ class FigureJudge {
   bool may_be_stiff(const Figure& figure) const;
 
   const Scene& scene_;
-  std::shared_ptr<const SceneSystem>
-      system_;  ///< of a general scene that has one, where it is this one's own
+  std::shared_ptr<const SceneSystem> system_;    ///< null where it was given
   std::shared_ptr<const GeneralJudge> general_;  ///< of a general scene that has a system
 };
 

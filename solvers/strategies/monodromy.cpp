@@ -157,10 +157,9 @@ class MonodromyStrategy final : public ComplexStrategy {
     request.starts->write(*save_start_, start_family(start.equations), found);
   }
 
-  /// Values have no common factor to turn by, which leaves the mixing to the arcs' bends and number: with two bends, each
-  /// twice as large as in trace tests, random platforms are found along a third of the paths. Where the trace test says
-  /// that some are missing, more arcs are tried, which go further out: a point that is 1/δ away has its branch points some
-  /// 1/δ² away.
+  /// Values have no common factor to turn by, which leaves the mixing to the arcs' bends and number: with two large ones
+  /// random platforms are found along a third of the paths. Where the trace test says that some are missing, more arcs are
+  /// tried, which go further out: a point that is 1/δ away has its branch points some 1/δ² away.
   StartSystem search_member(const SolveRequest& request, const std::optional<ClassCount>& most,
                             GeneralStart& start) const {
     const auto stopped = [&] { return request.stop.stop_requested(); };
@@ -169,7 +168,7 @@ class MonodromyStrategy final : public ComplexStrategy {
     };
     MonodromyOptions search = search_;
     search.first_arcs = 3;
-    search.bend = 2 * trace_bend;
+    search.bend = 16;
     search.has_two_bends = true;
     search.is_one_way = true;
     StartSystem found;
@@ -237,9 +236,12 @@ class MonodromyStrategy final : public ComplexStrategy {
     }
   }
 
+  /// Its parameters have no common factor either: bends as above, tried on five points with a line, find along half the
+  /// paths what one of 8 does, and miss a few points in one test of sixty where that did in one of six.
   TraceTest test(const SolveRequest& request, Found& found) const {
     MonodromyOptions options;
-    options.bend = trace_bend;
+    options.bend = 32;
+    options.has_two_bends = true;
     options.arcs = 2 * search_.arcs;
     return test_trace(
         found.system, found.axes, setup_for(request), options, found.random,
@@ -249,8 +251,6 @@ class MonodromyStrategy final : public ComplexStrategy {
 
   /// A test may fail for want of arcs or by rounding, and another random one does not; so may a search.
   static constexpr int most_trace_tests = 3;
-  /// Its parameters have no common factor to turn by, which leaves the mixing to the arcs' bends.
-  static constexpr double trace_bend = 8;
 
   bool with_trace_;
   std::optional<std::string> start_;       ///< the start system to read

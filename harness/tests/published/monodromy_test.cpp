@@ -63,6 +63,17 @@ TEST_CASE("where the bound is not met a trace test completes the list") {
   CHECK(solved("hoffmann-yuan").counts.real_up_to_reflection == 6);
 }
 
+/// Some of its hundreds of points have branch points far from the others'.
+TEST_CASE("a trace test reaches points that are nearly separate from the others") {
+  RunLimits limits;
+  limits.seed = GENERATE(as<std::uint64_t>(), 195, 234, 308, 344);
+  const Scene scene(load_instance("hoffmann-yuan").problem);
+  const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, limits);
+  INFO(limits.seed << ": " << run.reason);
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.counts.complex_up_to_reflection == 72);
+}
+
 TEST_CASE("threads and instruction sets change no number of a solve") {
   const SolveRun one = solved("g160"), two = solved("g160", {{"instructions", "portable"}}, 2);
   CHECK(one.work.iterations == two.work.iterations);

@@ -85,6 +85,12 @@ COUNTED = [
            points=["t", "w", "g"], lines=["K"], planes=["E", "F"],
            fixed={"K": {"point": [0.3, -1.2, 0.4], "direction": [1, 0.3, -0.2]},
                   "E": {"normal": [0.2, -0.1, 1], "offset": -0.6}, "g": [0.5, 0.25, 1.5]}), 32, ""),
+    # 2 for E, which is parallel to both lines; 4 for K, on either side of each
+    (scene("upright", [stated("parallel", "g", "E"), stated("parallel", "h", "E"), *distances(("p", "E", 0.5)),
+                       stated("perpendicular", "K", "E"), *distances(("K", "g", 0.7), ("K", "h", 0.9))],
+           points=["p"], lines=["K", "g", "h"], planes=["E"],
+           fixed={"p": [0.4, 0.1, 0.3], "g": {"point": [0, 0, 0], "direction": [1, 0.2, 0.3]},
+                  "h": {"point": [0.2, 0, 1], "direction": [-0.1, 1, 0.4]}}), 8, ""),
     # 2 for K, L and M each, 4 for N, 4 for t; / 2
     (scene("flat", [*distances(("p", "q", 2), ("q", "K", 0.9), ("p", "L", 0.4), ("q", "M", 0.7), ("p", "N", 0.5), ("t", "N", 0.8),
                                ("M", "t", 0.3)), stated("on", "p", "K"), stated("parallel", "L", "K"),

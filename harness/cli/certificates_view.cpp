@@ -12,13 +12,17 @@ std::string limit_text(const Proofs& proofs) {
                      proofs.limit->decimal());
 }
 
-/// Whether so many proven classes, and those at infinity, are all there are.
-std::string completeness(const Proofs& proofs, std::uint64_t classes, std::uint64_t at_infinity = 0) {
+/// Whether so many proven classes, and those at infinity, are all there are; of some, mirror images are known to differ.
+std::string completeness(const Proofs& proofs, std::uint64_t classes, std::uint64_t at_infinity = 0,
+                         std::uint64_t with_image = 0) {
   if (!proofs.limit) return "found, not proven: no exact number and no upper bound is known";
   const std::string beyond = at_infinity > 0 ? fmt::format(" and {} at infinity", at_infinity) : "";
   if (proofs.meets_limit(classes + at_infinity))
     return fmt::format("proven: {} is met{}", limit_text(proofs),
                        beyond.empty() ? "" : fmt::format(" by {}{}", classes, beyond));
+  if (proofs.meets_limit(classes + at_infinity, with_image))
+    return fmt::format("proven: the upper bound of {} figures, mirror images counted apart, is met",
+                       proofs.figure_limit->decimal());
   return fmt::format("found, not proven: {} certified{}, and {}", classes, beyond, limit_text(proofs));
 }
 
@@ -48,8 +52,8 @@ std::string certificates_text(const Proofs& proofs, std::size_t solutions, bool 
                                                  proofs.clusters, proofs.in_clusters));
   text += infinity_text(proofs);
   if (lists_all_complex)
-    text += summary_line("all complex",
-                         completeness(proofs, proofs.classes + proofs.in_clusters, proofs.at_infinity));
+    text += summary_line("all complex", completeness(proofs, proofs.classes + proofs.in_clusters,
+                                                     proofs.at_infinity, proofs.with_image));
   if (proofs.generic)
     text += summary_line("all generic", fmt::format("{} classes certified; {}", *proofs.generic,
                                                     completeness(proofs, *proofs.generic)));

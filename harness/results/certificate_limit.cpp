@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solvers/counting/bezout_bound.hpp"
+#include "solvers/counting/element_bound.hpp"
 #include "solvers/counting/general_bound.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/elements/given_elements.hpp"
@@ -151,24 +152,6 @@ bool has_own_bound(const ProblemStatement& problem, const Relation& relation) {
          (relation.type == "angle" && kinds == std::vector{plane, plane});
 }
 
-/// Whether a relation is a number of equations of two elements, each of one degree in either, as the checker counts them.
-bool is_of_two_elements(const Relation& relation) {
-  return relation.of.size() == 2 &&
-         std::ranges::none_of(relation.of, [](const Operand& of) { return of.is_segment(); });
-}
-
-/// Of a relation of two elements.
-int equations_of(const ProblemStatement& problem, const Relation& relation) {
-  using enum OperandKind;
-  const bool has_point = problem.is_point(relation.of[0].entity) || problem.is_point(relation.of[1].entity);
-  const int planes = static_cast<int>(
-      std::ranges::count_if(relation.of, [&](const Operand& of) { return kind_of(problem, of) == plane; }));
-  const bool is_double = (relation.type == "on" && has_point == (planes == 0)) ||
-                         (relation.type == "parallel" && planes != 1) ||
-                         (relation.type == "perpendicular" && planes == 1);
-  return is_double && problem.dimension == 3 ? 2 : 1;
-}
-
 /// Points, lines and planes with distances from points, and angles of planes, of which other theorems are known.
 bool is_of_distances(const ProblemStatement& problem) {
   for (int entity = 0; entity < problem.entity_count(); ++entity)
@@ -177,153 +160,13 @@ bool is_of_distances(const ProblemStatement& problem) {
          std::ranges::all_of(problem.relations, [&](const Relation& r) { return has_own_bound(problem, r); });
 }
 
-/// Places the elements of a scene one set after the other.
-class PlacedParts {
- public:
-  explicit PlacedParts(const Scene& scene)
-      : problem_(scene.problem()), is_placed_(static_cast<std::size_t>(problem_.entity_count())) {
-    for (int entity = 0; entity < problem_.entity_count(); ++entity)
-      is_placed_[static_cast<std::size_t>(entity)] = rests(entity);
-  }
-
-  /// Nothing where there is no limit.
-  std::optional<std::vector<JsonValue>> limit() {
-    if (!std::ranges::all_of(problem_.relations, is_of_two_elements)) return std::nullopt;
-    if (std::ranges::count(is_placed_, true) == 0) {
-      const std::vector<int> held = joined_points();
-      if (held.empty()) return std::nullopt;
-      place(held, held);
-    }
-    for (bool goes_on = true; goes_on;)
-      goes_on = place_hung_element() ||
-                std::ranges::any_of(problem_.bodies, [&](const RigidBody& body) { return place(body); });
-    return place_rest() ? std::optional(std::move(values_)) : std::nullopt;
-  }
-
- private:
-  bool rests(int entity) const {
-    return problem_.is_fixed(entity) ||
-           std::ranges::count(bodies_with(problem_, entity), problem_.reference_body) > 0;
-  }
-  bool is_placed(int entity) const { return is_placed_[static_cast<std::size_t>(entity)]; }
-  bool is_held_by(const DistanceConstraint& distance, const std::vector<int>& body) const {
-    const auto& [a, b] = distance.between;
-    return (std::ranges::count(body, a) > 0 && is_placed(b)) ||
-           (std::ranges::count(body, b) > 0 && is_placed(a));
-  }
-
-  /// A body of points on as many legs as those that are placed leave freedoms; false where it is none, or is placed.
-  bool place(const RigidBody& body) {
-    std::vector<int> moved, part;
-    for (const BodyElement& element : body.elements) {
-      part.push_back(element.entity);
-      if (!is_placed(element.entity)) moved.push_back(element.entity);
-    }
-    const auto shared = static_cast<int>(part.size() - moved.size());
-    if (moved.empty() || !std::ranges::all_of(part, [&](int entity) { return problem_.is_point(entity); }))
-      return false;
-    int legs = 0;
-    for (const DistanceConstraint& distance : problem_.constraints) {
-      if (!is_held_by(distance, moved)) continue;
-      ++legs;
-      for (const int end : distance.between)
-        if (std::ranges::count(part, end) == 0) part.push_back(end);
-    }
-    if (legs != freedoms_left(shared)) return false;
-    values_.push_back(
-        json_object({{"argument", json_text("body on legs")}, {"points", names_value(problem_, part)}}));
-    mark(moved);
-    return true;
-  }
-
-  /// By given places of so many points; −1: of more than an axis.
-  int freedoms_left(int points) const {
-    constexpr std::array in_space{6, 3, 1}, in_the_plane{3, 1, -1};
-    if (points > 2) return -1;
-    return (problem_.dimension == 3 ? in_space : in_the_plane)[static_cast<std::size_t>(points)];
-  }
-
-  void mark(const std::vector<int>& entities) {
-    for (const int entity : entities) is_placed_[static_cast<std::size_t>(entity)] = true;
-  }
-
-  void place(const std::vector<int>& part, const std::vector<int>& held) {
-    values_.push_back(json_object({{"argument", json_text("m-Bézout bound")},
-                                   {"points", names_value(problem_, part)},
-                                   {"held", names_value(problem_, held)}}));
-    mark(part);
-  }
-
-  bool is_of_a_body(int entity) const { return !bodies_with(problem_, entity).empty(); }
-
-  int freedoms(int entity) const {
-    return problem_.is_line(entity) ? 2 * problem_.dimension - 2 : 3 - (problem_.dimension == 2 ? 1 : 0);
-  }
-
-  /// Takes the neighbour among the ends, if it is placed, into `base`, and counts equations.
-  void count(int entity, int a, int b, int equations, std::vector<int>& base, int& sum) const {
-    const int other = a == entity ? b : a;
-    if ((a != entity && b != entity) || !is_placed(other)) return;
-    if (std::ranges::count(base, other) == 0) base.push_back(other);
-    sum += equations;
-  }
-
-  /// One that has as many equations with what is placed as freedoms.
-  bool place_hung_element() {
-    for (int entity = 0; entity < problem_.entity_count(); ++entity) {
-      if (is_placed(entity) || is_of_a_body(entity)) continue;
-      std::vector<int> base;
-      int equations = 0;
-      for (const DistanceConstraint& c : problem_.constraints)
-        count(entity, c.between[0], c.between[1], 1, base, equations);
-      for (const Relation& relation : problem_.relations)
-        count(entity, relation.of[0].entity, relation.of[1].entity, equations_of(problem_, relation), base,
-              equations);
-      if (equations != freedoms(entity)) continue;
-      std::vector<int> part = base;
-      part.push_back(entity);
-      place(part, base);
-      return true;
-    }
-    return false;
-  }
-
-  /// All in one part. False where it has bodies.
-  bool place_rest() {
-    std::vector<int> all, held;
-    for (int entity = 0; entity < problem_.entity_count(); ++entity) {
-      all.push_back(entity);
-      if (is_placed(entity))
-        held.push_back(entity);
-      else if (is_of_a_body(entity))
-        return false;
-    }
-    if (held.size() < all.size()) place(all, held);
-    return true;
-  }
-
-  bool are_joined(int a, int b) const {
-    return std::ranges::any_of(problem_.constraints, [&](const DistanceConstraint& c) {
-      return c.between == std::array{a, b} || c.between == std::array{b, a};
-    });
-  }
-
-  std::vector<int> joined_points() const {
-    const auto points = static_cast<int>(problem_.points.size());
-    for (int a = 0; a < points; ++a)
-      for (int b = a + 1; b < points; ++b) {
-        if (!are_joined(a, b)) continue;
-        if (problem_.dimension == 2) return {a, b};
-        for (int c = b + 1; c < points; ++c)
-          if (are_joined(a, c) && are_joined(b, c)) return {a, b, c};
-      }
-    return {};
-  }
-
-  const ProblemStatement& problem_;
-  std::vector<bool> is_placed_;
-  std::vector<JsonValue> values_;
-};
+JsonValue set_value(const ProblemStatement& problem, const PlacedSet& set) {
+  JsonMembers members{{"argument", json_text(set.is_body ? "body on legs" : "m-Bézout bound")},
+                      {"at_most", json_count(set.at_most)},
+                      {"points", names_value(problem, set.elements)}};
+  if (!set.is_body) members.emplace_back("held", names_value(problem, set.held));
+  return json_object(std::move(members));
+}
 
 /// A line at four distances from points.
 JsonValue hung_line_value(const ProblemStatement& problem, int line) {
@@ -345,8 +188,9 @@ JsonValue names_value(const ProblemStatement& problem, const std::vector<int>& e
 JsonValue certificate_limit(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   if (!is_of_distances(problem)) {
-    auto values = PlacedParts(scene).limit();
-    return values ? json_array(std::move(*values)) : json_null();
+    const auto sets = placed_sets(problem);
+    return sets ? json_array_of(*sets, [&](const PlacedSet& set) { return set_value(problem, set); })
+                : json_null();
   }
   const std::vector<bool> is_hung = hung_lines(problem);
   std::vector<bool> is_left = is_hung;

@@ -189,6 +189,8 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs) {
                         {"generic", json_or_null(p.generic, count)},
                         {"limit", json_or_null(p.limit, count)},
                         {"limit_is_exact", json_boolean(p.limit_is_exact)},
+                        {"figure_limit", json_or_null(p.figure_limit, count)},
+                        {"with_image", p.figure_limit ? json_count(p.with_image) : json_null()},
                         {"complete", json_boolean(p.are_complete())},
                         {"generic_complete", json_boolean(p.generic && p.meets_limit(*p.generic))}});
   });

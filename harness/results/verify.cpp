@@ -215,14 +215,14 @@ class Verifier {
     Proofs& proofs = verification_.proofs;
     for (std::size_t i = 0; i < proofs_.size(); ++i) {
       const Certificate& certificate = proofs_[i].certificate;
-      if (!certificate.is_proven || proofs_[i].same_as >= 0) continue;
+      if (!proofs_[i].counts()) continue;
       ++proofs.classes;
       const bool is_real = certificate.realness == Certificate::Realness::real;
       proofs.real += is_real && standings_[i] == Standing::as_stated ? 1 : 0;
       proofs.undecided += is_real && standings_[i] == Standing::undecided ? 1 : 0;
       proofs.most_bits = std::max(proofs.most_bits, certificate.bits);
     }
-    count_clusters(proofs_, proofs);
+    count_clusters_and_images(proofs_, proofs);
     prove_escaping(scene_, result_.answer.escaping, setup_, proofs);
     set_limit(theoretical_counts(scene_.problem()), proofs);
   }

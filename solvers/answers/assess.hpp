@@ -74,13 +74,17 @@ struct Proofs {
   std::optional<std::uint64_t> generic;
   std::optional<Natural> limit;  ///< no lengths have more isolated solutions; empty: not known
   bool limit_is_exact = false;   ///< generic lengths have so many
+  /// The same of figures, mirror images counted apart; empty: not known, or nothing but twice the limit.
+  std::optional<Natural> figure_limit;
+  std::uint64_t with_image =
+      0;  ///< those of `classes` that are proven to be two figures, mirror images of each other
 
-  /// So many proven solutions are all there are.
-  bool meets_limit(std::uint64_t count) const;
+  /// So many proven solutions are all there are, of which some are known to be two figures.
+  bool meets_limit(std::uint64_t count, std::uint64_t two_figures = 0) const;
   /// Those that the list stands for are, with those at infinity, which lengths next to these bring back.
-  bool are_complete() const { return meets_limit(classes + in_clusters + at_infinity); }
+  bool are_complete() const { return meets_limit(classes + in_clusters + at_infinity, with_image); }
   /// So many of them are real, and no more: of those in clusters it is not known.
-  bool decide_real() const { return meets_limit(classes + at_infinity) && undecided == 0; }
+  bool decide_real() const { return meets_limit(classes + at_infinity, with_image) && undecided == 0; }
 };
 
 struct Assessment {

@@ -138,7 +138,7 @@ void prove_listed(const SceneEquations& equations, const Scene& scene, const Pro
     proofs.classes += solution.certified ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
   }
-  count_clusters(all, proofs);
+  count_clusters_and_images(all, proofs);
 }
 
 }  // namespace
@@ -162,8 +162,11 @@ std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
     later.is_proven_same = pair.is_proven;
   }
   for (SolutionProof& proof : proofs) {
-    if (proof.certificate.cluster == 0) continue;
+    if (!proof.certificate.is_isolated() || (proof.certificate.cluster == 0 && !equations.general()))
+      continue;
     const int images = meeting_images(proof.certificate.enclosure, certifier.system().mirror);
+    proof.has_image = proof.certificate.is_proven && images == 1;
+    if (proof.certificate.cluster == 0) continue;
     proof.least = (proof.certificate.cluster + images - 1) / images;
     if (proof.same_as < 0) proof.cluster = proof.least;
   }
@@ -178,8 +181,8 @@ std::size_t prove_errors(const Scene& scene, const ProofSetup& setup, std::vecto
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (proofs[i].certificate.is_proven)
       candidates[i].error = std::min(candidates[i].error, proofs[i].distance);
-  return static_cast<std::size_t>(std::ranges::count_if(
-      proofs, [](const SolutionProof& proof) { return proof.certificate.is_proven && proof.same_as < 0; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(proofs, [](const SolutionProof& proof) { return proof.counts(); }));
 }
 
 SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
@@ -196,8 +199,9 @@ SignVerdict proven_signs(const SceneEquations& equations, const std::vector<Stat
   return precise.is_proven ? verdict(precise.enclosure) : first;
 }
 
-void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs) {
+void count_clusters_and_images(const std::vector<SolutionProof>& solutions, Proofs& proofs) {
   for (const SolutionProof& solution : solutions) {
+    proofs.with_image += solution.counts() && solution.has_image ? 1 : 0;
     proofs.clusters += solution.cluster > 0 ? 1 : 0;
     proofs.in_clusters += static_cast<std::uint64_t>(solution.cluster);
   }
@@ -241,8 +245,12 @@ void set_limit(const TheoreticalCounts& limits, Proofs& proofs) {
   if (!limit) return;
   proofs.limit = limit->up_to_reflection();
   proofs.limit_is_exact = limits.exact.has_value();
+  if (limits.bound) proofs.figure_limit = limits.bound->figures;
 }
 
-bool Proofs::meets_limit(std::uint64_t count) const { return limit && Natural(count) == *limit; }
+bool Proofs::meets_limit(std::uint64_t count, std::uint64_t two_figures) const {
+  return (limit && Natural(count) == *limit) ||
+         (figure_limit && Natural(count + two_figures) == *figure_limit);
+}
 
 }  // namespace gcs

@@ -20,6 +20,11 @@ struct SolutionProof {
   bool is_proven_same = false;  ///< and it is proven to be the same class
   int least = 1;                ///< so many classes at least, with multiplicities, are in its enclosure
   int cluster = 0;              ///< so many of a cluster that no earlier solution stands for
+  /// It is proven, of a general scene, and none of its own images by changes of signs in the frame.
+  bool has_image = false;
+
+  /// Whether it is a solution of its own.
+  bool counts() const { return certificate.is_proven && same_as < 0; }
 
   /// Whether a solution may be listed with that multiplicity. Of its own mirror image it is not known whether
   /// that is it, or another solution in the enclosure.
@@ -29,8 +34,8 @@ struct SolutionProof {
   }
 };
 
-/// Adds the clusters to `proofs`.
-void count_clusters(const std::vector<SolutionProof>& solutions, Proofs& proofs);
+/// Adds the clusters and mirror images to `proofs`.
+void count_clusters_and_images(const std::vector<SolutionProof>& solutions, Proofs& proofs);
 
 /// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). Stopped, some are not
 /// tried.

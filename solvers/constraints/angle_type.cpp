@@ -77,12 +77,12 @@ void angle_segment_segment(SystemBuilder& builder, const StatedRelation& stated)
 ConstraintType angle_type() {
   return {"angle",
           ConstraintType::Value::angle,
-          {{{line, line}, angle_line_line},
+          {{{line, line}, angle_line_line, {1, 2}},
            {{line, segment}, angle_line_segment},
            {{segment, segment}, angle_segment_segment},
-           {{line, plane}, angle_line_plane},
+           {{line, plane}, angle_line_plane, {1, 2}},
            {{plane, segment}, angle_plane_segment},
-           {{plane, plane}, angle_plane_plane}}};
+           {{plane, plane}, angle_plane_plane, {1, 1}}}};
 }
 
 }  // namespace gcs

@@ -187,12 +187,12 @@ ConstraintType distance_type() {
   using enum ConstraintKind::Joined;
   return {"distance",
           ConstraintType::Value::length,
-          {{{point, point}, distance_point_point},
-           {{point, line}, distance_point_line},
-           {{point, plane}, distance_point_plane},
-           {{line, line}, distance_line_line, in_the_plane},
-           {{line, plane}, distance_line_plane, always},
-           {{plane, plane}, distance_plane_plane, always}}};
+          {{{point, point}, distance_point_point, {1, 1}},
+           {{point, line}, distance_point_line, {1, 2, true}},
+           {{point, plane}, distance_point_plane, {1, 1, false, 1}},
+           {{line, line}, distance_line_line, {1, 2, true}, in_the_plane},
+           {{line, plane}, distance_line_plane, {1, 4}, always},
+           {{plane, plane}, distance_plane_plane, {1, 2, true, 0}, always}}};
 }
 
 void state_distance(SystemBuilder& builder, int constraint) {

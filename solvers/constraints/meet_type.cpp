@@ -30,7 +30,7 @@ void meeting_lines(SystemBuilder& builder, const StatedRelation& stated) {
 }  // namespace
 
 ConstraintType meet_type() {
-  return {"meet", ConstraintType::Value::none, {{{line, line}, meeting_lines}}, true};
+  return {"meet", ConstraintType::Value::none, {{{line, line}, meeting_lines, {1, 1}}}, true};
 }
 
 }  // namespace gcs

@@ -27,7 +27,9 @@ void line_on_plane(SystemBuilder& builder, const StatedRelation& stated) {
 ConstraintType on_type() {
   return {"on",
           ConstraintType::Value::none,
-          {{{point, line}, point_on_line}, {{point, plane}, point_on_plane}, {{line, plane}, line_on_plane}}};
+          {{{point, line}, point_on_line, {2, 1}},
+           {{point, plane}, point_on_plane, {1, 1}},
+           {{line, plane}, line_on_plane, {2, 1}}}};
 }
 
 }  // namespace gcs

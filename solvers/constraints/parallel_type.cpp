@@ -33,12 +33,12 @@ ConstraintType parallel_type() {
   using enum ConstraintKind::Joined;
   return {"parallel",
           ConstraintType::Value::none,
-          {{{line, line}, state_nothing, never, true},
+          {{{line, line}, state_nothing, {2, 1}, never, true},
            {{line, segment}, parallel_line_segment},
            {{segment, segment}, parallel_segments},
-           {{line, plane}, parallel_line_plane},
+           {{line, plane}, parallel_line_plane, {1, 1}},
            {{plane, segment}, parallel_plane_segment},
-           {{plane, plane}, state_nothing, never, true}}};
+           {{plane, plane}, state_nothing, {2, 1}, never, true}}};
 }
 
 }  // namespace gcs

@@ -40,12 +40,12 @@ ConstraintType perpendicular_type() {
   using enum ConstraintKind::Joined;
   return {"perpendicular",
           ConstraintType::Value::none,
-          {{{line, line}, perpendicular_lines},
+          {{{line, line}, perpendicular_lines, {1, 1}},
            {{line, segment}, perpendicular_line_segment},
            {{segment, segment}, perpendicular_segments},
-           {{line, plane}, state_nothing, never, true},
+           {{line, plane}, state_nothing, {2, 1}, never, true},
            {{plane, segment}, perpendicular_plane_segment},
-           {{plane, plane}, perpendicular_planes}}};
+           {{plane, plane}, perpendicular_planes, {1, 1}}}};
 }
 
 }  // namespace gcs

@@ -29,6 +29,9 @@ struct CountBound {
   int parts = 1;  ///< of so many parts the bounds are multiplied; the reference is that of the first, no ring
   std::string
       theorem{};  ///< in words with its source, for the bound of a theorem: then there is no reference
+  /// Of figures, of which the frame tells mirror images apart: so many at most, those that are their own image once. `count`
+  /// is of classes, and may be no smaller where nothing says that images differ.
+  std::optional<Natural> figures{};
 };
 
 struct TheoreticalCounts {

@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "solvers/counting/element_bound.hpp"
 #include "solvers/counting/ring_bound.hpp"
 #include "solvers/counting/system_bound.hpp"
 #include "solvers/counting/three_lines_bound.hpp"
@@ -127,17 +128,26 @@ void bound_octahedron_with_planes(const ProblemStatement& problem, TheoreticalCo
   counts.bound->theorem = "an octahedron of points and planes: three elements, each on a conic, by Bézout";
 }
 
-/// By the scene's equations, where that is less.
+/// By the scene's equations, or its elements in sets, where that is less.
 void bound_by_equations(const ProblemStatement& problem, TheoreticalCounts& counts) {
   const Scene scene = Scene::unchecked(problem);
   if (why_no_system(scene)) return;
-  const std::optional<Natural> classes = class_bound(SceneSystem(scene));
-  if (!classes || (counts.bound && !(*classes < counts.bound->count.up_to_reflection()))) return;
+  const SceneSystem system(scene);
   const FrameImages images = frame_images(problem);
-  counts.bound =
-      CountBound{{*classes * Natural(static_cast<std::uint64_t>(images.in_frame)), images}, {}, {}};
-  counts.bound->theorem = "the m-Bézout bound of its equations, with groups of unknowns";
-  counts.why_no_bound.clear();
+  const auto take = [&](const std::optional<Natural>& classes, const char* theorem) {
+    if (!classes || (counts.bound && !(*classes < counts.bound->count.up_to_reflection()))) return;
+    counts.bound =
+        CountBound{{*classes * Natural(static_cast<std::uint64_t>(images.in_frame)), images}, {}, {}};
+    counts.bound->theorem = theorem;
+    counts.why_no_bound.clear();
+  };
+  const auto sets = placed_sets(problem);
+  const auto figures = sets ? std::optional(ways_to_place(*sets)) : std::nullopt;
+  const bool has_pairs = images.in_frame == 2 && divides_by_all(system.equations());
+  take(figures && has_pairs ? *figures / 2U : figures,
+       "the m-Bézout bounds of its elements, placed one set after the other");
+  take(class_bound(system), "the m-Bézout bound of its equations, with groups of unknowns");
+  if (figures && images.in_frame == 2) counts.bound->figures = figures;
 }
 
 void bound_three_lines(const ProblemStatement& problem, std::uint64_t most, TheoreticalCounts& counts) {

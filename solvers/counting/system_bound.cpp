@@ -297,6 +297,8 @@ std::optional<Natural> class_bound(const QuadraticSystem& system, const std::vec
   return bound;
 }
 
+bool divides_by_all(const QuadraticSystem& system) { return dividing_rank(system) == system.mirror.rank(); }
+
 std::optional<Natural> class_bound(const SceneSystem& system) {
   return class_bound(system.equations(), vectors_of(system));
 }

@@ -26,6 +26,9 @@ std::optional<Natural> system_bound(const QuadraticSystem& system,
 std::optional<Natural> class_bound(const QuadraticSystem& system,
                                    const std::vector<std::vector<int>>& groups);
 
+/// Whether that is known of all of them.
+bool divides_by_all(const QuadraticSystem& system);
+
 /// Of a scene's equations, with the vectors of its elements as groups.
 std::optional<Natural> class_bound(const SceneSystem& system);
 

@@ -21,6 +21,16 @@ struct StatedRelation {
   int entity(std::size_t i) const { return relation.of[i].entity; }
 };
 
+/// A kind as polynomials between two elements, of which a point p has the numbers (p, p·p), a plane (n, h) and a line
+/// (u, p × u), as they are counted in element_bound.hpp.
+struct ElementPolynomials {
+  int count = 0;   ///< in space, in the plane one; 0: it is none between two elements
+  int degree = 0;  ///< in each of the two
+  /// Linear between what is held and what it only shifts: its offset, or its place and the square of that.
+  bool is_of_shifts = false;
+  int sided = -1;  ///< which of the two is a plane of which a side is seen
+};
+
 /// What a type may be between, and its equations then.
 struct ConstraintKind {
   /// Which of them need a `parallel` that joins what they are between.
@@ -30,6 +40,7 @@ struct ConstraintKind {
   std::vector<OperandKind> between;
   /// Writes the equations; operands are in the order of `between`. Null: nobody has written it yet.
   void (*state)(SystemBuilder& builder, const StatedRelation& stated) = nullptr;
+  ElementPolynomials polynomials{};
   Joined joined = Joined::never;
   /// Whether the first of the two has the direction of the second from the start; of bodies place_elements states it.
   bool shares_direction = false;

@@ -50,22 +50,41 @@ void add_start(const GenericStart& start, SolveReport& report) {
     report.status = start.is_stopped() ? SolveStatus::stopped : SolveStatus::partial;
 }
 
-/// With two mirror images for each doubling. Where given points are in special places there may be fewer.
-std::optional<ClassCount> most_classes(const Scene& scene, const TheoreticalCounts& counts, int doublings) {
+/// With two mirror images for each doubling. Where given points are in special places there may be fewer. `are_pairs`: asked
+/// where there may be fewer classes than figures, whether each class is two figures.
+std::optional<ClassCount> most_classes(const Scene& scene, const TheoreticalCounts& counts, int doublings,
+                                       const std::function<bool()>& are_pairs) {
   const SolutionCount* limit = counts.upper_limit();
   if (!limit) return std::nullopt;
-  const Natural classes = limit->up_to_reflection() * Natural::power_of_two(doublings);
+  Natural classes = limit->up_to_reflection() * Natural::power_of_two(doublings);
+  if (counts.bound && counts.bound->figures && are_pairs())
+    classes = std::min(classes, *counts.bound->figures / 2U);
   if (classes > Natural(std::numeric_limits<std::uint32_t>::max())) return std::nullopt;
   return ClassCount{static_cast<std::uint64_t>(classes.approximate()), counts.exact && !scene.is_anchored()};
 }
 
 /// Wherever given points are, the scene of the request has no more isolated solutions than its limit.
-ClassLimit limit_of(const SolveRequest& request, int doublings = 0) {
-  return [&request, doublings] {
+ClassLimit limit_of(
+    const SolveRequest& request, int doublings = 0,
+    const std::function<bool()>& are_pairs = [] { return false; }) {
+  return [&request, doublings, are_pairs] {
     const Scene& scene = request.scene;
-    return request.analysis ? most_classes(scene, request.analysis->counts(), doublings)
-                            : most_classes(scene, theoretical_counts(scene.problem()), doublings);
+    return request.analysis ? most_classes(scene, request.analysis->counts(), doublings, are_pairs)
+                            : most_classes(scene, theoretical_counts(scene.problem()), doublings, are_pairs);
   };
+}
+
+/// Whether a member at random differs from all its images by changes of signs, as all that can be reached from it do then.
+bool differs_from_images(const GeneralStart& start) {
+  constexpr double nothing = 1e-8;  // of the largest number; of random ones none is so small by chance
+  std::mt19937_64 random = start.random;
+  const ComplexVectorX x = start.family.random_member(random).x;
+  double size = 0;
+  for (const std::complex<double>& number : x) size = std::max(size, std::abs(number));
+  std::vector<SignMask> changed;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (std::abs(x[i]) > nothing * size) changed.push_back(start.family.signs[i]);
+  return SignMasks(std::move(changed)).rank() == start.family.signs.rank();
 }
 
 bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
@@ -124,7 +143,8 @@ void ComplexStrategy::prepare(const SolveRequest& request) {
 std::unique_ptr<GeneralStart> ComplexStrategy::general_start(const SolveRequest& request,
                                                              const GeneralEquations& equations) const {
   auto start = std::make_unique<GeneralStart>(equations, request.seed, setup_for(request));
-  solve_random_member(request, limit_of(request), *start);
+  solve_random_member(request, limit_of(request, 0, [&start] { return differs_from_images(*start); }),
+                      *start);
   return start;
 }
 

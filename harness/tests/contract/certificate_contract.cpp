@@ -16,6 +16,10 @@ Violations check_certificates(const Scene& scene, const SolveReport& report) {
     if (proofs.limit && Natural(classes) > *proofs.limit)
       found.push_back(
           {"certificate", fmt::format("{} classes proven, at most {}", classes, proofs.limit->decimal())});
+  if (proofs.figure_limit && Natural(proofs.classes + proofs.with_image) > *proofs.figure_limit)
+    found.push_back(
+        {"certificate", fmt::format("{} figures proven, at most {}", proofs.classes + proofs.with_image,
+                                    proofs.figure_limit->decimal())});
   return found;
 }
 

@@ -39,11 +39,12 @@ def sources():
 
 
 def load_script(name):
-    """A program of scripts/ as a module, which sees those beside it."""
+    """A program of scripts/ as a module, which sees those beside it, and is found by the processes that it starts."""
     if str(SOURCE / "scripts") not in sys.path:
         sys.path.append(str(SOURCE / "scripts"))
     loader = importlib.machinery.SourceFileLoader(name.replace("-", "_"), str(SOURCE / "scripts" / name))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    sys.modules[loader.name] = module
     loader.exec_module(module)
     return module
 

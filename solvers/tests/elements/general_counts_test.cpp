@@ -162,7 +162,7 @@ TEST_CASE("three points and three lines have as many figures as the curves of th
   CHECK(most(problem) == Natural(960));
   ProblemStatement given = problem, parallel = problem;
   given.fixed_points.assign(given.points.size(), Eigen::Vector3d::Zero());
-  CHECK(most(given) == Natural(0));
+  CHECK(most(given) > Natural(2 * 960));  // by another theorem, of mirror images one by one
   parallel.relations.back().type = "parallel";
   CHECK(most(parallel) == Natural(0));
   for (const int expected : {12 * 12 * 24, 12 * 24 * 24, 24 * 24 * 24}) {

@@ -72,12 +72,10 @@ struct Proofs {
   std::string why_not_at_infinity;  ///< of ends there that are not proven, in words; empty where all are
   /// Solutions proven in the same way at the strategy's generic lengths.
   std::optional<std::uint64_t> generic;
-  std::optional<Natural> limit;  ///< no lengths have more isolated solutions; empty: not known
-  bool limit_is_exact = false;   ///< generic lengths have so many
-  /// The same of figures, mirror images counted apart; empty: not known, or nothing but twice the limit.
-  std::optional<Natural> figure_limit;
-  std::uint64_t with_image =
-      0;  ///< those of `classes` that are proven to be two figures, mirror images of each other
+  std::optional<Natural> limit;         ///< no lengths have more isolated solutions; empty: not known
+  bool limit_is_exact = false;          ///< generic lengths have so many
+  std::optional<Natural> figure_limit;  ///< the same of figures, mirror images counted apart
+  std::uint64_t with_image = 0;  ///< classes proven to be two figures, each the mirror image of the other
 
   /// So many proven solutions are all there are, of which some are known to be two figures.
   bool meets_limit(std::uint64_t count, std::uint64_t two_figures = 0) const;

@@ -63,10 +63,10 @@ TEST_CASE("where the bound is not met a trace test completes the list") {
   CHECK(solved("hoffmann-yuan").counts.real_up_to_reflection == 6);
 }
 
-/// Some of its hundreds of points have branch points far from the others'.
+/// Some of its hundreds of points have branch points far from the others', or are 1e11 away.
 TEST_CASE("a trace test reaches points that are nearly separate from the others") {
   RunLimits limits;
-  limits.seed = GENERATE(as<std::uint64_t>(), 195, 234, 308, 344);
+  limits.seed = GENERATE(as<std::uint64_t>(), 195, 308, 492);
   const Scene scene(load_instance("hoffmann-yuan").problem);
   const SolveRun run = run_strategy(find_strategy("monodromy"), {}, scene, limits);
   INFO(limits.seed << ": " << run.reason);

@@ -10,6 +10,7 @@
 
 #include "solvers/counting/orientation_count.hpp"
 #include "solvers/elements/constraint_types.hpp"
+#include "solvers/numeric/disjoint_sets.hpp"
 
 namespace gcs {
 namespace {
@@ -50,25 +51,6 @@ std::optional<std::vector<ElementEdge>> edges_of(const ProblemStatement& problem
   return edges;
 }
 
-/// Which of some things are joined, by any of their pairs.
-class JoinedSets {
- public:
-  explicit JoinedSets(int count) : root_(static_cast<std::size_t>(count)) {
-    std::iota(root_.begin(), root_.end(), 0);
-  }
-
-  int root(int i) const {
-    while (root_[static_cast<std::size_t>(i)] != i) i = root_[static_cast<std::size_t>(i)];
-    return i;
-  }
-  void join(const std::array<int, 2>& pair) {
-    root_[static_cast<std::size_t>(root(pair[0]))] = root(pair[1]);
-  }
-
- private:
-  std::vector<int> root_;
-};
-
 /// The elements of a scene and the constraints between them.
 struct ElementGraph {
   ElementGraph(const ProblemStatement& given, std::vector<ElementEdge> stated)
@@ -77,8 +59,8 @@ struct ElementGraph {
         directions(given.entity_count()),
         sides(given.entity_count()) {
     for (const ElementEdge& edge : edges) {
-      if (edge.shares_direction) directions.join(edge.ends);
-      if (edge.joins_sides) sides.join(edge.ends);
+      if (edge.shares_direction) directions.join(edge.ends[0], edge.ends[1]);
+      if (edge.joins_sides) sides.join(edge.ends[0], edge.ends[1]);
     }
   }
 
@@ -92,7 +74,7 @@ struct ElementGraph {
 
   const ProblemStatement& problem;
   std::vector<ElementEdge> edges;
-  JoinedSets directions, sides;
+  DisjointSets directions, sides;
 };
 
 /// The bound of one set; see placed_sets.
@@ -172,7 +154,7 @@ class SetBound {
     const ElementEdge* along = pinning(free_end(edge));
     return along && along->shares_direction &&
            (graph_.problem.is_point(edge.ends[0]) ||
-            graph_.directions.root(edge.ends[0]) == graph_.directions.root(edge.ends[1]));
+            graph_.directions.find(edge.ends[0]) == graph_.directions.find(edge.ends[1]));
   }
 
   Natural degrees() const {
@@ -201,10 +183,10 @@ class SetBound {
     for (int entity = 0; entity < graph_.problem.entity_count(); ++entity) {
       if (is_free(entity) && graph_.problem.is_line(entity)) ++lines;
       if (graph_.problem.is_plane(entity))
-        (is_free(entity) ? turned : seen).insert(graph_.sides.root(entity));
+        (is_free(entity) ? turned : seen).insert(graph_.sides.find(entity));
     }
     for (const ElementEdge& edge : graph_.edges)
-      if (edge.sided >= 0) seen.insert(graph_.sides.root(edge.sided));
+      if (edge.sided >= 0) seen.insert(graph_.sides.find(edge.sided));
     std::erase_if(turned, [&](int root) { return seen.contains(root); });
     return lines + static_cast<int>(turned.size());
   }

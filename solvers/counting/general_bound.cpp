@@ -143,8 +143,8 @@ void bound_by_equations(const ProblemStatement& problem, TheoreticalCounts& coun
   };
   const auto sets = placed_sets(problem);
   const auto figures = sets ? std::optional(ways_to_place(*sets)) : std::nullopt;
-  const bool has_pairs = images.in_frame == 2 && divides_by_all(system.equations());
-  take(figures && has_pairs ? *figures / 2U : figures,
+  const bool has_pairs = figures && images.in_frame == 2 && divides_by_all(system.equations());
+  take(has_pairs ? *figures / 2U : figures,
        "the m-Bézout bounds of its elements, placed one set after the other");
   take(class_bound(system), "the m-Bézout bound of its equations, with groups of unknowns");
   if (figures && images.in_frame == 2) counts.bound->figures = figures;

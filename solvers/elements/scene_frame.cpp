@@ -1,28 +1,14 @@
 #include "solvers/elements/scene_frame.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "solvers/elements/constraint_types.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/model/frame_choice.hpp"
+#include "solvers/numeric/disjoint_sets.hpp"
 
 namespace gcs {
 namespace {
-
-/// Disjoint sets of 0 … n − 1.
-class Sets {
- public:
-  explicit Sets(int n) : root_(static_cast<std::size_t>(n)) { std::iota(root_.begin(), root_.end(), 0); }
-  int find(int i) const {
-    while (root_[static_cast<std::size_t>(i)] != i) i = root_[static_cast<std::size_t>(i)];
-    return i;
-  }
-  void join(int a, int b) { root_[static_cast<std::size_t>(find(a))] = find(b); }
-
- private:
-  std::vector<int> root_;
-};
 
 std::pair<int, int> sorted(int a, int b) { return std::minmax(a, b); }
 
@@ -46,7 +32,7 @@ bool is_in_a_body(const ProblemStatement& problem, const std::pair<int, int>& se
 }
 
 /// Numbers of the sets whose members are all free, −1 for members of the others.
-std::vector<int> numbered(const Sets& sets, const std::vector<bool>& is_held) {
+std::vector<int> numbered(const DisjointSets& sets, const std::vector<bool>& is_held) {
   const int n = static_cast<int>(is_held.size());
   std::vector<bool> held(is_held.size());
   for (int i = 0; i < n; ++i)
@@ -68,8 +54,8 @@ bool is_held(const ProblemStatement& problem, int entity) {
 }
 
 /// Lines and planes that relations give one direction, but for its sign; points are sets of their own.
-Sets direction_sets(const ProblemStatement& problem) {
-  Sets sets(problem.entity_count());
+DisjointSets direction_sets(const ProblemStatement& problem) {
+  DisjointSets sets(problem.entity_count());
   for (Relation relation : problem.relations)
     if (const ConstraintKind* kind = find_kind(problem, relation); kind != nullptr && kind->shares_direction)
       sets.join(relation.of[0].entity, relation.of[1].entity);
@@ -118,7 +104,7 @@ class PlaneSides {
 
   /// Of each set that which is held leads or, where none is, a plane, one with a side if there is one.
   void share_normals() {
-    const Sets directions = direction_sets(problem_);
+    const DisjointSets directions = direction_sets(problem_);
     std::map<int, int> leaders;
     const auto lead = [&](int entity) { leaders.emplace(directions.find(entity), entity); };
     for (int entity = problem_.line_entity(0); entity < problem_.entity_count(); ++entity)
@@ -145,7 +131,7 @@ class PlaneSides {
   }
 
   const ProblemStatement& problem_;
-  Sets sets_;
+  DisjointSets sets_;
   std::vector<bool> has_side_;
   std::vector<SharedNormal> normals_;
 };
@@ -247,7 +233,7 @@ std::vector<SharedNormal> shared_normals(const ProblemStatement& problem) {
 }
 
 std::vector<DirectionsMadeOne> directions_made_one(const ProblemStatement& problem) {
-  Sets sets(problem.entity_count());
+  DisjointSets sets(problem.entity_count());
   std::vector<int> held(static_cast<std::size_t>(problem.entity_count()), -1);  // of the set with that root
   for (int entity = 0; entity < problem.entity_count(); ++entity)
     if (is_held(problem, entity)) held[static_cast<std::size_t>(entity)] = entity;
@@ -283,7 +269,7 @@ std::map<std::pair<int, int>, int> Turnings::turned_segments(const ProblemStatem
     if (is_angle_between(problem, relation, OperandKind::segment))
       joined.emplace_back(number_of(relation.of[0]), number_of(relation.of[1]));
   }
-  Sets sets(static_cast<int>(segments.size()));
+  DisjointSets sets(static_cast<int>(segments.size()));
   for (const auto& [a, b] : joined) sets.join(a, b);
   std::vector<bool> has_length(segments.size());
   for (const auto& [segment, number] : segments)

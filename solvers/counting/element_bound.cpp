@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <span>
@@ -23,6 +24,7 @@ struct ElementEdge {
   std::array<int, 2> ends{};
   ElementPolynomials polynomials;
   bool shares_direction = false;
+  bool is_beside = false;    ///< a distance of a line and a plane, which are parallel
   int sided = -1;            ///< a plane of which it sees a side
   bool joins_sides = false;  ///< two planes are turned over together, or neither
 };
@@ -31,6 +33,10 @@ std::optional<ElementEdge> edge_of(const ProblemStatement& problem, Relation rel
   const ConstraintKind* kind = find_kind(problem, relation);
   if (kind == nullptr || kind->polynomials.count == 0) return std::nullopt;
   ElementEdge edge{{relation.of[0].entity, relation.of[1].entity}, kind->polynomials, kind->shares_direction};
+  const auto are = [&](std::size_t line, std::size_t plane) {
+    return problem.is_line(edge.ends[line]) && problem.is_plane(edge.ends[plane]);
+  };
+  edge.is_beside = relation.type == "distance" && (are(0, 1) || are(1, 0));
   if (problem.dimension == 2) edge.polynomials.count = 1;
   if (edge.polynomials.sided >= 0) edge.sided = edge.ends[static_cast<std::size_t>(edge.polynomials.sided)];
   edge.joins_sides = value_kind(relation) == ConstraintType::Value::angle &&
@@ -38,11 +44,15 @@ std::optional<ElementEdge> edge_of(const ProblemStatement& problem, Relation rel
   return edge;
 }
 
+ElementEdge distance_edge(const ProblemStatement& problem, int a, int b) {
+  return edge_of(problem, {"", "distance", {{a}, {b}}}).value();
+}
+
 /// Nothing where one is not between two elements.
 std::optional<std::vector<ElementEdge>> edges_of(const ProblemStatement& problem) {
   std::vector<ElementEdge> edges;
   for (const DistanceConstraint& c : problem.constraints)
-    edges.push_back(edge_of(problem, {c.id, "distance", {{c.between[0]}, {c.between[1]}}}).value());
+    edges.push_back(distance_edge(problem, c.between[0], c.between[1]));
   for (const Relation& relation : problem.relations) {
     const auto edge = edge_of(problem, relation);
     if (!edge) return std::nullopt;
@@ -121,17 +131,33 @@ class SetBound {
   int free_end(const ElementEdge& edge) const { return edge.ends[is_free(edge.ends[0]) ? 0 : 1]; }
   const ElementEdge*& pinning(int entity) { return pinning_[static_cast<std::size_t>(entity)]; }
   const ElementEdge* pinning(int entity) const { return pinning_[static_cast<std::size_t>(entity)]; }
+  static bool have_same_ends(const ElementEdge& one, const ElementEdge& other) {
+    return std::ranges::is_permutation(one.ends, other.ends);
+  }
   bool is_pinning(const ElementEdge& edge) const {
-    return std::ranges::any_of(edge.ends, [&](int end) { return pinning(end) == &edge; });
+    return std::ranges::any_of(edge.ends, [&](int end) {
+      const ElementEdge* by = pinning(end);
+      return by && (by == &edge || (by->is_beside && have_same_ends(*by, edge)));
+    });
   }
 
-  /// Directions that are held, and lines through points or in planes that are: two equations of degree one.
+  /// Directions that are held, and lines through points or in planes that are: two equations of degree one. A line that is said
+  /// to be parallel to a plane that is held, and at a distance, is in one of two planes.
   void pin() {
-    for (const ElementEdge* edge : inside_) {
-      if (free_ends(*edge) != 1 || edge->polynomials.count != 2) continue;
-      const int end = free_end(*edge);
-      if (!pinning(end) && (edge->shares_direction || graph_.problem.is_line(end))) pinning(end) = edge;
-    }
+    const auto pin_by = [&](const auto& are_pinning) {
+      for (const ElementEdge* edge : inside_)
+        if (free_ends(*edge) == 1 && !pinning(free_end(*edge)) && are_pinning(*edge))
+          pinning(free_end(*edge)) = edge;
+    };
+    const auto is_line = [&](const ElementEdge& edge) { return graph_.problem.is_line(free_end(edge)); };
+    pin_by([&](const ElementEdge& edge) {
+      return edge.polynomials.count == 2 && (edge.shares_direction || is_line(edge));
+    });
+    pin_by([&](const ElementEdge& edge) {
+      return edge.is_beside && is_line(edge) && std::ranges::count_if(inside_, [&](const ElementEdge* other) {
+                                                  return have_same_ends(edge, *other);
+                                                }) == 2;
+    });
   }
 
   int freedoms_left(int entity) const { return graph_.freedoms(entity) - (pinning(entity) ? 2 : 0); }
@@ -172,6 +198,7 @@ class SetBound {
       }
       for (int i = 0; i < edge->polynomials.count && !is_pinning(*edge); ++i)
         multiply(edge->polynomials.degree);
+      if (is_pinning(*edge) && edge->is_beside) multiply(2);
     }
     return product * Natural::power_of_two(static_cast<int>(shifted_lines.size()));
   }
@@ -238,43 +265,88 @@ class PlacingInSets {
     return at_most.has_value();
   }
 
-  /// By the freedoms of a body that has so many placed points, each with a distance: in how many ways. Nothing otherwise.
-  std::optional<std::uint64_t> postures(std::size_t placed, std::size_t distances) const {
-    struct Legs {
-      std::size_t distances;
-      std::uint64_t postures;
-    };
-    constexpr std::array<Legs, 3> in_space{{{6, 40}, {3, 8}, {1, 2}}};
-    constexpr std::array<Legs, 2> in_the_plane{{{3, 6}, {1, 2}}};
-    const std::span<const Legs> known =
-        problem().dimension == 3 ? std::span<const Legs>(in_space) : std::span<const Legs>(in_the_plane);
-    if (placed >= known.size() || known[placed].distances != distances) return std::nullopt;
-    return known[placed].postures;
+  /// A body that is to be placed.
+  struct Legged {
+    std::set<int> moved, shared;    ///< its elements; what is shared is placed
+    std::vector<ElementEdge> legs;  ///< constraints of what is moved with what is placed
+    std::set<int> hips, feet;       ///< their ends on either side, and what is shared
+  };
+
+  Legged legged(const RigidBody& body) const {
+    Legged result;
+    for (const BodyElement& element : body.elements)
+      (is_placed(element.entity) ? result.shared : result.moved).insert(element.entity);
+    result.hips = result.feet = result.shared;
+    for (const ElementEdge& edge : graph_.edges)
+      for (const int side : {0, 1}) {
+        const int end = edge.ends[static_cast<std::size_t>(side)];
+        const int other = edge.ends[static_cast<std::size_t>(1 - side)];
+        if (!result.moved.contains(end) || !is_placed(other)) continue;
+        result.legs.push_back(edge);
+        result.hips.insert(end);
+        result.feet.insert(other);
+      }
+    return result;
   }
 
-  /// A body of points on legs; false where it is none, or is placed.
-  bool place(const RigidBody& body) {
-    std::vector<int> elements;
+  bool has_legs_of_points(const Legged& body) const {
+    return std::ranges::all_of(body.legs,
+                               [&](const ElementEdge& leg) { return graph_.are_points(leg.ends); });
+  }
+
+  /// By distances of its points, one for each freedom that what is shared leaves.
+  std::optional<Natural> postures(const Legged& body) const {
+    struct Joint {
+      std::array<int, 3> shared;  ///< points, lines, planes
+      std::size_t legs;
+      std::uint64_t postures;
+    };
+    constexpr std::array in_space{Joint{{0, 0, 0}, 6, 40}, Joint{{1, 0, 0}, 3, 8}, Joint{{2, 0, 0}, 1, 2},
+                                  Joint{{0, 1, 0}, 2, 8}, Joint{{0, 0, 1}, 3, 6}};
+    constexpr std::array in_the_plane{Joint{{0, 0, 0}, 3, 6}, Joint{{1, 0, 0}, 1, 2}, Joint{{0, 1, 0}, 1, 4}};
+    const std::span<const Joint> known =
+        problem().dimension == 3 ? std::span<const Joint>(in_space) : std::span<const Joint>(in_the_plane);
+    std::array<int, 3> shared{};
+    for (const int entity : body.shared)
+      ++shared[problem().is_point(entity) ? 0 : problem().is_line(entity) ? 1 : 2];
+    const auto joint = std::ranges::find(known, shared, &Joint::shared);
+    if (joint == known.end() || joint->legs != body.legs.size() || !has_legs_of_points(body))
+      return std::nullopt;
+    return Natural(joint->postures);
+  }
+
+  /// By d corners on one side of all legs, of which the distances from each other are given: where they are on the other side,
+  /// its points held, tells the posture.
+  std::optional<Natural> places_of_corners(const Legged& body, const std::set<int>& corners) const {
+    if (corners.size() != static_cast<std::size_t>(problem().dimension) ||
+        !std::ranges::all_of(corners, [&](int entity) { return problem().is_point(entity); }))
+      return std::nullopt;
+    std::vector<int> elements, held;
+    std::ranges::set_union(body.hips, body.feet, std::back_inserter(elements));
     std::set<int> moved;
-    for (const BodyElement& element : body.elements) {
-      elements.push_back(element.entity);
-      if (!is_placed(element.entity)) moved.insert(element.entity);
-    }
-    const std::size_t placed = elements.size() - moved.size();
-    std::size_t legs = 0;
-    for (const ElementEdge& edge : graph_.edges) {
-      const bool is_moved = moved.contains(edge.ends[0]);
-      const int other = edge.ends[is_moved ? 1 : 0];
-      if ((!is_moved && !moved.contains(edge.ends[1])) || !is_placed(other)) continue;
-      if (!graph_.are_points(edge.ends)) return false;
-      ++legs;
-      if (std::ranges::count(elements, other) == 0) elements.push_back(other);
-    }
-    const auto ways = postures(placed, legs);
-    if (moved.empty() || !ways ||
-        !std::ranges::all_of(elements, [&](int entity) { return problem().is_point(entity); }))
-      return false;
-    take({std::move(elements), {}, true, Natural(*ways)});
+    std::ranges::set_difference(corners, body.shared, std::inserter(moved, moved.end()));
+    std::ranges::set_difference(elements, moved, std::back_inserter(held));
+    std::vector<ElementEdge> edges = body.legs;
+    for (const int a : corners)
+      for (const int b : corners)
+        if (a < b) edges.push_back(distance_edge(problem(), a, b));
+    return SetBound(ElementGraph(problem(), std::move(edges)), elements, held).at_most(states_left_);
+  }
+
+  /// A body on legs; false where it is none, or is placed, or where no bound is known.
+  bool place(const RigidBody& body) {
+    const Legged on_legs = legged(body);
+    if (on_legs.moved.empty()) return false;
+    std::optional<Natural> fewest = postures(on_legs);
+    const auto take_fewer = [&](const std::optional<Natural>& ways) {
+      if (ways && (!fewest || *ways < *fewest)) fewest = ways;
+    };
+    take_fewer(places_of_corners(on_legs, on_legs.hips));
+    if (has_legs_of_points(on_legs)) take_fewer(places_of_corners(on_legs, on_legs.feet));
+    if (!fewest) return false;
+    std::set<int> elements = on_legs.moved;
+    elements.insert(on_legs.feet.begin(), on_legs.feet.end());
+    take({{elements.begin(), elements.end()}, {}, true, std::move(*fewest)});
     return true;
   }
 

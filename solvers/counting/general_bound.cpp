@@ -30,6 +30,8 @@ bool is_platform(const ProblemStatement& problem) {
                      });
 }
 
+constexpr const char* by_sets = "the m-Bézout bounds of its elements, placed one set after the other";
+
 /// Isolated postures persist when bodies and lengths are moved, so that no platform has more than a general one.
 void bound_platform(const ProblemStatement& problem, TheoreticalCounts& counts) {
   const bool is_spatial = problem.dimension == 3;
@@ -37,6 +39,10 @@ void bound_platform(const ProblemStatement& problem, TheoreticalCounts& counts) 
   counts.bound->theorem =
       is_spatial ? "two bodies and six distances: 40 postures, Ronga and Vust 1992, Mourrain 1993"
                  : "two bodies and three distances in the plane: 6 postures, Hunt 1983";
+  const auto sets = placed_sets(problem);
+  if (!sets || !(ways_to_place(*sets) < counts.bound->count.fixed_frame)) return;
+  counts.bound->count.fixed_frame = ways_to_place(*sets);
+  counts.bound->theorem = by_sets;
 }
 
 /// Nothing but six bodies in a ring, each hinged to the next: ring_bound.hpp's, with their shapes.
@@ -144,8 +150,7 @@ void bound_by_equations(const ProblemStatement& problem, TheoreticalCounts& coun
   const auto sets = placed_sets(problem);
   const auto figures = sets ? std::optional(ways_to_place(*sets)) : std::nullopt;
   const bool has_pairs = figures && images.in_frame == 2 && divides_by_all(system.equations());
-  take(has_pairs ? *figures / 2U : figures,
-       "the m-Bézout bounds of its elements, placed one set after the other");
+  take(has_pairs ? *figures / 2U : figures, by_sets);
   take(class_bound(system), "the m-Bézout bound of its equations, with groups of unknowns");
   if (figures && images.in_frame == 2) counts.bound->figures = figures;
 }

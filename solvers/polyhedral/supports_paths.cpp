@@ -1,6 +1,10 @@
 #include "solvers/polyhedral/supports_paths.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <utility>
 
 #include "solvers/polyhedral/polyhedral_homotopies.hpp"
 #include "solvers/running/words.hpp"
@@ -55,18 +59,56 @@ class Following {
 
  private:
   void follow_from(const MixedCells& cells) {
-    const GenericZeros zeros = follow_polyhedral_homotopies(
+    GenericZeros zeros = follow_polyhedral_homotopies(
         cells, signs_, request_.setup, random_, stopped_,
         [&](double fraction) { request_.progress("polyhedral homotopies", fraction); }, work_);
     result_.counts.start_paths = zeros.paths;
     result_.missing = what_is_missing(zeros);
-    if (!zeros.stopped && !zeros.zeros.empty()) follow_coefficients(zeros);
+    if (!zeros.stopped && !zeros.zeros.empty()) follow_coefficients(std::move(zeros));
   }
 
-  void follow_coefficients(const GenericZeros& zeros) {
+  /// Whether coefficients of one equation differ so much that zeros would change next to the end of a straight way only.
+  bool are_of_many_sizes(const MonomialSystem& system) const {
+    constexpr double far_apart = 1e-4;
+    for (int e = 0; e < system.equations(); ++e) {
+      double least = std::numeric_limits<double>::infinity(), most = 0;
+      for (int j = system.first[e]; j < system.first[e + 1]; ++j)
+        if (const double size = std::abs(coefficients_[j]); size > 0) {
+          least = std::min(least, size);
+          most = std::max(most, size);
+        }
+      if (least < far_apart * most) return true;
+    }
+    return false;
+  }
+
+  /// From coefficients of modulus 1 to others of the same arguments that are as large as those at the end: in logarithms the
+  /// way is no longer than these, and the arguments, at random, keep it clear of coefficients with multiple zeros.
+  void follow_sizes(LegTracking& tracking, GenericZeros& zeros) {
+    std::vector<double> rates;
+    for (std::size_t j = 0; j < coefficients_.size(); ++j) {
+      const double size = coefficients_[j] == 0.0 ? 1 : std::abs(coefficients_[j]);
+      zeros.coefficients[j] *= size;
+      rates.push_back(std::log(size));
+    }
+    const ComplexVectorX rest(coefficients_.size());
+    const Route route{{zeros.coefficients, rest, rest, rest}, zeros.coefficients, std::move(rates)};
+    std::vector<Leg> legs;
+    for (const ComplexVectorX& start : zeros.zeros) legs.push_back({start.data(), &route});
+    std::vector<ComplexVectorX> arrived;
+    for (const LegResult& end : tracking.follow(legs, stopped_, work_))
+      if (end.state.end == LegEnd::arrived) arrived.push_back(end.x);
+    if (const std::size_t lost = zeros.zeros.size() - arrived.size(); lost > 0 && result_.missing.empty())
+      result_.missing = counted(static_cast<std::int64_t>(lost), "path") +
+                        " got lost where coefficients change their sizes";
+    zeros.zeros = std::move(arrived);
+  }
+
+  void follow_coefficients(GenericZeros zeros) {
     const MonomialSystem system = monomial_system(supports_);
     const Elimination elimination = order_elimination(system, samples(system, zeros.coefficients));
     LegTracking tracking(system, elimination, request_.setup);
+    if (are_of_many_sizes(system)) follow_sizes(tracking, zeros);
     const std::string stage = "paths to " + request_.destination;
     result_.ends = follow_to_end(
         tracking, zeros.zeros, zeros.coefficients, coefficients_, [](const ComplexVectorX&) { return true; },

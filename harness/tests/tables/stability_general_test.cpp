@@ -48,6 +48,11 @@ TEST_CASE("mixed cells lead to solutions with unknowns that are 0 whatever the v
     check_count(id, "polyhedral");
 }
 
+TEST_CASE("mixed cells lead to postures of bodies that are nearly flat") {
+  for (const std::string id : {"flat-base@1e-10", "flat-base@1e-15", "straight-bodies@1e-12"})
+    check_count(id, "polyhedral");
+}
+
 TEST_CASE("a segment of length 0 has no angle") {
   // a, b and c on a circle about p, |ab| is given, and so is the angle of b→c with a→b. The line through b that has it meets
   // the circle in b, where the segment is a point, and in another c; it has it turned over too.

@@ -32,8 +32,9 @@ constexpr double waiting_ends = 1e-4;
 constexpr double far_away = 1e5;
 
 /// Relative to the largest |x_i| on the circle.
-constexpr double closed = 1e-8;       // start and end of a walk are one point
-constexpr double absent = 1e-9;       // a term of the series: rounding and the powers beyond the samples
+constexpr double closed = 1e-8;  // start and end of a walk are one point
+constexpr double absent =
+    1e-9;  // a term of the series: rounding and the powers beyond the samples; also beside the end
 constexpr double dominant = 0.5;      // the leading term of a pole, so that its power is not mistaken
 constexpr double agreed_pole = 1e-4;  // two circles' leading coefficients
 constexpr double agreed_end = 1e-8;   // two circles' constant terms
@@ -118,9 +119,11 @@ CircleReading read_circle(const std::vector<ComplexVectorX>& samples, double rad
     }
     lower.push_back(size);
   }
-  if (!lower.empty() && *std::max_element(lower.begin(), lower.end()) > absent * scale) return reading;
+  ComplexVectorX constant = fourier(samples, 0);
+  const double least = absent * std::min(scale, 1 + largest(constant));
+  if (!lower.empty() && *std::max_element(lower.begin(), lower.end()) > least) return reading;
   reading.kind = CircleReading::Kind::finite;
-  reading.leading = fourier(samples, 0);
+  reading.leading = std::move(constant);
   return reading;
 }
 

@@ -110,6 +110,11 @@ TEST_CASE("postures that are nearly separate from the others are found or missed
     }
 }
 
+TEST_CASE("postures whose paths come from far away end where they are") {
+  for (const std::string id : {"symmetric-body@1e-6", "symmetric-body@1e-8", "symmetric-body@1e-10"})
+    check_count(id, "polyhedral");
+}
+
 TEST_CASE("a platform that moves is said to") {
   const SolveRun run = solved("symmetric-body@0", "monodromy");
   CHECK(run.status == RunStatus::partial);

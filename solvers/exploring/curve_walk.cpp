@@ -1,6 +1,7 @@
 #include "solvers/exploring/curve_walk.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,17 +21,21 @@ class CurveWalk {
             const Eigen::VectorXd& solution, const TrackerContext& context)
       : scene_(scene), explored_(explored), released_(released), solution_(solution), context_(context) {}
 
+  /// Once more from beside the solution where not all is told from there, as next to a fold that the curve begins at.
   SolveReport by_series(const SeriesTrackerOptions& options) const {
-    const FollowCurve follow = [this](const SeriesTrackerOptions& of_half) {
-      ReleasedCurve curve = curve_from_solution(of_half);
-      return SeriesTracker(curve, of_half, context_).run();
-    };
-    return report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
-      const TrackedPath path = whole_curve(follow, refined);
-      SolveReport report = path_report(scene_, path, explored_.target());
-      if (!path.points.empty()) report.curves.push_back(curve_record(path, report));
+    SolveReport report = by_series_from(
+        [this](const SeriesTrackerOptions& of_half) { return curve_from_solution(of_half); }, options);
+    if (report.status != SolveStatus::partial) return report;
+    const std::optional<Eigen::VectorXd> start = beside_solution(options);
+    if (!start) return report;
+    SolveReport again = by_series_from(
+        [&](const SeriesTrackerOptions& of_half) { return curve_from_figure(*start, of_half); }, options);
+    if (again.status != SolveStatus::complete) {
+      add(again.work, report.work);
       return report;
-    });
+    }
+    add(report.work, again.work);
+    return again;
   }
 
   /// Nothing where the curve is not proven to be closed, or a crossing is not settled.
@@ -45,6 +50,21 @@ class CurveWalk {
   }
 
  private:
+  using BeginCurve = std::function<ReleasedCurve(const SeriesTrackerOptions&)>;
+
+  SolveReport by_series_from(const BeginCurve& begin, const SeriesTrackerOptions& options) const {
+    const FollowCurve follow = [&](const SeriesTrackerOptions& of_half) {
+      ReleasedCurve curve = begin(of_half);
+      return SeriesTracker(curve, of_half, context_).run();
+    };
+    return report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
+      const TrackedPath path = whole_curve(follow, refined);
+      SolveReport report = path_report(scene_, path, explored_.target());
+      if (!path.points.empty()) report.curves.push_back(curve_record(path, report));
+      return report;
+    });
+  }
+
   Figure figure_at(const Eigen::VectorXd& y) const {
     return explored_.target().figure(explored_.target().coordinates(y));
   }
@@ -68,7 +88,13 @@ class CurveWalk {
             options.tolerance};
   }
 
-  /// Tubes are to begin where they meet no crossing.
+  ReleasedCurve curve_from_figure(const Eigen::VectorXd& start, const SeriesTrackerOptions& options) const {
+    return {
+        ReleasedFamily::at_figure(explored_.equations(), explored_.signs(), released_, start, options.order),
+        options.tolerance};
+  }
+
+  /// A point of the curve where it meets no crossing.
   std::optional<Eigen::VectorXd> beside_solution(const SeriesTrackerOptions& options) const {
     ReleasedCurve curve = curve_from_solution(options);
     ArcSeries series(curve.coordinates(), options.order), there = series;
@@ -89,10 +115,7 @@ class CurveWalk {
                             enclose_released_data(explored_.exact(), released_, start), explored_.signs()};
     if (!exact.data.is_finite()) exact.no_start = "no figure on the curve is proven beside the solution";
     return std::make_unique<FollowedCurve<ReleasedCurve>>(
-        std::move(exact),
-        ReleasedCurve(ReleasedFamily::at_figure(explored_.equations(), explored_.signs(), released_, start,
-                                                options.order),
-                      options.tolerance),
+        std::move(exact), curve_from_figure(start, options),
         [this](const Eigen::VectorXd& y) { return figure_at(y); });
   }
 

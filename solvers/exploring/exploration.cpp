@@ -204,7 +204,8 @@ bool Exploration::start_anew() {
 SolveReport Exploration::report_on_starts() const {
   SolveReport report;
   report.particulars = {{"singular", 0}};
-  for (StartEnd& end : ends_of_starts(request_, started_, started_ + limits_.starts)) {
+  ProvenNeighbours neighbours(request_.scene);
+  for (StartEnd& end : ends_of_starts(request_, started_, started_ + limits_.starts, neighbours)) {
     add(end.work, report.work);
     report.particulars.front().value += end.is_singular ? 1 : 0;
     if (end.is_solution) report.candidates.push_back({std::move(end.figure), 1, end.accuracy.error});

@@ -2,7 +2,6 @@
 
 #include <numeric>
 
-#include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/elements/general_structure.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/model/distance_system.hpp"
@@ -86,11 +85,6 @@ bool is_explored_by_elements(const Scene& scene) {
 
 std::optional<std::string> why_not_explored(const Scene& scene) {
   return is_explored_by_elements(scene) ? why_not_general(scene) : std::nullopt;
-}
-
-std::optional<Candidate> proven_solution(const SceneSystem& system, const ComplexValues& x) {
-  const std::vector<Candidate> found = simple_solutions_near(system, x, 1, {}).list;
-  return found.empty() || !found.front().figure.is_real() ? std::nullopt : std::optional(found.front());
 }
 
 std::unique_ptr<ExploredScene> explored_scene(const Scene& scene) {

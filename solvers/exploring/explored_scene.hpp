@@ -54,8 +54,4 @@ class ExploredScene {
 /// Precondition: !why_not_explored(scene). The scene outlives it.
 std::unique_ptr<ExploredScene> explored_scene(const Scene& scene);
 
-/// The simple real solution next to unknowns of a scene that is explored by elements, by the file's own numbers; nothing where
-/// none is proven: with residuals in doubles the ends beside a multiple solution look like stiff simple ones.
-std::optional<Candidate> proven_solution(const SceneSystem& system, const ComplexValues& x);
-
 }  // namespace gcs

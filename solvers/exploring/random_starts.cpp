@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 #include <unsupported/Eigen/NonLinearOptimization>
 
@@ -56,8 +57,6 @@ class DistanceEquations {
   }
   Refinement refined(Eigen::VectorXd& x) const { return refine(system_, squares_, x); }
   Figure figure(const Eigen::VectorXd& x) const { return scene_.representative(system_.figure(x)); }
-  /// Of a stiff end: its refinement has residuals in double-double.
-  void settle(const Eigen::VectorXd&, StartEnd&) const {}
 
  private:
   const Scene& scene_;
@@ -92,15 +91,6 @@ class SceneFunction {
   }
   Figure figure(const Eigen::VectorXd& x) const {
     return system_.figure(ComplexValues(x.begin(), x.end()), true);
-  }
-  /// Of a stiff end, which is a solution if one is proven.
-  void settle(const Eigen::VectorXd& x, StartEnd& end) const {
-    const auto proven = proven_solution(system_, ComplexValues(x.begin(), x.end()));
-    end.is_solution = proven.has_value();
-    end.is_singular = !proven;
-    if (!proven) return;
-    end.figure = proven->figure;
-    end.accuracy.error = proven->error;
   }
   /// In doubles, and then with residuals in double-double.
   Refinement refined(Eigen::VectorXd& x) const {
@@ -153,7 +143,6 @@ StartEnd end_of(const SolveRequest& request, Equations& equations, int number) {
   end.is_solution = end.accuracy.condition <= singular_solution_condition &&
                     refinement.last_correction <= settled_correction * rounding;
   end.is_singular = !end.is_solution;
-  if (end.is_solution && end.accuracy.condition >= stiff_condition) equations.settle(x, end);
   return end;
 }
 
@@ -168,11 +157,43 @@ std::vector<StartEnd> ends_with(const SolveRequest& request, int first, int last
   return ends;
 }
 
+/// A solution if one is proven next to it; others that are there too come after all ends.
+void settle(const Scene& scene, const std::vector<Candidate>& proven, StartEnd& end,
+            std::vector<StartEnd>& more) {
+  end.is_solution = !proven.empty();
+  end.is_singular = proven.empty();
+  for (std::size_t i = 0; i < proven.size(); ++i) {
+    StartEnd& one = i == 0 ? end : more.emplace_back();
+    one.is_solution = true;
+    one.accuracy = {end.accuracy.condition, proven[i].error};
+    one.figure = scene.representative(proven[i].figure);
+  }
+}
+
+/// Singular ends, and stiff ones of equations whose residuals are in doubles. Where the first few are next to no simple
+/// solution, as in a scene that moves, the others are taken to be so, too.
+void settle_ends(const SolveRequest& request, ProvenNeighbours& neighbours, std::vector<StartEnd>& ends) {
+  constexpr int most_in_vain = 2;
+  const bool has_rough_residuals = is_explored_by_elements(request.scene);
+  std::vector<StartEnd> more;
+  for (StartEnd& end : ends) {
+    if (request.stop.stop_requested()) break;
+    const bool is_stiff = end.is_solution && end.accuracy.condition >= stiff_condition;
+    if ((end.is_singular && neighbours.in_vain() < most_in_vain) || (is_stiff && has_rough_residuals))
+      settle(request.scene, neighbours.of(end.figure), end, more);
+  }
+  std::ranges::move(more, std::back_inserter(ends));
+}
+
 }  // namespace
 
-std::vector<StartEnd> ends_of_starts(const SolveRequest& request, int first, int last) {
-  if (is_explored_by_elements(request.scene)) return ends_with<SceneFunction>(request, first, last);
-  return ends_with<DistanceEquations>(request, first, last);
+std::vector<StartEnd> ends_of_starts(const SolveRequest& request, int first, int last,
+                                     ProvenNeighbours& neighbours) {
+  std::vector<StartEnd> ends = is_explored_by_elements(request.scene)
+                                   ? ends_with<SceneFunction>(request, first, last)
+                                   : ends_with<DistanceEquations>(request, first, last);
+  settle_ends(request, neighbours, ends);
+  return ends;
 }
 
 }  // namespace gcs

@@ -5,13 +5,15 @@
 /// f_i = (|p_j − p_k|² − a_i²)/2, by the Levenberg-Marquardt method (Moré, The Levenberg-Marquardt algorithm:
 /// implementation and theory, 1978: MINPACK's lmder, which Eigen has in C++), and ends with undamped steps
 /// whose residuals are taken in double-double. An end that satisfies all distances to rounding is a solution,
-/// unless the Jacobian there is singular or nearly so; any other is a local minimum.
+/// unless the Jacobian there is singular or nearly so and no simple solution is proven next to it; any other is a local
+/// minimum.
 ///
 /// Of a general scene (elements/scene_system.hpp) points start in the box too, and directions and rotations are random. What an
 /// orientation leaves out has basins like the rest.
 
 #include <vector>
 
+#include "solvers/exploring/proven_neighbours.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 
@@ -31,8 +33,10 @@ struct StartEnd {
 };
 
 /// The ends of the starts from `first` to before `last`, in their order, whatever the number of threads: the seed and its
-/// number alone say where a start lies. Stopped, the rest are as if they had not ended. Precondition:
+/// number alone say where a start lies. Stopped, the rest are as if they had not ended. Singular ones are solutions where
+/// `neighbours` proves so; of several next to one end, one is in its place and the others come after all ends. Precondition:
 /// !why_not_explored(request.scene).
-std::vector<StartEnd> ends_of_starts(const SolveRequest& request, int first, int last);
+std::vector<StartEnd> ends_of_starts(const SolveRequest& request, int first, int last,
+                                     ProvenNeighbours& neighbours);
 
 }  // namespace gcs

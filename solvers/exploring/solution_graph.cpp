@@ -4,7 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "solvers/elements/scene_system.hpp"
 #include "solvers/exploring/explored_scene.hpp"
 #include "solvers/exploring/random_starts.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
@@ -22,11 +21,15 @@ std::vector<int> SolutionGraph::known(const std::vector<Figure>& figures,
   return {classes.class_of.begin() + size(), classes.class_of.end()};
 }
 
-/// Of equations with residuals in doubles; the others tell stiff solutions from multiple ones themselves.
-std::optional<Candidate> SolutionGraph::proven(const Candidate& stiff) const {
-  if (!is_explored_by_elements(scene_)) return stiff;
-  const SceneSystem system(scene_);
-  return proven_solution(system, system.coordinates(scene_.in_frame(stiff.figure)));
+/// Nothing where it is singular. Equations between points tell stiff solutions from multiple ones themselves, those of elements
+/// have residuals in doubles. Where singular points were next to no simple solution, as in a scene that moves, others are taken
+/// to be so, too.
+std::optional<Candidate> SolutionGraph::settled(const Candidate& candidate, double condition) {
+  constexpr int most_in_vain = 2;
+  const bool is_singular = condition > singular_solution_condition;
+  if (condition < stiff_condition || (!is_singular && !is_explored_by_elements(scene_))) return candidate;
+  if (is_singular && neighbours_.in_vain() >= most_in_vain) return std::nullopt;
+  return neighbours_.nearest(candidate.figure);
 }
 
 /// Condition numbers, which cost the most, are taken of what is not seen at once to be known.
@@ -47,17 +50,15 @@ std::vector<int> SolutionGraph::take(const std::vector<Candidate>& found) {
     numbers[i] = -1;
     if (relative_residual(scene_, figures[i]) > double_root_residual) continue;
     accuracies[i].condition = jacobian_condition(scene_, figures[i]);
-    std::optional<Candidate> settled;
-    if (accuracies[i].condition <= singular_solution_condition)
-      settled = accuracies[i].condition < stiff_condition ? found[i] : proven(found[i]);
-    if (!settled) {
+    std::optional<Candidate> solution = settled(found[i], accuracies[i].condition);
+    if (!solution) {
       ++singular_;
       continue;
     }
-    figures[i] = scene_.representative(settled->figure);
-    accuracies[i].error = settled->error;
+    figures[i] = scene_.representative(solution->figure);
+    accuracies[i].error = solution->error;
     unknown.push_back(i);
-    new_solutions.push_back(std::move(*settled));
+    new_solutions.push_back(std::move(*solution));
     new_figures.push_back(figures[i]);
     new_accuracies.push_back(accuracies[i]);
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "solvers/exploring/proven_neighbours.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 
@@ -13,7 +14,8 @@ namespace gcs {
 class SolutionGraph {
  public:
   /// `values`: how many values may be released. The scene outlives this.
-  SolutionGraph(const Scene& scene, std::size_t values) : scene_(scene), values_(values) {}
+  SolutionGraph(const Scene& scene, std::size_t values)
+      : scene_(scene), values_(values), neighbours_(scene) {}
 
   /// The numbers of these solutions, new ones counted on; −1 of what is no solution to rounding, or singular.
   std::vector<int> take(const std::vector<Candidate>& found);
@@ -38,7 +40,7 @@ class SolutionGraph {
 
  private:
   void mark(int solution, std::size_t value);
-  std::optional<Candidate> proven(const Candidate& stiff) const;
+  std::optional<Candidate> settled(const Candidate& candidate, double condition);
   std::vector<int> known(const std::vector<Figure>& figures,
                          const std::vector<SolutionAccuracy>& accuracies) const;
 
@@ -52,6 +54,7 @@ class SolutionGraph {
   std::vector<CurveRecord> curves_;
   std::int64_t meetings_ = 0;
   int singular_ = 0;
+  ProvenNeighbours neighbours_;
 };
 
 }  // namespace gcs

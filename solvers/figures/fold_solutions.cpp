@@ -44,6 +44,12 @@ FoldView view(const DistanceSystem& system, const std::vector<DoubleDouble>& squ
 
 }  // namespace
 
+std::optional<FoldSolutions> along_their_line(FoldSolutions solutions) {
+  if (solutions.x.size() == 1) return std::nullopt;
+  if (!solutions.x.empty()) solutions.direction = (solutions.x[1] - solutions.x[0]).normalized();
+  return solutions;
+}
+
 std::optional<FoldSolutions> solutions_at_fold(const DistanceSystem& system,
                                                const std::vector<DoubleDouble>& squares,
                                                const Eigen::VectorXd& near, WorkCounters& work) {

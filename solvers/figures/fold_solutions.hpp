@@ -21,6 +21,8 @@ struct FoldSolutions {
   Eigen::VectorXd direction;  ///< v, a unit vector
   /// Real ones, none or two: in the direction −v of the fold, and in that of v.
   std::vector<Eigen::VectorXd> x;
+  std::vector<double>
+      errors{};  ///< of the figures of these, in the scene's unit; empty where they are not proven
 };
 
 /// `near`: the fold, in the coordinates of the system and the scene's unit, as well as it is known. Nothing
@@ -29,5 +31,8 @@ struct FoldSolutions {
 std::optional<FoldSolutions> solutions_at_fold(const DistanceSystem& system,
                                                const std::vector<DoubleDouble>& squares,
                                                const Eigen::VectorXd& near, WorkCounters& work);
+
+/// With the direction from the first of two to the second; nothing where only one is real.
+std::optional<FoldSolutions> along_their_line(FoldSolutions solutions);
 
 }  // namespace gcs

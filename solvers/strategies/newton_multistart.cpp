@@ -8,7 +8,8 @@
 /// out is counted among the classes.
 ///
 /// Hence it claims some real solutions. It fails, and says so, where no start ends at a solution, which does
-/// not prove that there is none, and at multiple solutions and scenes that move, whose ends it counts only.
+/// not prove that there is none, and at multiple solutions and scenes that move, whose ends it counts only. Simple solutions
+/// next to a fold are proven.
 
 #include "solvers/strategies/newton_multistart.hpp"
 
@@ -36,12 +37,13 @@ class NewtonMultistartStrategy final : public Strategy {
 
   SolveReport solve(const SolveRequest& request) override {
     Tally tally;
+    ProvenNeighbours neighbours(request.scene);
     int started = 0;
     do {
       if (request.monitor != nullptr)
         request.monitor->progress("random starts", static_cast<double>(started) / most_starts_);
       const int next = std::min(started + batch, most_starts_);
-      for (StartEnd& end : ends_of_starts(request, started, next)) tally.take(std::move(end));
+      for (StartEnd& end : ends_of_starts(request, started, next, neighbours)) tally.take(std::move(end));
       tally.classes = solution_classes(request.scene, tally.figures, tally.accuracies);
       started = next;
     } while (started < most_starts_ && !request.stop.stop_requested() && tally.expects(unseen_));
@@ -72,8 +74,10 @@ class NewtonMultistartStrategy final : public Strategy {
   static SolveReport report(const SolveRequest& request, int started, const Tally& tally) {
     SolveReport report;
     report.claim = Claim::some_real;
-    for (const int first : tally.classes.first)
-      report.candidates.push_back({tally.figures[static_cast<std::size_t>(first)]});
+    for (const int first : tally.classes.first) {
+      const auto i = static_cast<std::size_t>(first);
+      report.candidates.push_back({tally.figures[i], 1, tally.accuracies[i].error});
+    }
     report.work = tally.work;
     report.particulars = {{"starts", started},
                           {"ends_at_solutions", static_cast<std::int64_t>(tally.figures.size())},

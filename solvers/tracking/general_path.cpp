@@ -5,6 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/certificates/near_solutions.hpp"
+#include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/certificates/proven_error.hpp"
+#include "solvers/certificates/scene_equations.hpp"
 #include "solvers/elements/stated_signs.hpp"
 #include "solvers/tracking/general_curve.hpp"
 #include "solvers/tracking/sketched_unknowns.hpp"
@@ -25,10 +29,8 @@ class TargetValues : public TargetEquations {
     return refine(x, most_iterations);
   }
   Refinement refine(Eigen::VectorXd& x, int most_iterations) const;
-  /// In doubles two solutions and none are not told apart.
-  std::optional<FoldSolutions> at_fold(const Eigen::VectorXd&, WorkCounters&) const override {
-    return std::nullopt;
-  }
+  /// In balls: in doubles two solutions and none are not told apart.
+  std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const override;
   Figure figure(const Eigen::VectorXd& x) const override {
     return system_.figure(ComplexValues(x.begin(), x.end()), true);
   }
@@ -38,6 +40,26 @@ class TargetValues : public TargetEquations {
   const SceneSystem& system_;
   RealEquations equations_;
 };
+
+std::optional<FoldSolutions> TargetValues::at_fold(const Eigen::VectorXd& near, WorkCounters&) const {
+  constexpr int solutions = 2;
+  const ComplexValues x(near.begin(), near.end());
+  const NearSolutions found = solutions_near(system_.equations(), {{x, solutions}}, solutions, {});
+  if (found.simple.size() != solutions) return std::nullopt;
+  const Scene& scene = system_.elements().scene();
+  const SceneEquations exact(scene);
+  const Certifier certifier(exact.system());
+  FoldSolutions result;
+  std::vector<Candidate> candidates;
+  for (const Certificate& solution : found.simple) {
+    if (solution.realness != Certificate::Realness::real) continue;
+    result.x.push_back(real_parts(solution.enclosure.mid));
+    candidates.push_back({figure(result.x.back())});
+    result.errors.push_back(certified_error(exact, certifier, candidates.back().figure));
+    candidates.back().error = result.errors.back();
+  }
+  return are_different_classes(scene, candidates) ? along_their_line(std::move(result)) : std::nullopt;
+}
 
 Refinement TargetValues::refine(Eigen::VectorXd& x, int most_iterations) const {
   constexpr double ulp = std::numeric_limits<double>::epsilon(), settled = 1e-6;

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/certificates/proven_error.hpp"
 #include "solvers/figures/fold_solutions.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/wide_reference.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
@@ -20,6 +23,9 @@ constexpr double largest_refinement = 1e-3;
 /// The rounding of coordinates leaves 4e-13 of a thousandth of the scene's size, which is the least that
 /// relative_residual is relative to.
 constexpr double largest_residual = 1e-11;
+
+/// Cosine of the angle between the curve and where the solutions next to an extremum lie: others are not on it.
+constexpr double on_curve = 0.5;
 
 constexpr const char* not_told_apart =
     "S comes so near to touching t = 1 that the solutions there are not told apart";
@@ -63,8 +69,12 @@ class TargetDistances final : public TargetEquations {
     return system_.coordinates(scene_.in_frame(figure_of_(point), system_.reference()));
   }
   Refinement refine(Eigen::VectorXd& x) const override { return gcs::refine(system_, squares_, x); }
+  /// In balls where two solutions and none, or these two, are not told apart in double-double.
   std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const override {
-    return solutions_at_fold(system_, squares_, near, work);
+    auto found = solutions_at_fold(system_, squares_, near, work);
+    if (scene_.has_lines() || (found && (found->x.empty() || are_apart(found->x)))) return found;
+    auto proven = proven_at_fold(near);
+    return proven ? proven : found;
   }
   Figure figure(const Eigen::VectorXd& x) const override { return system_.figure(x); }
   double proven_error(const Figure& figure) const override {
@@ -72,6 +82,27 @@ class TargetDistances final : public TargetEquations {
   }
 
  private:
+  static bool are_apart(const std::vector<Eigen::VectorXd>& x) {
+    constexpr double apart = 1e-6;  // relative to the coordinates: their errors are proven in doubles
+    return (x[1] - x[0]).norm() > apart * x[0].cwiseAbs().maxCoeff();
+  }
+
+  std::optional<FoldSolutions> proven_at_fold(const Eigen::VectorXd& near) const {
+    constexpr int solutions = 2;
+    constexpr double turned =
+        16 * unit_roundoff;  // by the rounding of figures in another frame, of their extent
+    const ResolvedCandidates found =
+        resolve_nearly_singular(scene_, {{scene_.in_frame(figure(near)), solutions}}, {}, solutions, {});
+    if (found.list.size() != solutions || !found.are_told_apart) return std::nullopt;
+    FoldSolutions result;
+    for (const Candidate& solution : found.list) {
+      if (!solution.figure.is_real()) continue;
+      result.x.push_back(system_.coordinates(scene_.in_frame(solution.figure, system_.reference())));
+      result.errors.push_back(solution.error + turned * extent(solution.figure));
+    }
+    return along_their_line(std::move(result));
+  }
+
   const Scene& scene_;
   const std::function<Figure(const Eigen::VectorXd&)> figure_of_;
   const DistanceSystem system_;
@@ -84,6 +115,7 @@ struct MetSolution {
   int direction = 1;
   double at = 0;
   bool has_neighbour = false;  ///< so near that an estimate of its error does not tell them apart
+  double error = std::numeric_limits<double>::infinity();  ///< where x is a proven solution's
 };
 
 /// Makes the report of one path. A shortcoming leaves a complete report partial; the first one is named.
@@ -143,15 +175,22 @@ class PathReporter {
     const auto near = equations_.at_fold(extremum, report_.work);
     if (!near) return std::nullopt;
     std::vector<MetSolution> met;
-    for (const Eigen::VectorXd& x : near->x) met.push_back({x, touch.direction, touch.at, true});
+    for (std::size_t i = 0; i < near->x.size(); ++i) {
+      met.push_back({near->x[i], touch.direction, touch.at, true});
+      if (!near->errors.empty()) met.back().error = near->errors[i];
+    }
     if (met.empty()) return met;
-    if (near->direction.dot(extremum - equations_.coordinates(touch.before)) < 0) std::swap(met[0], met[1]);
+    const Eigen::VectorXd way = extremum - equations_.coordinates(touch.before);
+    const double along = near->direction.dot(way) / way.norm();
+    if (!(std::abs(along) >= on_curve)) return std::nullopt;
+    if (along < 0) std::swap(met[0], met[1]);
     met[1].direction = -touch.direction;
     return met;
   }
 
-  /// Refined by Newton's method.
+  /// Refined by Newton's method where it is not proven.
   Candidate candidate_of(const MetSolution& met) {
+    if (std::isfinite(met.error)) return {equations_.figure(met.x), 1, met.error};
     Eigen::VectorXd x = met.x;
     const Refinement refinement = equations_.refine(x);
     report_.work.newton_iterations += refinement.iterations;

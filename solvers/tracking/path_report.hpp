@@ -37,9 +37,10 @@ std::unique_ptr<TargetEquations> target_distances(const Scene& scene,
 
 /// Refines every crossing of t = 1 to full accuracy in the frame's coordinates and records it in path order;
 /// next to an extremum of t near 1 the equations at the exact target lengths decide whether there are two
-/// (fold_solutions.hpp). `figure_of`: the figure, in the scene's unit and any position, of a crossing's
-/// point. A crossing that does not refine, or moves further than the tracker's accuracy explains, or that is
-/// not told apart from its neighbour, makes the report partial and says so.
+/// (fold_solutions.hpp), and a proof in balls where double-double does not tell. `figure_of`: the figure, in
+/// the scene's unit and any position, of a crossing's point. A crossing that does not refine, or moves
+/// further than the tracker's accuracy explains, or that is not told apart from its neighbour, makes the
+/// report partial and says so.
 SolveReport path_report(const Scene& scene, const TrackedPath& path,
                         const std::function<Figure(const Eigen::VectorXd&)>& figure_of);
 /// The same with other equations.

@@ -273,7 +273,7 @@ TEST_CASE("solutions next to a fold of S are met, and none are where S falls sho
   };
   for (const std::string family : {"flat-triangle", "double-root", "infeasible"}) {
     const auto expected = on_path(family + "@1e-2", "full-space", {{"mode", "certified"}});
-    for (const std::string value : {"1e-6", "1e-8", "1e-10"})
+    for (const std::string value : {"1e-6", "1e-8", "1e-10", "1e-12"})
       for (const std::string strategy : {"full-space", "rcp"})
         CHECK(on_path(family + "@" + value, strategy, {}) == expected);
   }
@@ -283,6 +283,12 @@ TEST_CASE("solutions next to a fold of S are met, and none are where S falls sho
     CHECK(run.status == RunStatus::partial);
     CHECK_THAT(run.reason, Catch::Contains("touching t = 1"));
   }
+}
+
+TEST_CASE("solutions next to a fold are found from random starts, and on curves that begin there") {
+  check_right(measured({"flat-triangle@1e-8", "flat-triangle@1e-12", "flat-tetrahedron@1e-10",
+                        "double-root@1e-12", "parallel-lines@1e-10", "straight-segments@1e-10"},
+                       {"newton-multistart", "explore"}));
 }
 
 TEST_CASE("next to a fold S crosses t = 1 twice, whichever way and in whatever steps it is followed") {

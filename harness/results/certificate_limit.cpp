@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "solvers/counting/element_bound.hpp"
 #include "solvers/counting/general_bound.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
+#include "solvers/counting/three_lines_bound.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/structure/decomposition.hpp"
 #include "solvers/structure/sub_problem.hpp"
@@ -168,6 +170,12 @@ JsonValue set_value(const ProblemStatement& problem, const PlacedSet& set) {
   return json_object(std::move(members));
 }
 
+std::vector<int> all_entities(const ProblemStatement& problem) {
+  std::vector<int> all(static_cast<std::size_t>(problem.entity_count()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 /// A line at four distances from points.
 JsonValue hung_line_value(const ProblemStatement& problem, int line) {
   std::vector<int> points{line};
@@ -187,6 +195,10 @@ JsonValue names_value(const ProblemStatement& problem, const std::vector<int>& e
 
 JsonValue certificate_limit(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
+  if (const auto most = three_lines_bound(problem))
+    return json_array({json_object({{"argument", json_text("three lines")},
+                                    {"at_most", json_count(Natural(*most))},
+                                    {"points", names_value(problem, all_entities(problem))}})});
   if (!is_of_distances(problem)) {
     const auto sets = placed_sets(problem);
     return sets ? json_array_of(*sets, [&](const PlacedSet& set) { return set_value(problem, set); })

@@ -180,6 +180,12 @@ class CertifiedScenes(CertificateTest):
                              f"^{name}: exactly {count} isolated complex solutions up to motion, [0-9]+ of them real: proven")
         self.assertIn("40 of them real", verdict(self.certificate("dietmaier")))
 
+    def test_three_points_and_three_lines(self):
+        certificate = self.certificate("three-points-three-lines-angles")
+        self.assertEqual(verdict(certificate), "three-points-three-lines-angles: exactly 960 complex solutions up to reflection, "
+                                               "78 of them real: proven.")
+        self.assertIsNone(verdict(with_value(certificate, ["limit", 0, "at_most"], 1918)))
+
     def test_a_list_without_a_bound(self):
         self.assertRegex(self.proven(CARRIED), "^carried: at least 4 complex solutions up to reflection, ")
 

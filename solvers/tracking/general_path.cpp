@@ -29,8 +29,11 @@ class TargetValues : public TargetEquations {
     return refine(x, most_iterations);
   }
   Refinement refine(Eigen::VectorXd& x, int most_iterations) const;
-  /// In balls: in doubles two solutions and none are not told apart.
-  std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const override;
+  /// In doubles two solutions and none are not told apart.
+  std::optional<FoldSolutions> at_fold(const Eigen::VectorXd&, WorkCounters&) const override {
+    return std::nullopt;
+  }
+  std::optional<FoldSolutions> proven_at_fold(const Eigen::VectorXd& near) const override;
   Figure figure(const Eigen::VectorXd& x) const override {
     return system_.figure(ComplexValues(x.begin(), x.end()), true);
   }
@@ -41,7 +44,7 @@ class TargetValues : public TargetEquations {
   RealEquations equations_;
 };
 
-std::optional<FoldSolutions> TargetValues::at_fold(const Eigen::VectorXd& near, WorkCounters&) const {
+std::optional<FoldSolutions> TargetValues::proven_at_fold(const Eigen::VectorXd& near) const {
   constexpr int solutions = 2;
   const ComplexValues x(near.begin(), near.end());
   const NearSolutions found = solutions_near(system_.equations(), {{x, solutions}}, solutions, {});

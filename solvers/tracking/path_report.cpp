@@ -69,45 +69,38 @@ class TargetDistances final : public TargetEquations {
     return system_.coordinates(scene_.in_frame(figure_of_(point), system_.reference()));
   }
   Refinement refine(Eigen::VectorXd& x) const override { return gcs::refine(system_, squares_, x); }
-  /// In balls where two solutions and none, or these two, are not told apart in double-double.
   std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const override {
-    auto found = solutions_at_fold(system_, squares_, near, work);
-    if (scene_.has_lines() || (found && (found->x.empty() || are_apart(found->x)))) return found;
-    auto proven = proven_at_fold(near);
-    return proven ? proven : found;
+    return solutions_at_fold(system_, squares_, near, work);
   }
+  std::optional<FoldSolutions> proven_at_fold(const Eigen::VectorXd& near) const override;
   Figure figure(const Eigen::VectorXd& x) const override { return system_.figure(x); }
   double proven_error(const Figure& figure) const override {
     return gcs::proven_error(scene_, squares_, figure);
   }
 
  private:
-  static bool are_apart(const std::vector<Eigen::VectorXd>& x) {
-    constexpr double apart = 1e-6;  // relative to the coordinates: their errors are proven in doubles
-    return (x[1] - x[0]).norm() > apart * x[0].cwiseAbs().maxCoeff();
-  }
-
-  std::optional<FoldSolutions> proven_at_fold(const Eigen::VectorXd& near) const {
-    constexpr int solutions = 2;
-    constexpr double turned =
-        16 * unit_roundoff;  // by the rounding of figures in another frame, of their extent
-    const ResolvedCandidates found =
-        resolve_nearly_singular(scene_, {{scene_.in_frame(figure(near)), solutions}}, {}, solutions, {});
-    if (found.list.size() != solutions || !found.are_told_apart) return std::nullopt;
-    FoldSolutions result;
-    for (const Candidate& solution : found.list) {
-      if (!solution.figure.is_real()) continue;
-      result.x.push_back(system_.coordinates(scene_.in_frame(solution.figure, system_.reference())));
-      result.errors.push_back(solution.error + turned * extent(solution.figure));
-    }
-    return along_their_line(std::move(result));
-  }
-
   const Scene& scene_;
   const std::function<Figure(const Eigen::VectorXd&)> figure_of_;
   const DistanceSystem system_;
   const std::vector<DoubleDouble> squares_ = target_squares(scene_);
 };
+
+std::optional<FoldSolutions> TargetDistances::proven_at_fold(const Eigen::VectorXd& near) const {
+  if (scene_.has_lines()) return std::nullopt;
+  constexpr int solutions = 2;
+  constexpr double turned =
+      16 * unit_roundoff;  // by the rounding of figures in another frame, of their extent
+  const ResolvedCandidates found =
+      resolve_nearly_singular(scene_, {{scene_.in_frame(figure(near)), solutions}}, {}, solutions, {});
+  if (found.list.size() != solutions || !found.are_told_apart) return std::nullopt;
+  FoldSolutions result;
+  for (const Candidate& solution : found.list) {
+    if (!solution.figure.is_real()) continue;
+    result.x.push_back(system_.coordinates(scene_.in_frame(solution.figure, system_.reference())));
+    result.errors.push_back(solution.error + turned * extent(solution.figure));
+  }
+  return along_their_line(std::move(result));
+}
 
 /// Coordinates at which S meets t = 1.
 struct MetSolution {
@@ -169,10 +162,25 @@ class PathReporter {
     return met;
   }
 
+  static bool are_apart(const std::vector<Eigen::VectorXd>& x) {
+    constexpr double apart = 1e-6;  // relative to the coordinates: their errors are proven in doubles
+    return (x[1] - x[0]).norm() > apart * x[0].cwiseAbs().maxCoeff();
+  }
+
+  /// By a proof where double-double does not tell two solutions and none, or these two, apart: as long as proofs succeed, and
+  /// not for each of many turns of a curve.
+  std::optional<FoldSolutions> solutions_near(const Eigen::VectorXd& extremum) {
+    auto found = equations_.at_fold(extremum, report_.work);
+    if ((found && (found->x.empty() || are_apart(found->x))) || proofs_left_ == 0) return found;
+    auto proven = equations_.proven_at_fold(extremum);
+    proofs_left_ = proven ? proofs_left_ - 1 : 0;
+    return proven ? proven : found;
+  }
+
   /// None or two, or nothing where that is not known.
   std::optional<std::vector<MetSolution>> met_at(const PathTouch& touch) {
     const Eigen::VectorXd extremum = equations_.coordinates(touch.point);
-    const auto near = equations_.at_fold(extremum, report_.work);
+    const auto near = solutions_near(extremum);
     if (!near) return std::nullopt;
     std::vector<MetSolution> met;
     for (std::size_t i = 0; i < near->x.size(); ++i) {
@@ -207,6 +215,7 @@ class PathReporter {
   const Scene& scene_;
   const TargetEquations& equations_;
   SolveReport report_;
+  int proofs_left_ = 8;
 };
 
 }  // namespace

@@ -26,6 +26,8 @@ class TargetEquations {
   virtual Refinement refine(Eigen::VectorXd& x) const = 0;
   /// As solutions_at_fold says.
   virtual std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const = 0;
+  /// The same by a proof in balls, with errors; nothing where it does not succeed, or doubles do not tell the two apart.
+  virtual std::optional<FoldSolutions> proven_at_fold(const Eigen::VectorXd& near) const = 0;
   virtual Figure figure(const Eigen::VectorXd& x) const = 0;
   /// A proven bound on the error of a figure, or infinity.
   virtual double proven_error(const Figure& figure) const = 0;

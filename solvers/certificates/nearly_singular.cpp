@@ -74,7 +74,8 @@ ResolvedCandidates simple_solutions_near(const SceneSystem& system, const Comple
   ResolvedCandidates found;
   for (const Certificate& solution : near.simple) {
     const bool is_real = solution.realness == Certificate::Realness::real;
-    found.list.push_back({system.figure(solution.enclosure.mid, is_real)});
+    found.unknowns.push_back(solution.enclosure.mid);
+    found.list.push_back({system.figure(found.unknowns.back(), is_real)});
     // Its unknowns may be a mirror image of these: figures have lines and planes either way round.
     found.list.back().error = certified_error(exact, certifier, found.list.back().figure);
   }

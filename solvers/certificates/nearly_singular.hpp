@@ -15,7 +15,8 @@ struct ResolvedCandidates {
   /// Simple ones, proven to be solutions, to be different and to be real or not, with their errors, and
   /// multiple ones.
   std::vector<Candidate> list;
-  bool are_told_apart = true;  ///< the simple ones and those listed, by their coordinates in doubles
+  std::vector<ComplexValues> unknowns;  ///< of these, if simple_solutions_near found them
+  bool are_told_apart = true;           ///< the simple ones and those listed, by their coordinates in doubles
 
   /// With multiplicities.
   int count() const;

@@ -23,8 +23,12 @@ class ProvenNeighbours {
   std::optional<Candidate> nearest(const Figure& figure);
   /// At how many places none was found.
   int in_vain() const { return in_vain_; }
+  /// Whether these are so many that other singular points are taken to be next to none, too, as in a scene that moves.
+  bool is_hopeless() const { return in_vain_ >= most_in_vain; }
 
  private:
+  static constexpr int most_in_vain = 2;
+
   std::size_t place_of(const Figure& representative) const;
 
   const Scene& scene_;

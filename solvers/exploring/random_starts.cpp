@@ -170,16 +170,14 @@ void settle(const Scene& scene, const std::vector<Candidate>& proven, StartEnd& 
   }
 }
 
-/// Singular ends, and stiff ones of equations whose residuals are in doubles. Where the first few are next to no simple
-/// solution, as in a scene that moves, the others are taken to be so, too.
+/// Singular ends, and stiff ones of equations whose residuals are in doubles.
 void settle_ends(const SolveRequest& request, ProvenNeighbours& neighbours, std::vector<StartEnd>& ends) {
-  constexpr int most_in_vain = 2;
   const bool has_rough_residuals = is_explored_by_elements(request.scene);
   std::vector<StartEnd> more;
   for (StartEnd& end : ends) {
     if (request.stop.stop_requested()) break;
     const bool is_stiff = end.is_solution && end.accuracy.condition >= stiff_condition;
-    if ((end.is_singular && neighbours.in_vain() < most_in_vain) || (is_stiff && has_rough_residuals))
+    if ((end.is_singular && !neighbours.is_hopeless()) || (is_stiff && has_rough_residuals))
       settle(request.scene, neighbours.of(end.figure), end, more);
   }
   std::ranges::move(more, std::back_inserter(ends));

@@ -22,13 +22,11 @@ std::vector<int> SolutionGraph::known(const std::vector<Figure>& figures,
 }
 
 /// Nothing where it is singular. Equations between points tell stiff solutions from multiple ones themselves, those of elements
-/// have residuals in doubles. Where singular points were next to no simple solution, as in a scene that moves, others are taken
-/// to be so, too.
+/// have residuals in doubles.
 std::optional<Candidate> SolutionGraph::settled(const Candidate& candidate, double condition) {
-  constexpr int most_in_vain = 2;
   const bool is_singular = condition > singular_solution_condition;
   if (condition < stiff_condition || (!is_singular && !is_explored_by_elements(scene_))) return candidate;
-  if (is_singular && neighbours_.in_vain() >= most_in_vain) return std::nullopt;
+  if (is_singular && neighbours_.is_hopeless()) return std::nullopt;
   return neighbours_.nearest(candidate.figure);
 }
 

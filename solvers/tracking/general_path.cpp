@@ -5,10 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/certificates/near_solutions.hpp"
 #include "solvers/certificates/nearly_singular.hpp"
-#include "solvers/certificates/proven_error.hpp"
-#include "solvers/certificates/scene_equations.hpp"
 #include "solvers/elements/stated_signs.hpp"
 #include "solvers/tracking/general_curve.hpp"
 #include "solvers/tracking/sketched_unknowns.hpp"
@@ -46,22 +43,17 @@ class TargetValues : public TargetEquations {
 
 std::optional<FoldSolutions> TargetValues::proven_at_fold(const Eigen::VectorXd& near) const {
   constexpr int solutions = 2;
-  const ComplexValues x(near.begin(), near.end());
-  const NearSolutions found = solutions_near(system_.equations(), {{x, solutions}}, solutions, {});
-  if (found.simple.size() != solutions) return std::nullopt;
-  const Scene& scene = system_.elements().scene();
-  const SceneEquations exact(scene);
-  const Certifier certifier(exact.system());
+  const ResolvedCandidates found =
+      simple_solutions_near(system_, ComplexValues(near.begin(), near.end()), solutions, {});
+  if (found.list.size() != solutions) return std::nullopt;
   FoldSolutions result;
-  std::vector<Candidate> candidates;
-  for (const Certificate& solution : found.simple) {
-    if (solution.realness != Certificate::Realness::real) continue;
-    result.x.push_back(real_parts(solution.enclosure.mid));
-    candidates.push_back({figure(result.x.back())});
-    result.errors.push_back(certified_error(exact, certifier, candidates.back().figure));
-    candidates.back().error = result.errors.back();
+  for (std::size_t i = 0; i < found.list.size(); ++i) {
+    if (!found.list[i].figure.is_real()) continue;
+    result.x.push_back(real_parts(found.unknowns[i]));
+    result.errors.push_back(found.list[i].error);
   }
-  return are_different_classes(scene, candidates) ? along_their_line(std::move(result)) : std::nullopt;
+  if (!result.x.empty() && !found.are_told_apart) return std::nullopt;
+  return along_their_line(std::move(result));
 }
 
 Refinement TargetValues::refine(Eigen::VectorXd& x, int most_iterations) const {

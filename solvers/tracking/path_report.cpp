@@ -169,7 +169,7 @@ class PathReporter {
 
   /// By a proof where double-double does not tell two solutions and none, or these two, apart: as long as proofs succeed, and
   /// not for each of many turns of a curve.
-  std::optional<FoldSolutions> solutions_near(const Eigen::VectorXd& extremum) {
+  std::optional<FoldSolutions> decided_at_fold(const Eigen::VectorXd& extremum) {
     auto found = equations_.at_fold(extremum, report_.work);
     if ((found && (found->x.empty() || are_apart(found->x))) || proofs_left_ == 0) return found;
     auto proven = equations_.proven_at_fold(extremum);
@@ -180,7 +180,7 @@ class PathReporter {
   /// None or two, or nothing where that is not known.
   std::optional<std::vector<MetSolution>> met_at(const PathTouch& touch) {
     const Eigen::VectorXd extremum = equations_.coordinates(touch.point);
-    const auto near = solutions_near(extremum);
+    const auto near = decided_at_fold(extremum);
     if (!near) return std::nullopt;
     std::vector<MetSolution> met;
     for (std::size_t i = 0; i < near->x.size(); ++i) {

@@ -3,6 +3,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "solvers/numeric/dense_factors.hpp"
+
 namespace gcs {
 
 DenseEquations::Form::Form(const LinearForm& form) : constant(rounded_to_double(form.constant)) {
@@ -63,8 +65,8 @@ std::optional<std::vector<std::complex<double>>> zero_near(const DenseEquations&
     const EquationResiduals here = system.residuals(x);
     if ((here.value(equations).cwiseAbs().array() <= settled * (1 + here.size(equations).array())).all())
       return point.lpNorm<Eigen::Infinity>() <= far ? std::optional(x) : std::nullopt;
-    const Eigen::MatrixXcd jacobian = system.jacobian(x)(equations, Eigen::all);
-    point -= jacobian.completeOrthogonalDecomposition().solve(Eigen::VectorXcd(here.value(equations)));
+    point -=
+        shortest_solution(Eigen::MatrixXcd(system.jacobian(x)(equations, Eigen::all)), here.value(equations));
   }
   return std::nullopt;
 }

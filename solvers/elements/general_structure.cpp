@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <set>
 
 #include "solvers/elements/dense_equations.hpp"
 #include "solvers/elements/stated_signs.hpp"
+#include "solvers/numeric/dense_factors.hpp"
 #include "solvers/running/errors.hpp"
 #include "solvers/running/words.hpp"
 
@@ -24,12 +24,13 @@ struct Kernels {
 
 Kernels kernels_of(Eigen::MatrixXcd jacobian) {
   jacobian.rowwise().normalize();
-  const Eigen::BDCSVD<Eigen::MatrixXcd> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::VectorXd& values = svd.singularValues();
+  using Factors = Eigen::ColPivHouseholderQR<Eigen::MatrixXcd>;
+  const Factors of_rows(Eigen::MatrixXcd(jacobian.adjoint()));
+  const auto pivots = of_rows.matrixQR().diagonal().cwiseAbs().eval();
   Kernels result;
-  while (result.rank < values.size() && values[result.rank] > rank_tolerance * values[0]) ++result.rank;
-  result.motions = svd.matrixV().rightCols(jacobian.cols() - result.rank);
-  result.dependences = svd.matrixU().rightCols(jacobian.rows() - result.rank);
+  while (result.rank < pivots.size() && pivots[result.rank] > rank_tolerance * pivots[0]) ++result.rank;
+  result.motions = orthogonal_factor(of_rows).rightCols(jacobian.cols() - result.rank);
+  result.dependences = orthogonal_factor(Factors(jacobian)).rightCols(jacobian.rows() - result.rank);
   return result;
 }
 

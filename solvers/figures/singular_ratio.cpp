@@ -12,7 +12,7 @@ namespace {
 
 template <class Matrix>
 double ratio_of(const Matrix& matrix) {
-  const Eigen::VectorXd singular = Eigen::BDCSVD<Matrix>(matrix).singularValues();
+  const Eigen::VectorXd singular = Eigen::JacobiSVD<Matrix>(matrix).singularValues();
   const double smallest = singular.minCoeff();
   return smallest > 0 ? singular.maxCoeff() / smallest : std::numeric_limits<double>::infinity();
 }

@@ -1,12 +1,12 @@
 #include "solvers/motions/figure_motion.hpp"
 
-#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/numeric/dense_factors.hpp"
 #include "solvers/tracking/released_curve.hpp"
 #include "solvers/tracking/whole_curve.hpp"
 
@@ -62,10 +62,7 @@ std::optional<Eigen::VectorXd> real_zero_near(const RealEquations& equations, Ei
     const Eigen::VectorXd off = equations.sums(x) - equations.given;
     const double size = equations.given.lpNorm<Eigen::Infinity>() + x.squaredNorm();
     if (off.lpNorm<Eigen::Infinity>() <= settled * size) return x;
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-    factors.setThreshold(hardly_told);
-    factors.compute(real_jacobian(equations, x));
-    x -= factors.solve(off);
+    x -= shortest_solution(real_jacobian(equations, x), off, hardly_told);
   }
   return std::nullopt;
 }

@@ -51,7 +51,7 @@ std::vector<int> all_of(const QuadraticSystem& system) {
 /// inverse, with the rounding of the product.
 bool is_proven_regular(const Eigen::MatrixXcd& a, double radius) {
   const Eigen::Index n = a.rows();
-  const Eigen::MatrixXcd inverse = a.fullPivLu().inverse();
+  const Eigen::MatrixXcd inverse = a.partialPivLu().inverse();
   if (!inverse.allFinite()) return false;
   const double rounding = 8 * static_cast<double>(n + 2) * std::numeric_limits<double>::epsilon();
   const Eigen::MatrixXd size = inverse.cwiseAbs();

@@ -1,10 +1,11 @@
 #include "solvers/numeric/biquadratic_pair.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "solvers/numeric/dense_factors.hpp"
 
 namespace gcs {
 namespace {
@@ -95,7 +96,7 @@ std::vector<CommonZero> partners(const Biquadratic& p, const Biquadratic& q, Com
 }
 
 /// To the rounding of its entries.
-bool is_singular(const Eigen::FullPivLU<Eigen::Matrix4d>& lu) {
+bool is_singular(const Eigen::FullPivLU<Eigen::MatrixXd>& lu) {
   const Eigen::Vector4d pivots = lu.matrixLU().diagonal().cwiseAbs();
   return pivots.minCoeff() <= 64 * std::numeric_limits<double>::epsilon() * pivots.maxCoeff();
 }
@@ -123,15 +124,16 @@ Biquadratic shifted(const Biquadratic& p, double dx, double dy) {
 CommonZeros common_zeros(const Biquadratic& p, const Biquadratic& q) {
   const Biquadratic f = turned(p), g = turned(q);
   CommonZeros result;
-  const Eigen::FullPivLU<Eigen::Matrix4d> leading(sylvester(f, g, 2));
-  result.common_factor = is_singular(leading) && is_singular(sylvester(f, g, 0).fullPivLu());
+  const Eigen::FullPivLU<Eigen::MatrixXd> leading(sylvester(f, g, 2));
+  result.common_factor =
+      is_singular(leading) && is_singular(Eigen::FullPivLU<Eigen::MatrixXd>(sylvester(f, g, 0)));
   if (result.common_factor) return result;
   Matrix8 companion = Matrix8::Zero();
   companion.topRightCorner<4, 4>().setIdentity();
   companion.bottomLeftCorner<4, 4>() = -leading.solve(sylvester(f, g, 0));
   companion.bottomRightCorner<4, 4>() = -leading.solve(sylvester(f, g, 1));
-  const Eigen::EigenSolver<Matrix8> solver(companion, false);
-  for (int i = 0; i < 8; ++i) result.of_eigenvalue[i] = partners(f, g, solver.eigenvalues()[i]);
+  const Eigen::VectorXcd eigenvalues = eigenvalues_of(companion);
+  for (int i = 0; i < 8; ++i) result.of_eigenvalue[i] = partners(f, g, eigenvalues[i]);
   return result;
 }
 

@@ -18,12 +18,12 @@ GCS_ONCE template class std::vector<std::string>;
 GCS_ONCE template class Eigen::PartialPivLU<Eigen::MatrixXd>;
 GCS_ONCE template class Eigen::PartialPivLU<Eigen::MatrixXcd>;
 GCS_ONCE template class Eigen::FullPivLU<Eigen::MatrixXd>;
+GCS_ONCE template class Eigen::FullPivLU<Eigen::MatrixXcd>;
 GCS_ONCE template class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+GCS_ONCE template class Eigen::ColPivHouseholderQR<Eigen::MatrixXcd>;
 GCS_ONCE template class Eigen::JacobiSVD<Eigen::Matrix3d>;
 GCS_ONCE template class Eigen::JacobiSVD<Eigen::MatrixXd>;
 GCS_ONCE template class Eigen::JacobiSVD<Eigen::MatrixXcd>;
-GCS_ONCE template class Eigen::BDCSVD<Eigen::MatrixXd>;
-GCS_ONCE template class Eigen::BDCSVD<Eigen::MatrixXcd>;
 
 namespace Eigen::internal {
 

@@ -262,12 +262,14 @@ class PlacingInFigure {
     const auto circle = height_of(radius, along, slack_);
     if (!circle) return {};
     const LinePosition& axis = line(tube);
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(axis.direction, Vector::UnitX());
+    const Vector across = axis.direction.unitOrthogonal();
+    Eigen::Matrix3d turn;
+    turn << axis.direction.transpose(), across.transpose(), axis.direction.cross(across).transpose();
     const Vector origin = turn * (point(spheres.front()) - axis.point), normal = turn * (cut.normal / length);
     const HingeCircle hinge{along, circle->value};
     std::vector<Spot> spots;
     const auto append = [&](const Vector& at, bool misses) {
-      spots.push_back({axis.point + turn.conjugate() * at, misses});
+      spots.push_back({axis.point + turn.transpose() * at, misses});
     };
     for (const Vector& at : meet_cylinder(origin, normal, hinge, tube.value)) append(at, circle->misses);
     for (const Vector& at : extreme_distances_from_x_axis(origin, normal, hinge))

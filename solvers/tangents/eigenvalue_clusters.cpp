@@ -1,8 +1,9 @@
 #include "solvers/tangents/eigenvalue_clusters.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Jacobi>
 #include <cmath>
 
+#include "solvers/numeric/dense_factors.hpp"
 #include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
@@ -10,31 +11,24 @@ namespace {
 
 using Complex = std::complex<double>;
 
-using ComplexMatrix = Eigen::Matrix<Complex, tangent_count, tangent_count>;
+/// Exchanges the diagonal entries k and k + 1 by a rotation (Golub, Van Loan, Matrix Computations, section 7.6.2).
+void exchange(int k, SchurForm& schur) {
+  auto& [t, u] = schur;
+  Eigen::JacobiRotation<Complex> rotation;
+  rotation.makeGivens(t(k, k + 1), t(k + 1, k + 1) - t(k, k));
+  t.applyOnTheLeft(k, k + 1, rotation.adjoint());
+  t.applyOnTheRight(k, k + 1, rotation);
+  u.applyOnTheRight(k, k + 1, rotation);
+  t(k + 1, k) = 0;
+}
 
-/// A Schur form whose diagonal can be reordered by rotations: M = U T U*.
-struct SchurForm {
-  ComplexMatrix t;
-  ComplexMatrix u;
-
-  /// Exchanges the diagonal entries k and k + 1 (Golub, Van Loan, Matrix Computations, section 7.6.2).
-  void exchange(int k) {
-    Eigen::JacobiRotation<Complex> rotation;
-    rotation.makeGivens(t(k, k + 1), t(k + 1, k + 1) - t(k, k));
-    t.applyOnTheLeft(k, k + 1, rotation.adjoint());
-    t.applyOnTheRight(k, k + 1, rotation);
-    u.applyOnTheRight(k, k + 1, rotation);
-    t(k + 1, k) = 0;
-  }
-
-  /// Moves the entry of those from `first` on that is nearest to `center` to `first`.
-  void bring_nearest(Complex center, int first) {
-    int nearest = first;
-    for (int i = first + 1; i < tangent_count; ++i)
-      if (std::abs(t(i, i) - center) < std::abs(t(nearest, nearest) - center)) nearest = i;
-    for (int k = nearest; k > first; --k) exchange(k - 1);
-  }
-};
+/// Moves the entry of those from `first` on that is nearest to `center` to `first`.
+void bring_nearest(Complex center, int first, SchurForm& schur) {
+  int nearest = first;
+  for (int i = first + 1; i < tangent_count; ++i)
+    if (std::abs(schur.t(i, i) - center) < std::abs(schur.t(nearest, nearest) - center)) nearest = i;
+  for (int k = nearest; k > first; --k) exchange(k - 1, schur);
+}
 
 }  // namespace
 
@@ -74,9 +68,8 @@ bool may_be_one(std::span<const Complex> values, const EigenvalueCluster& cluste
 }
 
 Subspace invariant_subspace(const AlgebraMatrix& matrix, Complex center, int dimension) {
-  const Eigen::ComplexSchur<ComplexMatrix> solver(matrix.cast<Complex>());
-  SchurForm schur{solver.matrixT(), solver.matrixU()};
-  for (int i = 0; i < dimension; ++i) schur.bring_nearest(center, i);
+  SchurForm schur = schur_form(matrix.cast<Complex>());
+  for (int i = 0; i < dimension; ++i) bring_nearest(center, i, schur);
   return schur.u.leftCols(dimension);
 }
 

@@ -192,7 +192,7 @@ std::optional<std::string> why_no_system(const FourSpheres& spheres, PublishedSy
   // From there on the rounding of the centres leaves nothing of the inverse.
   constexpr double singular = 1e-15;
   if (system == PublishedSystem::cubic &&
-      !(CentredSpheres(spheres).centers.partialPivLu().rcond() > singular))
+      !(Eigen::PartialPivLU<Eigen::MatrixXd>(CentredSpheres(spheres).centers).rcond() > singular))
     return "the published elimination of the point divides by the volume of the four centres, which are "
            "coplanar";
   return std::nullopt;

@@ -38,7 +38,7 @@ SqueezeHomotopy::SqueezeHomotopy(const ComplexSpheres& from, const ComplexSphere
       square_from_(from.first_square),
       square_change_(to.first_square - from.first_square),
       patch_(at_start.direction.adjoint() / at_start.direction.squaredNorm()) {
-  const Eigen::FullPivLU<Equations> lu(equations_[2]);
+  const Eigen::FullPivLU<Eigen::MatrixXcd> lu(equations_[2]);
   Eigen::Matrix3cd pivots;
   for (int i = 0; i < 3; ++i) pivots.col(i) = equations_[2].col(lu.permutationQ().indices()[i]);
   const Eigen::Matrix3cd combine = pivots.inverse();

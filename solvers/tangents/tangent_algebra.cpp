@@ -1,9 +1,9 @@
 #include "solvers/tangents/tangent_algebra.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <cmath>
 
+#include "solvers/numeric/dense_factors.hpp"
 #include "solvers/tangents/tangent_relations.hpp"
 
 namespace gcs {
@@ -43,7 +43,7 @@ bool TangentAlgebra::reduce_weight_5(const TangentEquations& equations) {
   static_assert(weight_5 == weight_count(5) && weight_4 == weight_count(4));
   Eigen::Matrix<double, rows, weight_5> relations;
   fill_relations(equations, 5, relations);
-  const Eigen::FullPivLU<Eigen::Matrix<double, rows, weight_5>> lu(relations);
+  const Eigen::FullPivLU<Eigen::MatrixXd> lu(relations);
   if (!(std::abs(lu.matrixLU()(rank - 1, rank - 1)) > dependent * lu.maxPivot())) return false;
   Eigen::Matrix<double, rank, tangent_count> bound = -lu.matrixLU().topRightCorner<rank, tangent_count>();
   lu.matrixLU().topLeftCorner<rank, rank>().triangularView<Eigen::Upper>().solveInPlace(bound);
@@ -62,11 +62,11 @@ bool TangentAlgebra::reduce_weight_5(const TangentEquations& equations) {
 bool TangentAlgebra::choose_basis() {
   Eigen::Matrix<double, tangent_count, weight_4> from_below;
   for (int m = 0; m < weight_4; ++m) from_below.col(m) = normal_.row(product_in_weight_5(m, 2)).transpose();
-  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, tangent_count, weight_4>> qr(from_below);
-  const AlgebraMatrix turn = qr.householderQ();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(from_below);
+  const AlgebraMatrix turn = orthogonal_factor(qr);
   normal_ = (normal_ * turn).eval();
   for (int i = 0; i < below; ++i) chosen_[i] = qr.colsPermutation().indices()[i];
-  triangle_ = qr.matrixR().template topLeftCorner<below, below>().transpose();
+  triangle_ = qr.matrixR().topLeftCorner<below, below>().transpose();
   const double smallest = std::abs(triangle_(below - 1, below - 1));
   return smallest > dependent * std::abs(triangle_(0, 0));
 }

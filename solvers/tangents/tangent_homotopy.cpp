@@ -1,10 +1,10 @@
 #include "solvers/tangents/tangent_homotopy.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <numbers>
 
 #include "solvers/numeric/bilinear_product.hpp"
+#include "solvers/numeric/dense_factors.hpp"
 #include "solvers/tangents/squeezed_tangents.hpp"
 #include "solvers/tangents/tangent_algebra.hpp"
 
@@ -39,8 +39,8 @@ TangentHomotopy::TangentHomotopy(const FourSpheres& spheres, std::mt19937_64& ra
     : origin_(spheres[0].center), square_(spheres[0].square.value()), gamma_(random_phase(random)) {
   Eigen::Matrix3d centers;
   for (int i = 0; i < 3; ++i) centers.col(i) = spheres[i + 1].center - origin_;
-  const Eigen::ColPivHouseholderQR<Eigen::Matrix3d> decomposition(centers);
-  frame_ = decomposition.householderQ();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(centers);
+  frame_ = orthogonal_factor(decomposition);
   const Eigen::Matrix3d r = decomposition.matrixR().triangularView<Eigen::Upper>();
   std::array<Eigen::Matrix3d, 3> b;
   for (int i = 0; i < 3; ++i) {

@@ -1,13 +1,13 @@
 #include "solvers/tangents/tangent_refinement.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "solvers/numeric/complex_double_double.hpp"
+#include "solvers/numeric/dense_factors.hpp"
 
 namespace gcs {
 namespace {
@@ -18,6 +18,9 @@ template <class Scalar>
 using Vector6 = Eigen::Matrix<Scalar, 6, 1>;
 template <class Scalar>
 using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
+/// Whose factors are compiled once (numeric/compiled_once.hpp).
+template <class Scalar>
+using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 template <class Scalar>
 auto wide_square(const Scalar& a) {
@@ -70,9 +73,9 @@ Matrix6<Scalar> jacobian(const FourSpheres& spheres, const Tangent<Scalar>& line
 }
 
 /// Smallest over largest pivot.
-template <class Scalar>
-double pivot_ratio(const Eigen::PartialPivLU<Matrix6<Scalar>>& lu) {
-  const Eigen::Matrix<double, 6, 1> pivots = lu.matrixLU().diagonal().cwiseAbs();
+template <class Factors>
+double pivot_ratio(const Factors& lu) {
+  const Eigen::VectorXd pivots = lu.matrixLU().diagonal().cwiseAbs();
   return pivots.minCoeff() / pivots.maxCoeff();
 }
 
@@ -127,7 +130,7 @@ TangentRefinement refine(const FourSpheres& spheres, Tangent<Scalar>& line) {
   double previous = std::numeric_limits<double>::infinity();
   while (result.iterations < most_iterations) {
     const NewtonSystem<Scalar> system = newton_system(spheres, moved);
-    const Eigen::PartialPivLU<Matrix6<Scalar>> lu(system.matrix);
+    const Eigen::PartialPivLU<Dense<Scalar>> lu(system.matrix);
     const Vector6<Scalar> step = lu.solve(system.right);
     const double length = step.norm();
     ++result.iterations;
@@ -154,10 +157,7 @@ void settle(const FourSpheres& spheres, Tangent<Scalar>& line) {
   constexpr double vanishing = 1e-4;
   for (int i = 0; i < 2; ++i) {
     const NewtonSystem<Scalar> system = newton_system(spheres, line);
-    Eigen::CompleteOrthogonalDecomposition<Matrix6<Scalar>> decomposition;
-    decomposition.setThreshold(vanishing);
-    decomposition.compute(system.matrix);
-    system.subtract(decomposition.solve(system.right), line);
+    system.subtract(shortest_solution(Dense<Scalar>(system.matrix), system.right, vanishing), line);
   }
 }
 
@@ -166,8 +166,7 @@ std::array<Tangent<std::complex<double>>, 2> split(const FourSpheres& spheres,
   using Vector = Vector6<std::complex<double>>;
   constexpr double step = 1e-3;  // the equations are of degree 4: a central difference is right to its square
   const NewtonSystem<std::complex<double>> system = newton_system(spheres, mean);
-  const Eigen::JacobiSVD<Matrix6<std::complex<double>>> svd(system.matrix,
-                                                            Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(system.matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Vector v = svd.matrixV().col(5), w = svd.matrixU().col(5);
   const auto moved = [&](std::complex<double> s) {
     Tangent<std::complex<double>> line = mean;

@@ -150,9 +150,9 @@ class PathTracker {
   }
 
   /// Counts the work of it.
-  Eigen::PartialPivLU<ComplexMatrix<n>> factorise(const HomotopyValue<n>& at) {
+  Eigen::PartialPivLU<Eigen::MatrixXcd> factorise(const HomotopyValue<n>& at) {
     ++work_.factorisations;
-    return at.jacobian.partialPivLu();
+    return Eigen::PartialPivLU<Eigen::MatrixXcd>(at.jacobian);
   }
 
   /// dx/dt
@@ -236,7 +236,7 @@ class PathTracker {
 
   bool is_regular(const Vector& x) {
     const HomotopyValue<n> at = evaluate(x, 1);
-    const Eigen::PartialPivLU<ComplexMatrix<n>> lu = factorise(at);
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu = factorise(at);
     const double reciprocal = lu.rcond(), step = lu.solve(at.value).norm() / (1 + x.norm());
     return reciprocal > singular && step <= std::min(at_rest, convergent * reciprocal);
   }

@@ -1,10 +1,10 @@
 #include "solvers/tracking/sketched_unknowns.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
 #include "solvers/elements/body_motion.hpp"
+#include "solvers/numeric/dense_factors.hpp"
 #include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
@@ -66,7 +66,7 @@ std::optional<SketchedUnknowns> sketched_unknowns(const Scene& scene, const Scen
     equations.jacobian(x, jacobian);
     const Eigen::VectorXd excess = equations.sums(x) - equations.given;
     const Eigen::VectorXd step =
-        jacobian(fixed, Eigen::all).completeOrthogonalDecomposition().solve(Eigen::VectorXd(excess(fixed)));
+        shortest_solution(Eigen::MatrixXd(jacobian(fixed, Eigen::all)), excess(fixed));
     x -= step;
     const double size = step.norm() / (1 + x.norm());
     if (!std::isfinite(size)) return std::nullopt;

@@ -57,14 +57,6 @@ void name_elements(const ProblemStatement& problem, const SceneForms& forms, Nam
   }
 }
 
-void name_moments(const ProblemStatement& problem, const SceneEquations& equations, Names& names) {
-  for (int line = 0; line < static_cast<int>(problem.lines.size()); ++line)
-    for (int axis = 0; axis < 3; ++axis)
-      names.set(equations.line_unknown(line, 2, axis),
-                fmt::format("{}_m{}", problem.lines[static_cast<std::size_t>(line)],
-                            axes[static_cast<std::size_t>(axis)]));
-}
-
 }  // namespace
 
 std::vector<std::string> unknown_names(const Scene& scene, const SceneEquations& equations) {
@@ -72,8 +64,6 @@ std::vector<std::string> unknown_names(const Scene& scene, const SceneEquations&
   // First, since a point of a body may be its origin.
   if (const SceneSystem* general = equations.general())
     for (const NamedVector& vector : general->elements().named()) names.set(vector.forms, vector.name);
-  else
-    name_moments(scene.problem(), equations, names);
   name_elements(scene.problem(), scene_forms(scene, equations), names);
   return names.finish();
 }

@@ -6,16 +6,15 @@
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/given_numbers.hpp"
-#include "solvers/numeric/bilinear_product.hpp"
 #include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
 
-/// Of the nine unknowns of a free line.
-enum LinePart { point = 0, direction = 1, moment = 2 };
+/// Of the six unknowns of a free line.
+enum LinePart { point = 0, direction = 1 };
 
-/// Changing the signs of a line's direction and moment together gives the same line.
+/// Changing the sign of a line's direction gives the same line.
 constexpr SignMask first_line_mirror = SignMask{1} << 3;
 
 bool is_free_beside_given_points(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
@@ -111,46 +110,40 @@ void SceneEquations::add_distance(int constraint) {
 
 int SceneEquations::line_unknown(int line, int part, int axis) const {
   if (!is_free_beside_given_points(scene_)) return -1;
-  return points_.unknowns() + 9 * line + 3 * part + axis;
+  return points_.unknowns() + 6 * line + 3 * part + axis;
 }
 
-/// |c × u − m|² = a²
+/// |c − p|² + |c × u|² − c·c = a²
 void SceneEquations::add_distance_to_free_line(int constraint) {
   const auto [c, entity] = points_.edges()[static_cast<std::size_t>(constraint)];
   const int line = entity - points_.point_count();
   QuadraticEquation equation{{}, given_square(scene_, constraint)};
   for (int axis = 0; axis < 3; ++axis) {
     const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-    const LinearForm form{
+    const ExactNumber here = given_coordinate(scene_, c, axis);
+    const LinearForm apart{{minus(line_unknown(line, point, axis))}, here};
+    const LinearForm across{
         {times(given_coordinate(scene_, c, next), line_unknown(line, direction, last)),
-         times(negated(given_coordinate(scene_, c, last)), line_unknown(line, direction, next)),
-         minus(line_unknown(line, moment, axis))},
+         times(negated(given_coordinate(scene_, c, last)), line_unknown(line, direction, next))},
         {}};
-    equation.products.push_back({form, form});
+    equation.products.push_back({apart, apart});
+    equation.products.push_back({across, across});
+    equation.products.push_back({{{}, here}, {{}, negated(here)}});
   }
   system_.equations.push_back(std::move(equation));
 }
 
-/// u·u = 1, u·m = 0 and p = u × m.
+/// u·u = 1 and u·p = 0.
 void SceneEquations::add_line_conditions(int line) {
   const auto unknown = [&](int part, int axis) { return LinearForm{{{line_unknown(line, part, axis)}}, {}}; };
-  const LinearForm one{{}, exactly(1)};
   QuadraticEquation unit{{}, exactly(1)}, orthogonal;
   for (int axis = 0; axis < 3; ++axis) {
     unit.products.push_back({unknown(direction, axis), unknown(direction, axis)});
-    orthogonal.products.push_back({unknown(direction, axis), unknown(moment, axis)});
+    orthogonal.products.push_back({unknown(direction, axis), unknown(point, axis)});
   }
   system_.equations.push_back(std::move(unit));
   system_.equations.push_back(std::move(orthogonal));
-  for (int axis = 0; axis < 3; ++axis) {
-    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-    const LinearForm opposite{{minus(line_unknown(line, direction, next))}, {}};
-    system_.equations.push_back({{{unknown(point, axis), one},
-                                  {opposite, unknown(moment, last)},
-                                  {unknown(direction, last), unknown(moment, next)}},
-                                 {}});
-  }
-  for (const int part : {point, direction, moment})
+  for (const int part : {point, direction})
     for (int axis = 0; axis < 3; ++axis)
       system_.mirror.push_back(part == point ? 0 : first_line_mirror << line);
 }
@@ -163,11 +156,9 @@ std::vector<std::complex<double>> SceneEquations::coordinates(const Figure& figu
   std::vector<std::complex<double>> x;
   for (Eigen::Index i = 0; i < real.size(); ++i) x.emplace_back(real[i], imaginary[i]);
   if (!is_free_beside_given_points(scene_)) return x;
-  for (const ComplexLine& line : complex_lines(figure)) {
-    const Eigen::Vector3cd m = cross_product(line.point, line.direction);
-    for (const Eigen::Vector3cd& part : {line.point, line.direction, m})
+  for (const ComplexLine& line : complex_lines(figure))
+    for (const Eigen::Vector3cd& part : {line.point, line.direction})
       x.insert(x.end(), part.begin(), part.end());
-  }
   return x;
 }
 

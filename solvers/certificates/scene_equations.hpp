@@ -3,8 +3,8 @@
 /// is a power of two of the file's, so that nothing is rounded.
 ///
 /// Points: the squared distances in the free coordinates of the scene's frame. A line that the frame puts on
-/// the x-axis: y² + z² = a². A line beside given points: its point p nearest to the origin, its direction u
-/// and its moment m = p × u, with u·u = 1, u·m = 0, p = u × m and |c × u − m|² = a² for each given point c.
+/// the x-axis: y² + z² = a². A line beside given points: its point p nearest to the origin and its direction u,
+/// with u·u = 1, u·p = 0 and |c − p|² + |c × u|² − c·c = a² for each given point c.
 /// General scenes: elements/scene_system.hpp.
 
 #include <array>

@@ -2,8 +2,8 @@
 ///
 /// Hoffmann and Yuan end their section 4.4 with "It would be interesting to test this problem on general
 /// multi-variate interval Newton solvers". This is one: it knows nothing but the distance equations in the
-/// coordinates of the frame (certificates/scene_equations.hpp; of lines beside given points in direction and
-/// moment) and a box that holds a solution of every class, from ways over given lengths and one sign for each
+/// coordinates of the frame (certificates/scene_equations.hpp; of lines beside given points in point and
+/// direction) and a box that holds a solution of every class, from ways over given lengths and one sign for each
 /// kind of mirror image that the frame leaves (subdivision/start_box.hpp). Boxes are narrowed, proven to hold
 /// no solution or, in a box around them, exactly one, or halved where their
 /// equations are farthest from linear:

@@ -96,7 +96,7 @@ class StartBox {
           std::min(farthest, rounded_up(sqrt(sum).high + ways_.between(point, scene_.point_count() + line)));
     }
     for (int axis = 0; axis < 3; ++axis)
-      for (const auto& [part, radius] : std::map<int, double>{{0, farthest}, {1, 1}, {2, farthest}})
+      for (const auto& [part, radius] : {std::pair(0, farthest), std::pair(1, 1.0)})
         narrow(equations_.line_unknown(line, part, axis), interval_around_zero(radius));
   }
 

@@ -25,12 +25,11 @@ bool is_to_be_turned(const Eigen::Vector3cd& u) {
 
 /// Rounding every coordinate moves direction·direction and point·direction by an epsilon of these sizes at
 /// most, and evaluating them in doubles by as much again.
-bool is_normalised(const ComplexLine& line) {
+bool is_normalised_but_for_its_sign(const ComplexLine& line) {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const Eigen::Vector3cd& u = line.direction;
   return std::abs(bilinear_product(u, u) - 1.0) <= rounding * u.squaredNorm() &&
-         std::abs(bilinear_product(u, line.point)) <= rounding * u.norm() * line.point.norm() &&
-         !is_to_be_turned(u);
+         std::abs(bilinear_product(u, line.point)) <= rounding * u.norm() * line.point.norm();
 }
 
 }  // namespace
@@ -65,11 +64,12 @@ Figure figure_of(const ComplexPoints& points, const std::vector<ComplexLine>& li
 }
 
 ComplexLine normalised(const ComplexLine& line) {
-  if (is_normalised(line)) return line;
-  ComplexLine result;
-  result.direction = line.direction / std::sqrt(bilinear_product(line.direction, line.direction));
+  ComplexLine result = line;
+  if (!is_normalised_but_for_its_sign(line)) {
+    result.direction /= std::sqrt(bilinear_product(line.direction, line.direction));
+    result.point -= result.direction * bilinear_product(result.direction, line.point);
+  }
   if (is_to_be_turned(result.direction)) result.direction = -result.direction;
-  result.point = line.point - result.direction * bilinear_product(result.direction, line.point);
   return result;
 }
 

@@ -26,7 +26,7 @@ Figure figure_of(const ComplexPoints& points, const std::vector<ComplexLine>& li
 
 /// The same line by the point with point·direction = 0 and a direction with direction·direction = 1, whose
 /// first component that is not zero (above 1e-9 of the largest) has a positive real part or, that being zero,
-/// a positive imaginary part. A line that is so already, to the rounding of its coordinates, is not touched:
+/// a positive imaginary part. A line that is so already, to the rounding of its coordinates, is turned at most:
 /// every further rounding of a large coordinate moves the line off its distances.
 ComplexLine normalised(const ComplexLine& line);
 std::vector<ComplexLine> normalised(std::vector<ComplexLine> lines);

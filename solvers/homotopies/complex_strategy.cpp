@@ -7,7 +7,7 @@
 #include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/conjugate_ends.hpp"
 #include "solvers/homotopies/precise_ends.hpp"
-#include "solvers/homotopies/released_report.hpp"
+#include "solvers/homotopies/restated_scene.hpp"
 
 namespace gcs {
 namespace {
@@ -121,7 +121,7 @@ std::optional<std::string> ComplexStrategy::why_unsupported(const SolveRequest& 
     if (auto reason = why_no_general_scenes()) return reason;
     return why_not_general(scene);
   }
-  if (is_released(scene)) return why_not_released(scene);
+  if (is_released(scene)) return why_not_restated(scene);
   if (scene.has_lines() && scene.reference().line < 0)
     return "it puts the line on the x-axis, which a reference of points does not allow";
   return std::nullopt;
@@ -136,7 +136,8 @@ void ComplexStrategy::prepare(const SolveRequest& request) {
     prepared_ = solve_at_random_lengths(request, limit_of(request));
     return;
   }
-  const ReleasedScene released(request.scene);
+  const RestatedScene restated(request.scene);
+  const ReleasedScene& released = restated.released();
   prepared_ = solve_at_random_lengths(request.on(released.scene()), limit_of(request, released.doublings()));
 }
 
@@ -161,9 +162,10 @@ SolveReport ComplexStrategy::solve_general(const SolveRequest& request) const {
 SolveReport ComplexStrategy::solve(const SolveRequest& request) {
   if (takes_general_road(request.scene)) return solve_general(request);
   if (!is_released(request.scene)) return solve_free(request, limit_of(request));
-  const ReleasedScene released(request.scene);
-  return carried_back(released, request.scene,
-                      solve_free(request.on(released.scene()), limit_of(request, released.doublings())));
+  const RestatedScene restated(request.scene);
+  const ReleasedScene& released = restated.released();
+  return restated.carried_back(
+      request, solve_free(request.on(released.scene()), limit_of(request, released.doublings())));
 }
 
 SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const ClassLimit& limit) const {

@@ -16,9 +16,9 @@
 /// directions with |u| of the order of 1/ε where u·u = 1 and are as far away: in Cartesian coordinates they
 /// come near to each other and to infinity. Where lines are not found both methods find those of spheres
 /// whose centres are moved apart and follow them back in isotropic coordinates
-/// (tangents/squeezed_tangents.hpp). Down to an ε of 1e-6 all are found; at 1e-8 their coordinates in doubles
-/// determine lines no longer, and the status is partial. Multiple lines are not followed, so that there the
-/// status is partial.
+/// (tangents/squeezed_tangents.hpp). Where their coordinates in doubles hold the distances no longer, from an ε
+/// of 1e-8 on, each is proven to be next to a line, or the status is partial. Multiple lines are not followed,
+/// so that there the status is partial.
 ///
 /// Lines that come out as multiple ones are settled with the exact decimals of the file
 /// (certificates/nearly_singular.hpp): as multiple ones, or as several that are proven to be different.
@@ -37,6 +37,8 @@
 #include <cmath>
 
 #include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/certificates/proven_error.hpp"
+#include "solvers/certificates/scene_equations.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/systems/system_facts.hpp"
 #include "solvers/systems/tangent_systems.hpp"
@@ -49,7 +51,8 @@
 namespace gcs {
 namespace {
 
-/// A condition number from which on the rounding of a line's coordinates to doubles leaves nothing of it.
+/// A condition number from which on the rounding of a line's coordinates to doubles leaves nothing of its distances: what it
+/// is next to is proven then.
 constexpr double undetermined = 0x1p53;
 
 /// The point that a distance constraint names beside the line.
@@ -95,9 +98,8 @@ bool list_lines(const SolveRequest& request, const FourSpheres& spheres, const L
   std::vector<Candidate> doubtful;
   for (const FoundTangent& found : tangents.lines) {
     const auto& [line, is_real, multiplicity] = found;
-    Candidate candidate =
-        candidate_of(scene, polished(spheres, local.in_scene(line), is_real, multiplicity, report.work),
-                     is_real, multiplicity);
+    Candidate candidate = candidate_of(
+        scene, polished(spheres, local, line, is_real, multiplicity, report.work), is_real, multiplicity);
     (is_doubtful(scene, found, candidate, are_missing) ? doubtful : report.candidates).push_back(candidate);
   }
   const int expected = tangent_count - accounted_for(report, tangents.at_infinity);
@@ -105,6 +107,23 @@ bool list_lines(const SolveRequest& request, const FourSpheres& spheres, const L
       resolve_nearly_singular(scene, doubtful, report.candidates, expected, request.stop);
   std::ranges::move(found.list, std::back_inserter(report.candidates));
   return found.are_told_apart;
+}
+
+/// How many of the lines whose coordinates do not hold their distances are not proven to be next to a solution; the others
+/// get their error.
+int prove_far_lines(const Scene& scene, std::vector<Candidate>& candidates) {
+  std::vector<Candidate*> far;
+  for (Candidate& candidate : candidates)
+    if (candidate.multiplicity == 1 && jacobian_condition(scene, candidate.figure) >= undetermined)
+      far.push_back(&candidate);
+  if (far.empty()) return 0;
+  const SceneEquations equations(scene);
+  const Certifier certifier(equations.system());
+  for (Candidate* candidate : far)
+    candidate->error =
+        std::min(candidate->error, certified_error(equations, certifier, scene.in_frame(candidate->figure)));
+  return static_cast<int>(std::ranges::count_if(
+      far, [](const Candidate* candidate) { return !std::isfinite(candidate->error); }));
 }
 
 void report_lines(const SolveRequest& request, const FourSpheres& spheres, const LocalSpheres& local,
@@ -134,13 +153,11 @@ void report_lines(const SolveRequest& request, const FourSpheres& spheres, const
                     std::to_string(accounted_for_here) +
                     " are accounted for, multiplicities and those at infinity included";
   }
-  const auto too_far = std::ranges::count_if(report.candidates, [&](const Candidate& candidate) {
-    return candidate.multiplicity == 1 && jacobian_condition(scene, candidate.figure) >= undetermined;
-  });
-  if (too_far == 0 || report.status != SolveStatus::complete) return;
+  const int unproven = prove_far_lines(scene, report.candidates);
+  if (unproven == 0 || report.status != SolveStatus::complete) return;
   report.status = SolveStatus::partial;
-  report.reason = "the coordinates of " + std::to_string(too_far) +
-                  " lines are so large beside the lengths that doubles do not determine them";
+  report.reason = "the coordinates of " + std::to_string(unproven) +
+                  " lines are so large beside the lengths that doubles do not tell what they are next to";
 }
 
 void report_stop(SolveReport& report) {
@@ -216,7 +233,7 @@ class SphereTangentsStrategy final : public Strategy {
                                            request.monitor, report.work);
     if (degenerate) {
       report_degenerate(request.scene, local, *degenerate, report);
-    } else if (const auto reason = why_nearly_degenerate(local.spheres)) {
+    } else if (const auto reason = why_nearly_concentric(local.spheres)) {
       report.reason = *reason;
     } else {
       if (method_ == Method::homotopy)

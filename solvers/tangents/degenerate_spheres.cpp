@@ -11,9 +11,6 @@ constexpr double rounding = std::numeric_limits<double>::epsilon();
 /// Lengths are of order 1, and so is the rounding of a difference of two of them.
 constexpr double same_place = 8 * rounding;
 
-/// The rounding of positions along an axis, relative to the axis.
-constexpr double collinear = 16 * rounding;
-
 enum class Concentric { none, same, different };
 
 Concentric concentric(const ExactSpheres& spheres) {
@@ -115,13 +112,11 @@ std::optional<DegenerateTangents> degenerate_tangents(const ExactSpheres& sphere
   return collinear_tangents(AxialDistances(spheres));
 }
 
-std::optional<std::string> why_nearly_degenerate(const FourSpheres& spheres) {
+std::optional<std::string> why_nearly_concentric(const FourSpheres& spheres) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < i; ++j)
       if ((spheres[i].center - spheres[j].center).norm() <= same_place)
         return "two centres are so close together that doubles do not tell them apart";
-  if (relative_width(spheres) <= collinear)
-    return "the centres are so nearly collinear that doubles do not determine the lines";
   return std::nullopt;
 }
 

@@ -19,9 +19,9 @@ struct DegenerateTangents {
 /// Nothing where the centres are distinct and not collinear. All decisions are exact.
 std::optional<DegenerateTangents> degenerate_tangents(const ExactSpheres& spheres);
 
-/// Why doubles do not tell these spheres from degenerate ones, in a sentence; nothing where they do.
+/// Why doubles do not tell these spheres from concentric ones, in a sentence; nothing where they do.
 /// Precondition: lengths are of order 1.
-std::optional<std::string> why_nearly_degenerate(const FourSpheres& spheres);
+std::optional<std::string> why_nearly_concentric(const FourSpheres& spheres);
 
 /// The line through the centres, which are collinear.
 Tangent<double> line_of_centers(const FourSpheres& spheres);

@@ -13,7 +13,9 @@ struct ScaledLine {
   Eigen::Vector3cd direction;     ///< u
   Eigen::Vector3cd scaled_point;  ///< P
 
-  /// Of a line that is given in the spheres' coordinates.
+  /// Of a line that is given in the spheres' coordinates, its point the one nearest to the first centre. Where its direction
+  /// is nearly isotropic rounding leaves nothing of the smaller of u_+ and u_-, nor of that of the point: they are what
+  /// u·u = 1 and p·u = 0 say.
   static ScaledLine of(const Strip& strip, const Tangent<std::complex<double>>& line);
 
   /// In the coordinates after a rotation by b (strip.hpp).
@@ -24,6 +26,13 @@ struct ScaledLine {
 
   /// The same line with |u|² and |P| at most 1 and one of them 1.
   ScaledLine normalised() const;
+
+  /// The line of the conjugate coordinates.
+  ScaledLine conjugate() const;
 };
+
+/// The largest difference of direction and point of two lines with u·u = 1 relative to their size, after the rotation that
+/// balances the first, within [1/largest, largest].
+double difference(const ScaledLine& a, const ScaledLine& b, double largest);
 
 }  // namespace gcs

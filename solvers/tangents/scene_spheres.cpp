@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/given_numbers.hpp"
 #include "solvers/tangents/strip_refinement.hpp"
 #include "solvers/tangents/tangent_refinement.hpp"
 
@@ -22,17 +23,18 @@ void refine_in_scene(const FourSpheres& in_scene, Tangent<Scalar> line, ComplexL
   result.direction = line.direction.template cast<std::complex<double>>();
 }
 
-bool needs_isotropic_coordinates(const FourSpheres& in_scene, const ComplexLine& line) {
+bool needs_isotropic_coordinates(const FourSpheres& in_scene, const ComplexTangent& line) {
   return relative_width(in_scene) < narrow || nearness_to_isotropic(line.direction) < narrow * narrow;
 }
 
-void refine_in_strip(const FourSpheres& in_scene, bool is_real, ComplexLine& result, WorkCounters& work) {
+/// `line`: its point the one nearest to the first centre.
+void refine_in_strip(const FourSpheres& in_scene, const ComplexTangent& line, bool is_real,
+                     ComplexLine& result, WorkCounters& work) {
   const Strip strip(in_scene);
-  const auto refined =
-      refined_in_strip(in_scene, strip, ScaledLine::of(strip, {result.point, result.direction}), work);
+  const auto refined = refined_in_strip(in_scene, strip, ScaledLine::of(strip, line), work);
   if (!refined) return;
-  const ComplexTangent line = is_real ? real_part(*refined) : *refined;
-  result = {line.point, line.direction};
+  const ComplexTangent polished = is_real ? real_part(refined->line) : refined->line;
+  result = {polished.point, polished.direction};
 }
 
 }  // namespace
@@ -47,9 +49,15 @@ std::optional<FourSpheres> spheres_of(const Scene& scene) {
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const auto [a, b] = problem.constraints[i].between;
     if (a != line && b != line) continue;
-    const std::optional<Eigen::Vector3d> center = scene.fixed_point(a == line ? b : a);
-    if (!center || count == spheres.size()) return std::nullopt;
-    spheres[count++] = {*center, squares[i]};
+    const int point = a == line ? b : a;
+    if (!scene.fixed_point(point) || count == spheres.size()) return std::nullopt;
+    Sphere& sphere = spheres[count++];
+    sphere.square = squares[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      const DoubleDouble exact = nearest_double_double(given_coordinate(scene, point, axis));
+      sphere.center[axis] = exact.hi;
+      sphere.center_rest[axis] = exact.lo;
+    }
   }
   return count == spheres.size() ? std::optional(spheres) : std::nullopt;
 }
@@ -57,12 +65,17 @@ std::optional<FourSpheres> spheres_of(const Scene& scene) {
 LocalSpheres::LocalSpheres(const FourSpheres& in_scene) : spheres(in_scene), origin(in_scene[0].center) {
   double reach = 0;
   for (Sphere& sphere : spheres) {
-    sphere.center -= origin;
+    for (int axis = 0; axis < 3; ++axis) {
+      const DoubleDouble from_first = sphere.coordinate(axis) - in_scene[0].coordinate(axis);
+      sphere.center[axis] = from_first.hi;
+      sphere.center_rest[axis] = from_first.lo;
+    }
     reach = std::max({reach, sphere.center.norm(), std::sqrt(sphere.square.value())});
   }
   if (reach > 0) exponent = std::ilogb(reach);
   for (Sphere& sphere : spheres) {
-    sphere.center = sphere.center.unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+    for (Eigen::Vector3d* part : {&sphere.center, &sphere.center_rest})
+      *part = part->unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
     sphere.square = {std::ldexp(sphere.square.hi, -2 * exponent),
                      std::ldexp(sphere.square.lo, -2 * exponent)};
   }
@@ -73,19 +86,23 @@ ComplexTangent LocalSpheres::local(const ComplexLine& line) const {
   return {moved.point * std::ldexp(1.0, -exponent), moved.direction};
 }
 
-ComplexLine LocalSpheres::in_scene(const ComplexTangent& line) const {
-  return normalised({line.point * std::ldexp(1.0, exponent) + origin, line.direction});
+ComplexTangent LocalSpheres::moved(const ComplexTangent& line) const {
+  return {line.point * std::ldexp(1.0, exponent) + origin, line.direction};
 }
 
-ComplexLine polished(const FourSpheres& in_scene, const ComplexLine& line, bool is_real, int multiplicity,
-                     WorkCounters& work) {
-  ComplexLine result = normalised(line);
+ComplexLine LocalSpheres::in_scene(const ComplexTangent& line) const {
+  const ComplexTangent there = moved(line);
+  return normalised({there.point, there.direction});
+}
+
+ComplexLine polished(const FourSpheres& in_scene, const LocalSpheres& local, const ComplexTangent& line,
+                     bool is_real, int multiplicity, WorkCounters& work) {
+  ComplexLine result = local.in_scene(line);
   if (multiplicity > 1) {
-    const LocalSpheres local(in_scene);
-    const auto found = multiple_tangent(local.spheres, local.local(line), is_real, multiplicity);
+    const auto found = multiple_tangent(local.spheres, line, is_real, multiplicity);
     if (found) result = local.in_scene(found->line);
-  } else if (needs_isotropic_coordinates(in_scene, result)) {
-    refine_in_strip(in_scene, is_real, result, work);
+  } else if (needs_isotropic_coordinates(in_scene, line)) {
+    refine_in_strip(in_scene, local.moved(line), is_real, result, work);
   } else if (is_real) {
     refine_in_scene<double>(in_scene, {result.point.real(), result.direction.real()}, result, work);
   } else {

@@ -23,15 +23,17 @@ struct LocalSpheres {
   int exponent = 0;  ///< local length = scene length / 2^exponent
 
   ComplexTangent local(const ComplexLine& line) const;
+  /// In the scene's coordinates, its point still the one nearest to the first centre.
+  ComplexTangent moved(const ComplexTangent& line) const;
   ComplexLine in_scene(const ComplexTangent& line) const;
 };
 
-/// A common tangent that was found to 1e-3 of its size, as good as its coordinates in doubles can be, and
-/// normalised (complex_lines.hpp). A simple one by Newton's method in the scene's coordinates, which are
+/// A common tangent of the local spheres that was found to 1e-3 of its size, in the scene, as good as its coordinates in
+/// doubles can be, and normalised (complex_lines.hpp). A simple one by Newton's method in the scene's coordinates, which are
 /// those of the exact line to their last bit then, and where the centres are nearly collinear or the
 /// direction is nearly isotropic in isotropic ones (strip_refinement.hpp); a multiple one settled
 /// (tangent_refinement.hpp). Where that does not converge the line is as it was. Adds to `work`.
-ComplexLine polished(const FourSpheres& in_scene, const ComplexLine& line, bool is_real, int multiplicity,
-                     WorkCounters& work);
+ComplexLine polished(const FourSpheres& in_scene, const LocalSpheres& local, const ComplexTangent& line,
+                     bool is_real, int multiplicity, WorkCounters& work);
 
 }  // namespace gcs

@@ -72,7 +72,7 @@ std::vector<Stop> stops_of(const FourSpheres& spheres, const Strip& strip, std::
 class Squeeze {
  public:
   Squeeze(const FourSpheres& spheres, const Strip& strip, WorkCounters& work)
-      : spheres_(spheres), strip_(strip), work_(work) {}
+      : lines(strip), spheres_(spheres), strip_(strip), work_(work) {}
 
   void perturb(std::mt19937_64& random) { stops_ = stops_of(spheres_, strip_, random); }
 
@@ -85,7 +85,7 @@ class Squeeze {
     return take_end(line) && is_regular;
   }
 
-  FoundTangents found;
+  TangentsInStrip lines;
 
  private:
   bool follow(const Stop& from, const Stop& to, ScaledLine& line) {
@@ -101,9 +101,8 @@ class Squeeze {
 
   bool take_end(const ScaledLine& line) {
     const auto refined = refined_in_strip(spheres_, strip_, line, work_);
-    if (!refined) return false;
-    if (!found.find(*refined)) found.add_simple(*refined);
-    return true;
+    if (refined) lines.take(*refined);
+    return refined.has_value();
   }
 
   const FourSpheres& spheres_;
@@ -117,10 +116,10 @@ class Squeeze {
 SqueezedTangents squeezed_tangents(const FourSpheres& spheres, const Strip& strip, const FoundTangents& wide,
                                    std::mt19937_64& random, WorkCounters& work) {
   Squeeze squeeze(spheres, strip, work);
-  squeeze.found.at_infinity = wide.at_infinity;
+  squeeze.lines.found.at_infinity = wide.at_infinity;
   std::vector<bool> has_end(wide.lines.size(), false);
   const auto is_done = [&] {
-    return squeeze.found.accounted_for() == wide.accounted_for() &&
+    return squeeze.lines.found.accounted_for() == wide.accounted_for() &&
            std::find(has_end.begin(), has_end.end(), false) == has_end.end();
   };
   for (int attempt = 0; attempt < most_attempts && !is_done(); ++attempt) {
@@ -128,7 +127,7 @@ SqueezedTangents squeezed_tangents(const FourSpheres& spheres, const Strip& stri
     for (std::size_t i = 0; i < wide.lines.size(); ++i)
       if (wide.lines[i].multiplicity == 1 && squeeze.take(wide.lines[i].line)) has_end[i] = true;
   }
-  return {std::move(squeeze.found), std::move(has_end)};
+  return {std::move(squeeze.lines.found), std::move(has_end)};
 }
 
 }  // namespace gcs

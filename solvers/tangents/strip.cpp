@@ -28,9 +28,10 @@ Axis normalised(const Axis& a) {
 
 ComplexDoubleDouble times_i(const ComplexDoubleDouble& a) { return {-a.im, a.re}; }
 
-/// From the first to the second, exactly.
-Axis difference(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return {wide_difference(to[0], from[0]), wide_difference(to[1], from[1]), wide_difference(to[2], from[2])};
+/// From the first centre to the second.
+Axis difference(const Sphere& from, const Sphere& to) {
+  const auto along = [&](int axis) { return to.coordinate(axis) - from.coordinate(axis); };
+  return {along(0), along(1), along(2)};
 }
 
 WideVector as_complex(const Axis& a) {
@@ -42,7 +43,7 @@ WideVector as_complex(const Axis& a) {
 Strip::Strip(const FourSpheres& spheres) : spheres_(spheres) {
   choose_axes();
   for (std::size_t i = 0; i < 3; ++i)
-    centers_[i] = isotropic(as_complex(difference(spheres[0].center, spheres[i + 1].center)));
+    centers_[i] = isotropic(as_complex(difference(spheres[0], spheres[i + 1])));
   choose_widening();
 }
 
@@ -53,7 +54,7 @@ void Strip::choose_axes() {
       const double length = (spheres_[i].center - spheres_[j].center).norm();
       if (length <= length_) continue;
       length_ = length;
-      longest = difference(spheres_[j].center, spheres_[i].center);
+      longest = difference(spheres_[j], spheres_[i]);
     }
   axes_[0] = normalised(longest);
   Eigen::Index smallest = 0;
@@ -86,12 +87,19 @@ WideVector Strip::cartesian(const WideVector& isotropic) const {
   return result;
 }
 
+WideVector Strip::wide_origin() const {
+  const Sphere& first = spheres_[0];
+  return as_complex({first.coordinate(0), first.coordinate(1), first.coordinate(2)});
+}
+
 FourSpheres Strip::widened_spheres() const {
   FourSpheres result = spheres_;
-  const Eigen::Vector3d e(axes_[0][0].hi, axes_[0][1].hi, axes_[0][2].hi);
+  const ComplexDoubleDouble factor = widened(std::complex(widening_));
   for (std::size_t i = 1; i < 4; ++i) {
-    const Eigen::Vector3d c = spheres_[i].center - spheres_[0].center, along = e * e.dot(c);
-    result[i].center = spheres_[0].center + along + widening_ * (c - along);
+    const auto& [along, plus, minus] = centers_[i - 1];
+    const Eigen::Vector3cd moved = narrowed(cartesian({along, factor * plus, factor * minus}));
+    result[i].center = spheres_[0].center + moved.real();
+    result[i].center_rest.setZero();
   }
   return result;
 }

@@ -45,13 +45,18 @@ class Strip {
   WideVector isotropic(const WideVector& cartesian) const;
   WideVector cartesian(const WideVector& isotropic) const;
 
+  /// The first centre.
   const Eigen::Vector3d& origin() const { return spheres_[0].center; }
+  WideVector wide_origin() const;
   /// Of the centres but the first, from the first.
   const std::array<WideVector, 3>& centers() const { return centers_; }
 
   /// The largest power of two by which distances from the axis through the first centre may be multiplied
   /// without exceeding the largest distance of two centres; at least 1.
   double widening() const { return widening_; }
+
+  /// Of the rotations that tangents are balanced by.
+  double largest_rotation() const { return 2 * widening_; }
 
   /// The spheres with their centres' distances from the axis multiplied by the widening.
   FourSpheres widened_spheres() const;

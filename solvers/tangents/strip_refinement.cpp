@@ -1,6 +1,7 @@
 #include "solvers/tangents/strip_refinement.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -77,7 +78,8 @@ bool refine(const TurnedSpheres& spheres, WideLine& line, WorkCounters& work) {
   // times the condition of a simple line below.
   constexpr double settled = 1e-22;
   for (int i = 0; i < most_iterations; ++i) {
-    const Vector6 change = jacobian(spheres, line).partialPivLu().solve(residual(spheres, line));
+    const Vector6 change =
+        Eigen::PartialPivLU<Eigen::MatrixXcd>(jacobian(spheres, line)).solve(residual(spheres, line));
     line.subtract(change);
     ++work.newton_iterations;
     const double size_u = narrowed(line.u).norm(), size_p = 1 + narrowed(line.p).norm();
@@ -87,29 +89,37 @@ bool refine(const TurnedSpheres& spheres, WideLine& line, WorkCounters& work) {
   return false;
 }
 
+/// The product of the direction with the point nearest to the first centre is 0: computed from large coordinates it is not.
 ComplexTangent in_spheres_coordinates(const Strip& strip, const WideLine& line) {
-  const WideVector u = strip.cartesian(line.u);
+  const WideVector u = strip.cartesian(line.u), origin = strip.wide_origin();
   WideVector p = strip.cartesian(line.p);
-  ComplexDoubleDouble along;
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = p[i] + widened(Complex(strip.origin()[static_cast<Eigen::Index>(i)]));
-    along = along + u[i] * p[i];
-  }
-  for (std::size_t i = 0; i < 3; ++i) p[i] = p[i] - along * u[i];
+  const ComplexDoubleDouble along = bilinear_product(u, origin);
+  for (std::size_t i = 0; i < 3; ++i) p[i] = p[i] + origin[i] - along * u[i];
   return {narrowed(p), narrowed(u)};
 }
 
 }  // namespace
 
-std::optional<ComplexTangent> refined_in_strip(const FourSpheres& spheres, const Strip& strip,
+std::optional<RefinedTangent> refined_in_strip(const FourSpheres& spheres, const Strip& strip,
                                                const ScaledLine& line, WorkCounters& work) {
-  const double b = line.balancing_rotation(2 * strip.widening());
+  const double b = line.balancing_rotation(strip.largest_rotation());
   const ScaledLine turned = line.turned(b);
   const Complex uu = isotropic_product(turned.direction, turned.direction);
   WideLine wide{widened(Eigen::Vector3cd(turned.direction / std::sqrt(uu))),
                 widened(Eigen::Vector3cd(turned.scaled_point / uu))};
   if (!refine(TurnedSpheres(spheres, strip, b), wide, work)) return std::nullopt;
-  return in_spheres_coordinates(strip, {turned_by(1 / b, wide.u), turned_by(1 / b, wide.p)});
+  const WideLine back{turned_by(1 / b, wide.u), turned_by(1 / b, wide.p)};
+  return RefinedTangent{in_spheres_coordinates(strip, back), {narrowed(back.u), narrowed(back.p)}};
+}
+
+void TangentsInStrip::take(const RefinedTangent& tangent) {
+  const auto is_same = [&](const ScaledLine& other) {
+    return difference(tangent.in_strip, other, strip_.largest_rotation()) <= same_line;
+  };
+  if (std::ranges::any_of(known_, is_same)) return;
+  known_.push_back(tangent.in_strip);
+  known_.push_back(tangent.in_strip.conjugate());
+  found.add_simple(tangent.line);
 }
 
 }  // namespace gcs

@@ -1,12 +1,12 @@
 #include "solvers/tangents/tangents_of_four_spheres.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "solvers/numeric/dense_factors.hpp"
 #include "solvers/tangents/eigenvalue_clusters.hpp"
 #include "solvers/tangents/squeezed_tangents.hpp"
 #include "solvers/tangents/strip_refinement.hpp"
@@ -38,13 +38,12 @@ class Attempt {
 
   FoundTangents run() {
     mixed_ = std::cos(mix_angle) * algebra_.times_x() + std::sin(mix_angle) * algebra_.times_y();
-    const Eigen::EigenSolver<AlgebraMatrix> solver(mixed_);
-    if (solver.info() != Eigen::Success) return {};
-    for (int i = 0; i < tangent_count; ++i) {
-      eigenvalue_ = solver.eigenvalues()[i];
+    const EigenSystem eigen = eigen_system(mixed_);
+    for (Eigen::Index i = 0; i < eigen.values.size(); ++i) {
+      eigenvalue_ = eigen.values[i];
       if (eigenvalue_.imag() < 0) continue;  // the conjugate comes with the other one
-      const bool taken = eigenvalue_.imag() == 0 ? take_simple<double>(solver.pseudoEigenvectors().col(i))
-                                                 : take_simple<Complex>(solver.eigenvectors().col(i));
+      const bool taken = eigenvalue_.imag() == 0 ? take_simple<double>(eigen.real_vectors.col(i))
+                                                 : take_simple<Complex>(eigen.vectors.col(i));
       if (!taken) leave(eigenvalue_);
     }
     give_back_doubtful();
@@ -141,8 +140,8 @@ class Attempt {
       return restricted(matrix, subspace).trace() / static_cast<double>(dimension);
     };
     const Eigen::Vector3cd u(mean(algebra_.times_x()), mean(algebra_.times_y()), 1);
-    const Eigen::ComplexEigenSolver<Restriction> solver(restricted(times_tau_, subspace), false);
-    const std::span<const Complex> taus(solver.eigenvalues().data(), size);
+    const Eigen::VectorXcd eigenvalues = schur_form(restricted(times_tau_, subspace)).t.diagonal();
+    const std::span<const Complex> taus(eigenvalues.data(), size);
     const FoundTangents before = found_;
     for (const EigenvalueCluster& cluster : clusters_of(taus, tolerance)) {
       if (may_be_one(taus, cluster) &&
@@ -244,13 +243,13 @@ FoundTangents tangents_by_eigenvalues(const FourSpheres& spheres, WorkCounters& 
 /// The simple lines that are so in isotropic coordinates too, each once.
 FoundTangents confirmed(const FourSpheres& spheres, const Strip& strip, const FoundTangents& tangents,
                         WorkCounters& work) {
-  FoundTangents result;
+  TangentsInStrip lines(strip);
   for (const FoundTangent& found : tangents.lines) {
     if (found.multiplicity > 1) continue;
-    const auto line = refined_in_strip(spheres, strip, ScaledLine::of(strip, found.line), work);
-    if (line && !result.find(*line)) result.add_simple(*line);
+    const auto refined = refined_in_strip(spheres, strip, ScaledLine::of(strip, found.line), work);
+    if (refined) lines.take(*refined);
   }
-  return result;
+  return std::move(lines.found);
 }
 
 FoundTangents tangents_by_squeezing(const FourSpheres& spheres, const Strip& strip, WorkCounters& work) {

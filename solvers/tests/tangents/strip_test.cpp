@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include "solvers/model/complex_lines.hpp"
+#include "solvers/tangents/scene_spheres.hpp"
 #include "solvers/tangents/squeeze_homotopy.hpp"
+#include "solvers/tangents/strip_refinement.hpp"
 #include "solvers/tangents/tangents_of_four_spheres.hpp"
 #include "solvers/tests/random_numbers.hpp"
 
@@ -102,7 +105,7 @@ TEST_CASE("the squeeze homotopy's derivatives are those of its values") {
 TEST_CASE("tangents are zeros of the squeeze homotopy at both ends and after a rotation") {
   RandomNumbers random(4);
   WorkCounters work;
-  const FourSpheres spheres = random_strip(random, 1, 1);
+  const FourSpheres spheres = LocalSpheres(random_strip(random, 1, 1)).spheres;
   const Strip strip(spheres);
   ComplexSpheres complex;
   for (int i = 0; i < 3; ++i) {
@@ -122,6 +125,34 @@ TEST_CASE("tangents are zeros of the squeeze homotopy at both ends and after a r
       // Lines are found to 1e-14, times the size of the combined equations.
       CHECK(towards.at(x, 1).value.norm() <= 1e-10 * towards.at(x, 1).jacobian.norm());
       CHECK(away.at(x, 0).value.norm() <= 1e-10 * away.at(x, 0).jacobian.norm());
+    }
+  }
+}
+
+TEST_CASE("a line of a nearly isotropic direction is turned without being rounded") {
+  // A coordinate's last bit is all of u·u: no doubles are nearer to a line's.
+  const double a = std::exp2(26), near_a = std::nextafter(a, 2 * a);
+  const ComplexLine line{{0, 1, Complex(0, 1)}, {-1, a, Complex(0, near_a)}};
+  const ComplexLine turned = normalised(line);
+  CHECK(turned.direction == Eigen::Vector3cd(-line.direction));
+  CHECK(turned.point == line.point);
+  CHECK(normalised(turned).direction == turned.direction);
+}
+
+TEST_CASE("isotropic coordinates of a rounded line are those of the line") {
+  RandomNumbers random(5);
+  WorkCounters work;
+  for (const double width : {1e-4, 1e-6, 1e-8}) {
+    const LocalSpheres local(random_strip(random, width, width));
+    const Strip strip(local.spheres);
+    const FoundTangents tangents = common_tangents(local.spheres, work);
+    REQUIRE(tangents.lines.size() == 12);
+    for (const FoundTangent& tangent : tangents.lines) {
+      const ScaledLine start = ScaledLine::of(strip, tangent.line);
+      const auto refined = refined_in_strip(local.spheres, strip, start, work);
+      REQUIRE(refined);
+      // Coordinates of up to 1/width and their rounding.
+      CHECK(difference(refined->in_strip, start, strip.largest_rotation()) <= 1e-13 / width);
     }
   }
 }

@@ -104,6 +104,13 @@ double AccuracyJudge::error(const SolveRun& run, std::size_t solution, const Mat
   return distance / size;
 }
 
+bool AccuracyJudge::is_search_in_vain(const SolveRun& run) const {
+  const bool is_search = run.claim == Claim::some_real || run.claim == Claim::all_real_of_component;
+  return is_search && run.status == RunStatus::gave_up && reference_.is_real_proven &&
+         std::ranges::none_of(reference_.solutions,
+                              [](const KnownSolution& known) { return known.figure.is_real(); });
+}
+
 Accuracy AccuracyJudge::judge(const SolveRun& run, int digits) const {
   Accuracy accuracy;
   std::vector<bool> met(reach_.size(), false);

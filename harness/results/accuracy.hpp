@@ -46,6 +46,8 @@ class AccuracyJudge {
   /// multiplicity m stands for up to m that doubles do not tell apart. Throws std::runtime_error when a
   /// solution of the reference cannot be proven to so many digits.
   Accuracy judge(const SolveRun& run, int digits) const;
+  /// The run has searched for real solutions and gave up, and the reference proves that there are none.
+  bool is_search_in_vain(const SolveRun& run) const;
 
  private:
   struct Match {

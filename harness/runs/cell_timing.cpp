@@ -175,7 +175,8 @@ CellRecord record_of(const CellTask& task, const SolveRun& run, const AccuracyJu
   take_proofs(run, record);
   record.is_path_proven = proves_path(run);
   const bool is_answer = run.status == RunStatus::complete || run.status == RunStatus::partial;
-  if (judge != nullptr && is_answer) record.accuracy = judge->judge(run, task.spec.digits);
+  if (judge != nullptr && (is_answer || judge->is_search_in_vain(run)))
+    record.accuracy = judge->judge(run, task.spec.digits);
   record.warm_up_s = run.timing.total_s();
   return record;
 }

@@ -50,9 +50,10 @@ struct CellRecord : SolveOutcome {
   CellSpec spec;
   std::string difference;  ///< why the answer is wrong; empty: nothing speaks against it
   Counts counts;
-  std::optional<RecordedProofs> proofs;     ///< empty: certificates do not reach the scene, or were not asked
-  bool is_path_proven = false;              ///< S is proven to close, with all that it meets at t = 1
-  std::optional<Accuracy> accuracy;         ///< empty: not measured
+  std::optional<RecordedProofs> proofs;  ///< empty: certificates do not reach the scene, or were not asked
+  bool is_path_proven = false;           ///< S is proven to close, with all that it meets at t = 1
+  /// Empty: not measured. Of a search that gave up only where the reference proves that there is nothing to find.
+  std::optional<Accuracy> accuracy;
   double residual = 0;                      ///< largest relative residual of the solutions
   std::vector<RecordedSolution> solutions;  ///< one per class; kept only where a table shows them
   double warm_up_s = 0;                     ///< what the assessed solve took
@@ -64,6 +65,8 @@ struct CellRecord : SolveOutcome {
   /// Its claim does not hold.
   bool is_flawed() const { return !difference.empty() || contradicts_reference(); }
   bool is_right() const { return status == RunStatus::complete && !is_flawed(); }
+  /// It gave up, and what it claims to find is proven not to exist.
+  bool is_search_in_vain() const { return status == RunStatus::gave_up && accuracy.has_value(); }
   /// Why it is flawed, in a sentence; empty when it is not.
   std::string flaw() const;
   /// The particular of that name, if the strategy counts it.

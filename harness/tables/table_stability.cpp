@@ -25,6 +25,7 @@ bool is_refusal(const CellRecord& cell) {
 }
 
 Outcome outcome_of(const CellRecord& cell) {
+  if (cell.is_search_in_vain()) return Outcome::nothing_to_measure;
   if (is_refusal(cell)) return Outcome::refused;
   if (cell.status == RunStatus::infinite)
     return is_ill_posed(cell.spec.instance) ? Outcome::nothing_to_measure : Outcome::wrong;
@@ -74,6 +75,10 @@ std::string flaws(const Accuracy& accuracy) {
 }
 
 TableCell accuracy_entry(Table& table, const CellRecord* cell, double Accuracy::*number) {
+  if (cell != nullptr && cell->is_search_in_vain())
+    return {"none found",
+            {table.footnote(label_of(cell->spec) + ": " + cell->reason +
+                            "; there is none, as the solutions that are proven to be all show")}};
   if (cell == nullptr || cell->status != RunStatus::complete) return answer_entry(table, cell, std::nullopt);
   if (!cell->accuracy) return empty_entry();
   TableCell entry{flaws(*cell->accuracy), {}};
@@ -120,7 +125,9 @@ Table build_family(const RunFile& run, const InstanceFamily& family) {
       "met.",
       "missed: of what the strategy claims to find, of all real ones where it claims some; spurious: listed, "
       "and no proven solution.",
-      "infinite: right where the scene moves, wrong elsewhere."};
+      "infinite: right where the scene moves, wrong elsewhere. none found: right where none exists, which "
+      "others prove; "
+      "anywhere else a search that finds nothing gave up."};
   return table;
 }
 

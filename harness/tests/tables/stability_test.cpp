@@ -49,12 +49,6 @@ void check_right(const CellRecord& cell) {
   CHECK(cell.accuracy->largest_quotient <= 10);
 }
 
-/// Who claims some real solutions can say no more of none than that it has found none.
-bool has_nothing_to_find(const CellRecord& cell) {
-  return cell.claim == Claim::some_real && cell.status == RunStatus::gave_up &&
-         real_solutions(reference_of(cell.spec.instance)) == 0;
-}
-
 /// Who may say that it has not all, with the reason: half angles of points at infinity are finite, and look like
 /// those of points far away.
 bool may_be_partial(const CellRecord& cell) {
@@ -64,7 +58,7 @@ bool may_be_partial(const CellRecord& cell) {
 
 void check_right(const RunFile& run) {
   for (const CellRecord& cell : run.cells)
-    if (cell.status != RunStatus::unsupported && !has_nothing_to_find(cell) && !may_be_partial(cell))
+    if (cell.status != RunStatus::unsupported && !cell.is_search_in_vain() && !may_be_partial(cell))
       check_right(cell);
 }
 
@@ -117,6 +111,20 @@ TEST_CASE("every strategy is right on the tame members of octahedra") {
 
 TEST_CASE("every strategy is right on the tame members of compound families, or says why not") {
   check_tame_members(compound_families());
+}
+
+TEST_CASE("a search that finds nothing is right where nothing exists, and gave up anywhere else") {
+  const std::vector<std::string> without = {"infeasible@1e-4", "coplanar-centres@0.5"};
+  for (const std::string& id : without) CHECK(real_solutions(reference_of(id)) == 0);
+  // Its platform moves.
+  const RunFile run =
+      measured({without[0], without[1], "griffis-duffy@scalene"}, {"newton-multistart", "explore"});
+  REQUIRE(run.cells.size() == 6);
+  for (const CellRecord& cell : run.cells) {
+    INFO(cell.spec.instance << ", " << cell.spec.strategy);
+    CHECK(cell.status == RunStatus::gave_up);
+    CHECK(cell.is_search_in_vain() == (cell.spec.instance != "griffis-duffy@scalene"));
+  }
 }
 
 TEST_CASE("infinitely many solutions are found where there are, and nowhere else") {
@@ -345,15 +353,9 @@ TEST_CASE("solutions next to each other are listed, or the answer is partial") {
   CHECK_THAT(run.reason, Catch::Contains("doubles do not tell all apart"));
 }
 
-TEST_CASE("tangents that doubles do not determine are named") {
-  for (const std::string id : {"collinear-centres@1e-8", "collinear-centres@1e-10"}) {
-    const Scene scene(load_member(id).problem);
-    const SolveRun run = run_strategy(find_strategy("sphere-tangents"), {}, scene, {});
-    INFO(id << ": " << run.reason);
-    CHECK(run.status == RunStatus::partial);
-    CHECK_THAT(run.reason, Catch::Contains("doubles do not determine them"));
-  }
-  check_right(measured({"collinear-centres@1e-6"}, {"sphere-tangents"}));
+TEST_CASE("tangents are right where doubles do not hold their distances") {
+  check_right(measured({"collinear-centres@1e-4", "collinear-centres@1e-8", "collinear-centres@1e-15"},
+                       {"sphere-tangents", "monodromy", "polyhedral"}));
 }
 
 TEST_CASE("determinants find the solutions whose coordinates are 1e6 to 1e8 times the lengths") {
@@ -447,25 +449,6 @@ TEST_CASE("a crossing that is no solution is not part of a complete answer") {
 
 TEST_CASE("tangents that are close together are told apart") {
   check_right(measured({"touching-spheres@1e-8", "touching-spheres@1e-10"}, {"sphere-tangents"}));
-}
-
-TEST_CASE("tangents of spheres with nearly collinear centres are found by homotopies") {
-  check_right(measured({"collinear-centres@1e-4"}, {"monodromy"}));
-  const Scene scene(load_member("collinear-centres@1e-4").problem);
-  for (const std::string strategy : {"monodromy", "polyhedral"}) {
-    const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, {});
-    INFO(strategy << ": " << run.reason);
-    CHECK(run.status == RunStatus::complete);
-    CHECK(run.failed_checks.empty());
-    CHECK(run.counts.complex_up_to_reflection == 12u);
-  }
-}
-
-TEST_CASE("centres that are collinear to rounding only are not called collinear") {
-  const Scene scene(load_member("collinear-centres@1e-15").problem);
-  const SolveRun run = run_strategy(find_strategy("sphere-tangents"), {}, scene, {});
-  CHECK(run.status == RunStatus::gave_up);
-  CHECK(run.reason.find("nearly collinear") != std::string::npos);
 }
 
 TEST_CASE("what is shown of a stored run is what is shown of the run") {

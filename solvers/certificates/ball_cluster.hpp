@@ -19,7 +19,7 @@
 #include <optional>
 #include <vector>
 
-#include "solvers/certificates/ball_krawczyk.hpp"
+#include "solvers/model/ball_krawczyk.hpp"
 
 namespace gcs {
 

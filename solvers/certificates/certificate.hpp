@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "solvers/certificates/ball_krawczyk.hpp"
 #include "solvers/certificates/disc_krawczyk.hpp"
+#include "solvers/model/ball_krawczyk.hpp"
 
 namespace gcs {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solvers/certificates/enclosure.hpp"
+#include "solvers/model/enclosure.hpp"
 #include "solvers/numeric/sign_masks.hpp"
 
 namespace gcs {

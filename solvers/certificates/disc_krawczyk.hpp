@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "solvers/certificates/enclosure.hpp"
 #include "solvers/certificates/interval_equations.hpp"
 #include "solvers/certificates/squared_differences.hpp"
+#include "solvers/model/enclosure.hpp"
 #include "solvers/model/quadratic_system.hpp"
 
 namespace gcs {

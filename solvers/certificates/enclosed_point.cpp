@@ -1,6 +1,6 @@
 #include "solvers/certificates/enclosed_point.hpp"
 
-#include "solvers/certificates/ball_krawczyk.hpp"
+#include "solvers/model/ball_krawczyk.hpp"
 
 namespace gcs {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 /// Where a point of a proven solution is, for its coordinates.
 
-#include "solvers/certificates/enclosure.hpp"
 #include "solvers/elements/element_forms.hpp"
 #include "solvers/elements/stated_signs.hpp"
+#include "solvers/model/enclosure.hpp"
 #include "solvers/numeric/balls.hpp"
 
 namespace gcs {

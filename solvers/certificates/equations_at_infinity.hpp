@@ -14,11 +14,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "solvers/certificates/enclosure.hpp"
 #include "solvers/certificates/escapes.hpp"
 #include "solvers/elements/element_forms.hpp"
 #include "solvers/model/complex_points.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/model/enclosure.hpp"
 
 namespace gcs {
 

@@ -13,8 +13,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "solvers/certificates/ball_krawczyk.hpp"
 #include "solvers/certificates/certificate.hpp"
+#include "solvers/model/ball_krawczyk.hpp"
 
 namespace gcs {
 

@@ -55,6 +55,17 @@ Eigen::MatrixXcd DenseEquations::jacobian(const std::vector<std::complex<double>
   return result;
 }
 
+QuadraticSystem held_at(QuadraticSystem system, const std::vector<std::complex<double>>& x, int free) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(DenseEquations(system).jacobian(x));
+  const auto& order = factors.colsPermutation().indices();
+  for (auto i = static_cast<Eigen::Index>(system.equations.size()) + free; i < system.unknowns; ++i) {
+    const int unknown = order[i];
+    system.equations.push_back({{{LinearForm{{{unknown}}, {}}, LinearForm{{}, exactly(1)}}},
+                                exactly(x[static_cast<std::size_t>(unknown)])});
+  }
+  return system;
+}
+
 std::optional<std::vector<std::complex<double>>> zero_near(const DenseEquations& system,
                                                            const std::vector<int>& equations,
                                                            std::vector<std::complex<double>> x) {

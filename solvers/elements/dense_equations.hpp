@@ -51,6 +51,9 @@ class DenseEquations {
   std::vector<Row> rows_;
 };
 
+/// With as many unknowns held at x as leave so many free, those on which the others depend best.
+QuadraticSystem held_at(QuadraticSystem system, const std::vector<std::complex<double>>& x, int free);
+
 /// The zero of these equations that the Gauss–Newton method leads to from x, to rounding, by the shortest steps where they
 /// are fewer than the unknowns. Nothing where it does not settle, or so far off that rounding would count.
 std::optional<std::vector<std::complex<double>>> zero_near(const DenseEquations& system,

@@ -13,8 +13,8 @@ namespace gcs {
 /// The rank of all equations at a random figure that meets those without a value; defects name the elements that can move
 /// and the constraints that depend on each other there. Without defects as well where there is no system, or no such
 /// figure is found. Numbers of relations are counted on after those of the distance constraints.
-/// A rank that is reached is right; one that is missed is so but for the accidents of rounding (a pivot below 1e-9 of
-/// the largest counts as 0).
+/// A rank that is reached is right; one that is missed is so but for the accidents of rounding: a pivot below 1e-9 of
+/// the largest counts as 0, unless all equations together, as many as unknowns, are proven to be regular there in balls.
 Structure analyse_general_structure(const Scene& scene);
 
 /// The id of what gives a value, numbered as constraints and then relations.

@@ -1,7 +1,6 @@
 #include "solvers/motions/motion_finder.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -23,18 +22,6 @@ using Point = std::vector<std::complex<double>>;
 
 Eigen::Map<const Eigen::VectorXcd> as_vector(const Point& x) {
   return {x.data(), static_cast<Eigen::Index>(x.size())};
-}
-
-/// As many unknowns held at x as leave so many free, those on which the others depend best.
-QuadraticSystem held_at(QuadraticSystem system, const Point& x, int free) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> factors(DenseEquations(system).jacobian(x));
-  const auto& order = factors.colsPermutation().indices();
-  for (auto i = static_cast<Eigen::Index>(system.equations.size()) + free; i < system.unknowns; ++i) {
-    const int unknown = order[i];
-    system.equations.push_back({{{LinearForm{{{unknown}}, {}}, LinearForm{{}, exactly(1)}}},
-                                exactly(x[static_cast<std::size_t>(unknown)])});
-  }
-  return system;
 }
 
 Eigen::VectorXd real_parts_of(const Point& x) { return as_vector(x).real(); }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "solvers/certificates/ball_krawczyk.hpp"
+#include "solvers/model/ball_krawczyk.hpp"
 #include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {

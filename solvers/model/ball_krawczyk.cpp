@@ -1,4 +1,4 @@
-#include "solvers/certificates/ball_krawczyk.hpp"
+#include "solvers/model/ball_krawczyk.hpp"
 
 #include <algorithm>
 #include <cmath>

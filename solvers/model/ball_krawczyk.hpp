@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "solvers/certificates/enclosure.hpp"
+#include "solvers/model/enclosure.hpp"
 #include "solvers/model/quadratic_system.hpp"
 #include "solvers/numeric/balls.hpp"
 

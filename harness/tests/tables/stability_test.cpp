@@ -7,6 +7,7 @@
 
 #include "harness/instances/families.hpp"
 #include "harness/instances/family_lists.hpp"
+#include "harness/results/accuracy.hpp"
 #include "harness/results/strategy_choice.hpp"
 #include "harness/tables/table_run.hpp"
 #include "harness/tables/tables.hpp"
@@ -113,18 +114,23 @@ TEST_CASE("every strategy is right on the tame members of compound families, or 
   check_tame_members(compound_families());
 }
 
-TEST_CASE("a search that finds nothing is right where nothing exists, and gave up anywhere else") {
-  const std::vector<std::string> without = {"infeasible@1e-4", "coplanar-centres@0.5"};
-  for (const std::string& id : without) CHECK(real_solutions(reference_of(id)) == 0);
-  // Its platform moves.
-  const RunFile run =
-      measured({without[0], without[1], "griffis-duffy@scalene"}, {"newton-multistart", "explore"});
-  REQUIRE(run.cells.size() == 6);
-  for (const CellRecord& cell : run.cells) {
-    INFO(cell.spec.instance << ", " << cell.spec.strategy);
-    CHECK(cell.status == RunStatus::gave_up);
-    CHECK(cell.is_search_in_vain() == (cell.spec.instance != "griffis-duffy@scalene"));
+TEST_CASE("a search finds nothing in vain where nothing exists by proof, and gives up anywhere else") {
+  for (const auto& [id, exists] : {std::pair("infeasible@1e-4", false), {"flat-triangle@1e-4", true}}) {
+    INFO(id);
+    const Scene scene(load_member(id).problem);
+    const AccuracyJudge judge(scene, reference_of(id));
+    SolveRun run;
+    run.status = RunStatus::gave_up;
+    for (const Claim claim : {Claim::some_real, Claim::all_real_of_component}) {
+      run.claim = claim;
+      CHECK(judge.is_search_in_vain(run) == !exists);
+    }
+    run.claim = Claim::on_path;
+    CHECK_FALSE(judge.is_search_in_vain(run));
   }
+  const RunFile run =
+      measured({"infeasible@1e-4", "collinear-centres@1e-10"}, {"newton-multistart", "explore"});
+  for (const CellRecord& cell : run.cells) CHECK(cell.is_search_in_vain());
 }
 
 TEST_CASE("infinitely many solutions are found where there are, and nowhere else") {

@@ -5,6 +5,8 @@
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz_poly_factor.h>
 
+#include <optional>
+
 namespace gcs {
 namespace {
 
@@ -73,6 +75,20 @@ std::vector<PolynomialRoot> IntegerPolynomial::roots() const {
     append_roots(factor, multiplicity, roots);
   });
   return roots;
+}
+
+BallMatrix IntegerPolynomial::simple_roots(slong bits) const {
+  std::optional<BallMatrix> roots;
+  for_squarefree_factors(value_, [&](const fmpz_poly_struct* factor, int multiplicity) {
+    if (multiplicity > 1) return;
+    const slong count = fmpz_poly_degree(factor);
+    const acb_ptr balls = _acb_vec_init(count);
+    arb_fmpz_poly_complex_roots(balls, factor, 0, bits);
+    roots.emplace(count, 1);
+    for (slong i = 0; i < count; ++i) acb_swap((*roots)(i, 0), balls + i);
+    _acb_vec_clear(balls, count);
+  });
+  return roots ? *roots : BallMatrix(0, 1);
 }
 
 }  // namespace gcs

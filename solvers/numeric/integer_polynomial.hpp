@@ -6,6 +6,7 @@
 #include <complex>
 #include <vector>
 
+#include "solvers/numeric/balls.hpp"
 #include "solvers/numeric/rational_polynomial.hpp"
 
 namespace gcs {
@@ -42,6 +43,8 @@ class IntegerPolynomial {
   int real_root_count() const;
   /// All distinct ones, each isolated in a ball. Precondition: not 0.
   std::vector<PolynomialRoot> roots() const;
+  /// The simple ones as a column, in balls of that many bits. Precondition: not 0.
+  BallMatrix simple_roots(slong bits) const;
 
  private:
   fmpz_poly_t value_;

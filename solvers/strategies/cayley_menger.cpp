@@ -27,6 +27,9 @@
 /// (certificates/nearly_singular.hpp): as several simple ones, proven to be different, or as a multiple
 /// one. Where neither succeeds, or doubles do not tell them apart, the status is partial.
 ///
+/// Of an octahedron alone, what neither leads to is placed in balls by the roots of that polynomial and proven
+/// (octahedron/exact_placement.hpp).
+///
 /// How many solutions are at infinity is decided by the file's own numbers. The solutions are complete when
 /// the multiplicities of those found and these sum to 8; otherwise the report says what is missing, or that
 /// the octahedron is proven to flex (octahedron/exact_squares.hpp). Hoffmann, Yuan, On Spatial Constraint
@@ -46,6 +49,7 @@
 #include "solvers/model/distance_system.hpp"
 #include "solvers/octahedron/core_solutions.hpp"
 #include "solvers/octahedron/exact_determinants.hpp"
+#include "solvers/octahedron/exact_placement.hpp"
 #include "solvers/octahedron/octahedron.hpp"
 #include "solvers/octahedron/octahedron_with_planes.hpp"
 #include "solvers/running/words.hpp"
@@ -128,6 +132,7 @@ class Reporter {
     settle_nearly_singular();
     report_.generic = std::uint64_t{pairs} << reduction_.placed.size();
     report_.at_infinity = static_cast<std::uint64_t>(core.at_infinity) << reduction_.placed.size();
+    add_exactly_placed();
     if (accounted_for() != report_.generic) note_missing(core);
     if (some_are_too_far_) note("some coordinates are " + too_large_for_doubles());
     report_.status = report_.reason.empty() ? SolveStatus::complete : SolveStatus::partial;
@@ -197,6 +202,31 @@ class Reporter {
       if (proven) candidate = *std::move(proven);
     }
     report_.candidates.push_back(std::move(candidate));
+  }
+
+  /// Where solutions of an octahedron alone are missing: by the roots of its exact polynomial, and proven.
+  void add_exactly_placed() {
+    if (!reduction_.placed.empty()) return;
+    Octahedron octahedron = *find_octahedron(scene_.problem(), reduction_);
+    for (int choice = 0; choice < 3 && accounted_for() < *report_.generic; ++choice) {
+      for (const ComplexPoints& points : exactly_placed(scene_, octahedron)) {
+        if (is_listed(points)) continue;
+        const ResolvedCandidates found =
+            resolve_nearly_singular(scene_, {{complex_figure(points)}}, report_.candidates, 1, request_.stop);
+        std::ranges::copy(found.list, std::back_inserter(report_.candidates));
+      }
+      std::rotate(octahedron.pair.begin(), octahedron.pair.begin() + 1, octahedron.pair.end());
+    }
+  }
+
+  /// As it is or as its mirror image.
+  bool is_listed(const ComplexPoints& points) const {
+    ComplexPoints mirrored = points;
+    mirrored.row(2) *= -1;
+    return std::ranges::any_of(report_.candidates, [&](const Candidate& candidate) {
+      const ComplexPoints other = complex_points(candidate.figure);
+      return std::min(apart(points, other), apart(mirrored, other)) <= close_together;
+    });
   }
 
   /// Those at infinity and multiplicities included.

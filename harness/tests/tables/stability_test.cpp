@@ -364,8 +364,10 @@ TEST_CASE("tangents are right where doubles do not hold their distances") {
                        {"sphere-tangents", "monodromy", "polyhedral"}));
 }
 
-TEST_CASE("determinants find the solutions whose coordinates are 1e6 to 1e8 times the lengths") {
-  check_right(measured({"short-edge@1e-6", "short-edge@1e-8", "escaping@1e-6"}, {"cayley-menger"}));
+TEST_CASE("determinants find the solutions whose coordinates are 1e6 to 1e12 times the lengths") {
+  check_right(measured({"short-edge@1e-6", "short-edge@1e-8", "short-edge@1e-12", "escaping@1e-6",
+                        "escaping@1e-8", "escaping@1e-12"},
+                       {"cayley-menger"}));
 }
 
 TEST_CASE("octahedra that all but move are solved") {

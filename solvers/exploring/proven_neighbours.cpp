@@ -4,10 +4,12 @@
 #include <limits>
 
 #include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/certificates/proven_error.hpp"
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/exploring/explored_scene.hpp"
 #include "solvers/figures/solution_classes.hpp"
+#include "solvers/model/distance_system.hpp"
 
 namespace gcs {
 namespace {
@@ -48,6 +50,11 @@ const std::vector<Candidate>& ProvenNeighbours::of(const Figure& figure) {
     in_vain_ += solutions_.back().empty() ? 1 : 0;
   }
   return solutions_[place];
+}
+
+double ProvenNeighbours::error_of(const Figure& figure) const {
+  if (is_explored_by_elements(scene_)) return std::numeric_limits<double>::infinity();
+  return proven_error(scene_, target_squares(scene_), figure);
 }
 
 std::optional<Candidate> ProvenNeighbours::nearest(const Figure& figure) {

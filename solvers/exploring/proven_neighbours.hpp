@@ -19,6 +19,9 @@ class ProvenNeighbours {
   /// All that are proven, with their errors. Those next to a place are looked for once, which takes milliseconds to seconds,
   /// most where there is none.
   const std::vector<Candidate>& of(const Figure& figure);
+  /// At least how far a stiff figure is from a solution: one that it is itself, but for rounding. Infinite where none is
+  /// proven, and for scenes of elements.
+  double error_of(const Figure& figure) const;
   /// The nearest of these.
   std::optional<Candidate> nearest(const Figure& figure);
   /// At how many places none was found.

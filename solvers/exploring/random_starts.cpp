@@ -170,14 +170,14 @@ void settle(const Scene& scene, const std::vector<Candidate>& proven, StartEnd& 
   }
 }
 
-/// Singular ends, and stiff ones of equations whose residuals are in doubles.
+/// Singular ends and stiff ones: a figure may meet all equations to rounding and be next to no solution.
 void settle_ends(const SolveRequest& request, ProvenNeighbours& neighbours, std::vector<StartEnd>& ends) {
-  const bool has_rough_residuals = is_explored_by_elements(request.scene);
   std::vector<StartEnd> more;
   for (StartEnd& end : ends) {
     if (request.stop.stop_requested()) break;
     const bool is_stiff = end.is_solution && end.accuracy.condition >= stiff_condition;
-    if ((end.is_singular && !neighbours.is_hopeless()) || (is_stiff && has_rough_residuals))
+    if (is_stiff) end.accuracy.error = neighbours.error_of(end.figure);
+    if ((end.is_singular && !neighbours.is_hopeless()) || (is_stiff && !std::isfinite(end.accuracy.error)))
       settle(request.scene, neighbours.of(end.figure), end, more);
   }
   std::ranges::move(more, std::back_inserter(ends));

@@ -1,5 +1,6 @@
 #include "solvers/exploring/solution_graph.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -21,11 +22,12 @@ std::vector<int> SolutionGraph::known(const std::vector<Figure>& figures,
   return {classes.class_of.begin() + size(), classes.class_of.end()};
 }
 
-/// Nothing where it is singular. Equations between points tell stiff solutions from multiple ones themselves, those of elements
-/// have residuals in doubles.
+/// Nothing where it is singular. What is stiff is a solution, or next to one, only where that is proven.
 std::optional<Candidate> SolutionGraph::settled(const Candidate& candidate, double condition) {
   const bool is_singular = condition > singular_solution_condition;
-  if (condition < stiff_condition || (!is_singular && !is_explored_by_elements(scene_))) return candidate;
+  if (condition < stiff_condition) return candidate;
+  if (const double error = neighbours_.error_of(candidate.figure); !is_singular && std::isfinite(error))
+    return Candidate{candidate.figure, candidate.multiplicity, error};
   if (is_singular && neighbours_.is_hopeless()) return std::nullopt;
   return neighbours_.nearest(candidate.figure);
 }

@@ -128,8 +128,8 @@ TEST_CASE("a search finds nothing in vain where nothing exists by proof, and giv
     run.claim = Claim::on_path;
     CHECK_FALSE(judge.is_search_in_vain(run));
   }
-  const RunFile run =
-      measured({"infeasible@1e-4", "collinear-centres@1e-10"}, {"newton-multistart", "explore"});
+  const RunFile run = measured({"infeasible@1e-4", "infeasible@1e-15", "collinear-centres@1e-10"},
+                               {"newton-multistart", "explore"});
   for (const CellRecord& cell : run.cells) CHECK(cell.is_search_in_vain());
 }
 

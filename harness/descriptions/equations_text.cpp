@@ -16,12 +16,12 @@
 namespace gcs {
 namespace {
 
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
 /// How a number and a power are written, and what the unknowns are called.
 struct Notation {
   std::string (*magnitude)(const ExactNumber& number);  ///< of a number that is not negative
-  Names names;
+  NameList names;
 };
 
 bool is_negative(const ExactNumber& number) { return rounded_to_double(number).real() < 0; }
@@ -151,9 +151,9 @@ std::string phc_name(std::string name) {
 }
 
 /// Different ones stay different, and none is longer than PHCpack reads.
-Names phc_names(const Names& names) {
+NameList phc_names(const NameList& names) {
   constexpr std::size_t longest = 60;
-  Names result;
+  NameList result;
   std::set<std::string> taken;
   for (const std::string& name : names) {
     const std::string wanted = phc_name(name).substr(0, longest);
@@ -252,7 +252,7 @@ std::optional<std::string> why_no_equations(const Scene& scene) {
 
 std::string equations_text(const Scene& scene, EquationsForm form) {
   const SceneEquations equations(scene);
-  const Names names = unknown_names(scene, equations);
+  const NameList names = unknown_names(scene, equations);
   if (form == EquationsForm::text) return plain_text(scene, equations.system(), {exact_magnitude, names});
   ReducedSystem reduced{equations.system(), {}};
   if (form == EquationsForm::reduced) reduced = reduced_system(reduced.system);

@@ -7,13 +7,13 @@
 #include <limits>
 
 #include "harness/base/document_text.hpp"
+#include "harness/results/file_formats.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/reading/json_build.hpp"
 
 namespace gcs {
 namespace {
 
-constexpr std::string_view format_name = "gcsbench-path/1";
 constexpr std::string_view convention =
     "each row is a corner of a polyline along S, the last one the first again; the part of S from a row to "
     "the next is within the row's radius of the segment between them; lengths and radii are those of "
@@ -153,7 +153,7 @@ std::string path_text(const Instance& instance, const Scene& scene, const std::v
   std::vector<std::string> columns{"t", "length", "radius"};
   columns.insert(columns.end(), coordinates.moving.begin(), coordinates.moving.end());
   const double length = lengths.nearest(std::ldexp(nodes.back().length, unit_exponent));
-  return document_text(format_name, [&](DocumentWriter& document) {
+  return document_text(path_format, [&](DocumentWriter& document) {
     document.member("instance", instance.document);
     document.member("convention", json_text(std::string(convention)));
     document.member("unit", json_number(std::ldexp(1.0, unit_exponent)));

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "harness/instances/instance_lookup.hpp"
+#include "harness/results/file_formats.hpp"
 #include "solvers/reading/json_cursor.hpp"
 
 namespace gcs {
 namespace {
-
-constexpr std::string_view format_name = "gcsbench-path/1";
 
 /// Where the numbers of a row go: coordinate `axis` of a point.
 struct Column {
@@ -85,7 +84,7 @@ PathCrossingCorner read_crossing(const JsonCursor& cursor, std::size_t corners) 
 StoredPath parse_path(const std::string& text, const std::string& file, const Instance& instance) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
-  root.require_format(format_name);
+  root.require_format(path_format);
   if (to_text(root.required("instance").value(), -1) != to_text(instance.document, -1))
     root.required("instance").fail("the path is of another instance", "write it again with `gcsbench path`");
   const std::vector<Column> columns = read_columns(root.required("columns"), instance.problem);

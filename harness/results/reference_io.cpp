@@ -6,6 +6,7 @@
 
 #include "harness/base/document_text.hpp"
 #include "harness/results/decimal_json.hpp"
+#include "harness/results/file_formats.hpp"
 #include "harness/results/result_io.hpp"
 #include "harness/results/verify.hpp"
 #include "solvers/answers/certify.hpp"
@@ -14,8 +15,6 @@
 
 namespace gcs {
 namespace {
-
-constexpr std::string_view format_name = "gcsbench-reference/1";
 
 JsonValue solution_value(const ProblemStatement& problem, const DecimalFigure& figure, bool is_real) {
   JsonMembers members = decimal_members(problem, figure, is_real);
@@ -58,7 +57,7 @@ std::string reference_text(const StoredResult& result, const ReferenceSettings& 
                                  settings.digits),
                      "ask for fewer digits");
   const Answer& answer = result.answer;
-  return document_text(format_name, [&](DocumentWriter& document) {
+  return document_text(reference_format, [&](DocumentWriter& document) {
     document.member("instance", result.instance.document);
     document.member("origin",
                     json_object({{"strategy", json_text(answer.strategy)},

@@ -9,6 +9,7 @@
 #include "harness/base/shipped_data.hpp"
 #include "harness/base/stop_conditions.hpp"
 #include "harness/instances/families.hpp"
+#include "harness/results/file_formats.hpp"
 #include "harness/solving/solve_run.hpp"
 #include "solvers/certificates/figure_distance.hpp"
 #include "solvers/certificates/scene_equations.hpp"
@@ -21,8 +22,6 @@
 
 namespace gcs {
 namespace {
-
-constexpr std::string_view format_name = "gcsbench-reference/1";
 
 /// Of a list that is made now.
 constexpr int digits = 40;
@@ -43,7 +42,7 @@ std::string decimal_text(const JsonCursor& cursor) {
   return text;
 }
 
-KnownSolution read_solution(const JsonCursor& cursor, const Scene& scene) {
+KnownSolution read_known_solution(const JsonCursor& cursor, const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   const bool is_real = cursor.required("real").boolean();
   const auto read_vector = [&](const JsonCursor& vector, int dimension) {
@@ -77,7 +76,7 @@ ReferenceList read_list(const JsonCursor& root, const Scene& scene, const std::s
   list.is_real_proven = claim == word(Claim::all_real) ||
                         (list.has_all_real && root.required("proofs").required("complete").boolean());
   for (const JsonCursor& solution : root.required("solutions").elements())
-    list.solutions.push_back(read_solution(solution, scene));
+    list.solutions.push_back(read_known_solution(solution, scene));
   return list;
 }
 
@@ -252,7 +251,7 @@ std::optional<ReferenceList> shipped_reference(const Instance& instance, const S
   if (!file) return std::nullopt;
   const JsonValue document = parse_json(read_file(*file, "run scripts/make-references"), *file);
   const JsonCursor root(document, *file);
-  root.require_format(format_name);
+  root.require_format(reference_format);
   if (to_text(root.required("instance").value(), -1) != to_text(instance.document, -1)) return std::nullopt;
   return read_list(root, scene, *file);
 }

@@ -6,6 +6,7 @@
 #include "harness/base/record_fields.hpp"
 #include "harness/base/record_json.hpp"
 #include "harness/results/decimal_json.hpp"
+#include "harness/results/file_formats.hpp"
 #include "harness/results/result_counts.hpp"
 #include "harness/solving/frame_view.hpp"
 #include "solvers/elements/general_structure.hpp"
@@ -14,8 +15,6 @@
 namespace gcs {
 
 namespace {
-
-constexpr std::string_view format_name = "gcsbench-result/1";
 
 /// Null of a complex solution.
 void write_signs(const ProblemStatement& problem, const AssessedSolution& solution,
@@ -207,7 +206,7 @@ JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motio
 
 void write_result(const Instance& instance, const SolveRun& run, const Environment& environment,
                   const TextSink& take, const DocumentForm& form) {
-  DocumentWriter document(format_name, take, run.threads, form);
+  DocumentWriter document(result_format, take, run.threads, form);
   document.member("instance", instance.document);
   document.member("strategy", json_text(run.strategy));
   document.member("options", options_value(run.options));
@@ -236,7 +235,7 @@ void write_result(const Instance& instance, const SolveRun& run, const Environme
 }
 
 void rewrite_result(const JsonValue& result, const TextSink& take, const DocumentForm& form) {
-  DocumentWriter document(format_name, take, 1, form);
+  DocumentWriter document(result_format, take, 1, form);
   for (const auto& [name, value] : result.members) {
     if (name == "format") continue;
     const bool is_list = name == "solutions" || name == "escaping";

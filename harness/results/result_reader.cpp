@@ -10,6 +10,7 @@
 
 #include "harness/base/record_fields.hpp"
 #include "harness/base/record_json.hpp"
+#include "harness/results/file_formats.hpp"
 #include "solvers/reading/cbor_document.hpp"
 #include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/instance_names.hpp"
@@ -17,8 +18,6 @@
 
 namespace gcs {
 namespace {
-
-constexpr std::string_view format_name = "gcsbench-result/1";
 
 /// Whether the first coordinates are numbers: those of a point, or of a line or plane where there are no points.
 bool has_real_coordinates(const JsonCursor& solution, const ProblemStatement& problem) {
@@ -100,7 +99,7 @@ void read_answer(const JsonCursor& root, const Scene& scene, Answer& answer) {
 }
 
 StoredResult empty_result(const JsonCursor& root, const std::string& file) {
-  root.require_format(format_name);
+  root.require_format(result_format);
   const Instance instance =
       parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)");
   return {.instance = instance, .scene = instance};
@@ -116,7 +115,7 @@ std::string read_result(const std::string& argument) {
 Answer parse_answer(const std::string& text, const Scene& scene, const std::string& source) {
   const JsonValue document = parse_document(text, source);
   const JsonCursor root(document, source);
-  if (root.optional("format")) root.require_format(format_name);
+  if (root.optional("format")) root.require_format(result_format);
   Answer answer;
   read_answer(root, scene, answer);
   return answer;
@@ -149,7 +148,7 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
 
 JsonValue load_result_document(const std::string& argument) {
   JsonValue document = parse_document(read_result(argument), argument);
-  JsonCursor(document, argument).require_format(format_name);
+  JsonCursor(document, argument).require_format(result_format);
   return document;
 }
 

@@ -11,7 +11,7 @@
 namespace gcs {
 namespace {
 
-constexpr std::string_view format_name = "gcsbench-published/1";
+constexpr std::string_view published_format = "gcsbench-published/1";
 
 }  // namespace
 
@@ -71,7 +71,7 @@ const PrintedFigure* Publication::find(const std::string& place, const std::stri
 Publication parse_publication(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
-  root.require_format(format_name);
+  root.require_format(published_format);
   Publication publication;
   read_json(root, publication);
   return publication;

@@ -13,7 +13,7 @@
 namespace gcs {
 namespace {
 
-constexpr std::string_view format_name = "gcsbench-run/1";
+constexpr std::string_view run_format = "gcsbench-run/1";
 
 }  // namespace
 
@@ -191,7 +191,7 @@ const CellRecord* RunFile::find(const CellSpec& spec) const {
 }
 
 std::string to_json_text(const RunFile& record) {
-  JsonMembers members{{"format", json_text(std::string(format_name))}};
+  JsonMembers members{{"format", json_text(std::string(run_format))}};
   visit_fields(record, RecordWriter(members));
   return to_text(json_object(std::move(members)), 1) + "\n";
 }
@@ -199,7 +199,7 @@ std::string to_json_text(const RunFile& record) {
 RunFile parse_run_file(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
-  root.require_format(format_name);
+  root.require_format(run_format);
   RunFile record;
   read_json(root, record);
   return record;

@@ -24,7 +24,7 @@ void visit_fields(RecordOf<PlanTrail> auto& trail, const auto& visit) {
 
 namespace {
 
-constexpr std::string_view format_name = "gcsbench-scene/1";
+constexpr std::string_view scene_format = "gcsbench-scene/1";
 
 // ---- writing
 
@@ -103,7 +103,7 @@ std::optional<MetSolution> read_crossing(const JsonCursor& cursor, std::size_t s
 
 std::string to_json_text(const ShownScene& record) {
   const ProblemStatement& problem = record.instance.problem;
-  return document_text(format_name, [&](DocumentWriter& document) {
+  return document_text(scene_format, [&](DocumentWriter& document) {
     document.member("instance", record.instance.document);
     document.member("source", json_text(record.source));
     document.member("proven", json_boolean(record.are_proven));
@@ -122,7 +122,7 @@ std::string to_json_text(const ShownScene& record) {
 ShownScene parse_shown_scene(const std::string& text, const std::string& file) {
   const JsonValue document = parse_json(text, file);
   const JsonCursor root(document, file);
-  root.require_format(format_name);
+  root.require_format(scene_format);
   ShownScene record;
   record.instance = parse_instance(to_text(root.required("instance").value(), -1), file + " (instance)");
   record.source = root.required("source").text();

@@ -15,7 +15,7 @@ namespace gcs {
 namespace {
 
 template <class Scalar>
-using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 template <class Scalar>
 using Positions = Eigen::Matrix<Scalar, 3, Eigen::Dynamic>;
 
@@ -49,7 +49,7 @@ double largest_singular_value(Eigen::Index size, const Operator& apply) {
   constexpr int steps = 40;
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  Vector<Scalar> x = Vector<Scalar>::NullaryExpr(size, [&] { return Scalar(uniform(random)); }).normalized();
+  Column<Scalar> x = Column<Scalar>::NullaryExpr(size, [&] { return Scalar(uniform(random)); }).normalized();
   double eigenvalue = 0;
   for (int step = 0; step < steps; ++step) {
     x = apply(x);
@@ -64,12 +64,12 @@ double condition_of(const Eigen::SparseMatrix<Scalar>& matrix) {
   Eigen::SparseLU<Eigen::SparseMatrix<Scalar>> factors;
   factors.compute(matrix);
   if (factors.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
-  const double largest = largest_singular_value<Scalar>(matrix.cols(), [&](const Vector<Scalar>& x) {
-    return Vector<Scalar>(matrix.adjoint() * Vector<Scalar>(matrix * x));
+  const double largest = largest_singular_value<Scalar>(matrix.cols(), [&](const Column<Scalar>& x) {
+    return Column<Scalar>(matrix.adjoint() * Column<Scalar>(matrix * x));
   });
   const double inverse_of_smallest =
-      largest_singular_value<Scalar>(matrix.cols(), [&](const Vector<Scalar>& x) {
-        return Vector<Scalar>(factors.solve(Vector<Scalar>(factors.adjoint().solve(x))));
+      largest_singular_value<Scalar>(matrix.cols(), [&](const Column<Scalar>& x) {
+        return Column<Scalar>(factors.solve(Column<Scalar>(factors.adjoint().solve(x))));
       });
   const double condition = largest * inverse_of_smallest;
   return std::isfinite(condition) ? condition : std::numeric_limits<double>::infinity();

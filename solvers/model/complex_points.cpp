@@ -3,15 +3,14 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solvers/numeric/bilinear_product.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 /// A unit vector along v, of the two the one with a component along v of non-negative real part.
 Eigen::Vector3cd normalised(const Eigen::Vector3cd& v) { return v / std::sqrt(bilinear_product(v, v)); }
@@ -186,7 +185,7 @@ std::optional<std::array<Eigen::Vector3cd, 2>> trilaterate(const std::array<Eige
   const Complex uv = bilinear_product(u, v);
   const Complex vv = bilinear_product(v, v);
   const Complex determinant = bilinear_product(n, n);  // of the Gram matrix of u and v
-  if (!(std::abs(determinant) > 64 * rounding * u.squaredNorm() * v.squaredNorm())) return std::nullopt;
+  if (!(std::abs(determinant) > 64 * epsilon * u.squaredNorm() * v.squaredNorm())) return std::nullopt;
   const Complex ru = (squares[0] + uu - squares[1]) / 2.0;
   const Complex rv = (squares[0] + vv - squares[2]) / 2.0;
   const Complex along_u = (vv * ru - uv * rv) / determinant;
@@ -212,7 +211,7 @@ ComplexRefinement refine(std::span<const DistanceEquation> equations, const std:
     const double relative = correction.norm() / points.cwiseAbs().maxCoeff();
     result.reciprocal_condition = lu.rcond();
     const bool falls = i == 0 || relative < 0.9 * result.last_correction;
-    result.converged = relative <= 64 * rounding || (!falls && relative <= 1e-6);
+    result.converged = relative <= 64 * epsilon || (!falls && relative <= 1e-6);
     result.last_correction = relative;
     if (result.converged || (!falls && i > 10)) return result;
   }
@@ -239,7 +238,7 @@ ComplexRefinement refine(std::span<const DistanceEquation> equations, const std:
     ++result.iterations;
     result.last_correction = correction.norm() / size;
     result.reciprocal_condition = lu.rcond();
-    result.converged = result.last_correction <= settled && result.reciprocal_condition > rounding;
+    result.converged = result.last_correction <= settled && result.reciprocal_condition > epsilon;
   }
   return result;
 }

@@ -211,7 +211,7 @@ std::optional<Figure> ReleasedScene::carried_back(const Figure& figure) const {
   points.conservativeResize(3, given_.point_count());
   for (const int point : given_points(given_))
     points.col(point) = given_position(point).cast<std::complex<double>>();
-  return figure_of(points, {normalised({origin, back.rotation.col(0)})}, figure.is_real());
+  return figure_of(points, {normalised(ComplexLine{origin, back.rotation.col(0)})}, figure.is_real());
 }
 
 }  // namespace gcs

@@ -9,15 +9,15 @@ namespace gcs {
 namespace {
 
 using Complex = std::complex<double>;
-using Vector6 = Eigen::Matrix<Complex, 6, 1>;
-using Matrix6 = Eigen::Matrix<Complex, 6, 6>;
+using LineVector = Eigen::Matrix<Complex, 6, 1>;
+using LineMatrix = Eigen::Matrix<Complex, 6, 6>;
 
 /// The unknowns: direction with u·u = 1 and point with p·u = 0, from the first centre.
 struct WideLine {
   WideVector u;
   WideVector p;
 
-  void subtract(const Vector6& change) {
+  void subtract(const LineVector& change) {
     for (int i = 0; i < 3; ++i) {
       u[i] = u[i] - widened(change[i]);
       p[i] = p[i] - widened(change[3 + i]);
@@ -40,9 +40,9 @@ struct TurnedSpheres {
 };
 
 /// Of c·p − (c·c + r_1² − r²)/2 + (c·u)²/2, u·p, (p·p − r_1²)/2 and (u·u − 1)/2.
-Vector6 residual(const TurnedSpheres& spheres, const WideLine& line) {
+LineVector residual(const TurnedSpheres& spheres, const WideLine& line) {
   const ComplexDoubleDouble half = widened(Complex(0.5));
-  Vector6 result;
+  LineVector result;
   for (std::size_t i = 0; i < 3; ++i) {
     const ComplexDoubleDouble along = isotropic_product(spheres.centers[i], line.u);
     result[static_cast<Eigen::Index>(i)] =
@@ -56,10 +56,10 @@ Vector6 residual(const TurnedSpheres& spheres, const WideLine& line) {
 }
 
 /// Columns: u, p.
-Matrix6 jacobian(const TurnedSpheres& spheres, const WideLine& line) {
+LineMatrix jacobian(const TurnedSpheres& spheres, const WideLine& line) {
   const Eigen::Vector3cd u = narrowed(line.u), p = narrowed(line.p);
   const Eigen::RowVector3cd of_u = isotropic_dual(u), of_p = isotropic_dual(p);
-  Matrix6 result = Matrix6::Zero();
+  LineMatrix result = LineMatrix::Zero();
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3cd c = narrowed(spheres.centers[static_cast<std::size_t>(i)]);
     const Eigen::RowVector3cd of_c = isotropic_dual(c);
@@ -78,7 +78,7 @@ bool refine(const TurnedSpheres& spheres, WideLine& line, WorkCounters& work) {
   // times the condition of a simple line below.
   constexpr double settled = 1e-22;
   for (int i = 0; i < most_iterations; ++i) {
-    const Vector6 change =
+    const LineVector change =
         Eigen::PartialPivLU<Eigen::MatrixXcd>(jacobian(spheres, line)).solve(residual(spheres, line));
     line.subtract(change);
     ++work.newton_iterations;

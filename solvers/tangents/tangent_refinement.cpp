@@ -163,11 +163,10 @@ void settle(const FourSpheres& spheres, Tangent<Scalar>& line) {
 
 std::array<Tangent<std::complex<double>>, 2> split(const FourSpheres& spheres,
                                                    const Tangent<std::complex<double>>& mean) {
-  using Vector = Vector6<std::complex<double>>;
   constexpr double step = 1e-3;  // the equations are of degree 4: a central difference is right to its square
   const NewtonSystem<std::complex<double>> system = newton_system(spheres, mean);
   const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(system.matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector v = svd.matrixV().col(5), w = svd.matrixU().col(5);
+  const Vector6<std::complex<double>> v = svd.matrixV().col(5), w = svd.matrixU().col(5);
   const auto moved = [&](std::complex<double> s) {
     Tangent<std::complex<double>> line = mean;
     system.subtract(-s * v, line);

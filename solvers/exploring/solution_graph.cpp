@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -26,9 +27,10 @@ std::vector<int> SolutionGraph::known(const std::vector<Figure>& figures,
 std::optional<Candidate> SolutionGraph::settled(const Candidate& candidate, double condition) {
   const bool is_singular = condition > singular_solution_condition;
   if (condition < stiff_condition) return candidate;
-  if (const double error = neighbours_.error_of(candidate.figure); !is_singular && std::isfinite(error))
-    return Candidate{candidate.figure, candidate.multiplicity, error};
   if (is_singular && neighbours_.is_hopeless()) return std::nullopt;
+  const double error =
+      is_singular ? std::numeric_limits<double>::infinity() : neighbours_.error_of(candidate.figure);
+  if (std::isfinite(error)) return Candidate{candidate.figure, candidate.multiplicity, error};
   return neighbours_.nearest(candidate.figure);
 }
 

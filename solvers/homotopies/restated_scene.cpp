@@ -17,7 +17,8 @@
 namespace gcs {
 namespace {
 
-/// Relative width of the centres (tangent_equations.hpp) from which on lines have coordinates of up to 1e10.
+/// Relative width of the centres (tangent_equations.hpp) below which lines have coordinates of 1e5 to 1e10 times the lengths
+/// and more.
 constexpr double too_narrow = 1e-5;
 
 /// Those of four given points, which are all, that are nearly collinear and not quite.

@@ -74,11 +74,11 @@ SolveReport RestatedScene::carried_back(const SolveRequest& request, SolveReport
   report.escaping.clear();
   if (widened_) squeeze(request, report);
   const std::optional<FourSpheres> spheres = spheres_of(given_);
+  const std::optional<LocalSpheres> local = spheres ? std::optional<LocalSpheres>(*spheres) : std::nullopt;
   const std::vector<DoubleDouble> squares = target_squares(given_);
   for (auto& [figure, multiplicity, error] : report.candidates) {
-    if (spheres) {
-      const LocalSpheres local(*spheres);
-      const ComplexLine line = polished(*spheres, local, local.local(complex_lines(figure).front()),
+    if (local) {
+      const ComplexLine line = polished(*spheres, *local, local->local(complex_lines(figure).front()),
                                         figure.is_real(), multiplicity, report.work);
       figure = figure_of(complex_points(figure), {line}, figure.is_real());
     }
@@ -101,12 +101,9 @@ void RestatedScene::squeeze(const SolveRequest& request, SolveReport& report) co
   const SqueezedTangents squeezed =
       squeezed_tangents(local.spheres, Strip(local.spheres), apart, random, report.work);
   report.candidates.clear();
-  ComplexPoints points(3, given_.point_count());
-  for (int i = 0; i < given_.point_count(); ++i)
-    points.col(i) = given_.fixed_point(i)->cast<std::complex<double>>();
   for (const FoundTangent& found : squeezed.found.lines) {
     const ComplexTangent line = local.moved(found.line);
-    report.candidates.push_back({figure_of(points, {{line.point, line.direction}}, found.is_real)});
+    report.candidates.push_back({beside_given_points(given_, {line.point, line.direction}, found.is_real)});
   }
   const auto lost = std::ranges::count(squeezed.has_end, false);
   if (lost == 0 || report.status != SolveStatus::complete) return;

@@ -13,19 +13,27 @@ namespace {
 /// Of each part of a root: more than a double has.
 constexpr slong root_bits = 64;
 
-/// The simple roots of a polynomial.
-void append_roots(const fmpz_poly_t squarefree, int multiplicity, std::vector<PolynomialRoot>& roots) {
+/// The roots of a polynomial with simple ones, as a column.
+BallMatrix balls_of_roots(const fmpz_poly_t squarefree, slong bits) {
   const slong count = fmpz_poly_degree(squarefree);
   const acb_ptr balls = _acb_vec_init(count);
-  arb_fmpz_poly_complex_roots(balls, squarefree, 0, root_bits);
-  for (slong i = 0; i < count; ++i) {
-    const acb_srcptr ball = balls + i;
+  arb_fmpz_poly_complex_roots(balls, squarefree, 0, bits);
+  BallMatrix column(count, 1);
+  for (slong i = 0; i < count; ++i) acb_swap(column(i, 0), balls + i);
+  _acb_vec_clear(balls, count);
+  return column;
+}
+
+/// Those of a polynomial with simple roots.
+void append_roots(const fmpz_poly_t squarefree, int multiplicity, std::vector<PolynomialRoot>& roots) {
+  const BallMatrix balls = balls_of_roots(squarefree, root_bits);
+  for (slong i = 0; i < balls.rows(); ++i) {
+    const acb_srcptr ball = balls(i, 0);
     const auto middle = [](const arb_t part) { return arf_get_d(arb_midref(part), ARF_RND_NEAR); };
     roots.push_back({{middle(acb_realref(ball)), middle(acb_imagref(ball))},
                      arb_is_zero(acb_imagref(ball)) != 0,
                      multiplicity});
   }
-  _acb_vec_clear(balls, count);
 }
 
 /// Calls take(factor, multiplicity) for polynomials with simple roots, no two with a common one.
@@ -80,13 +88,7 @@ std::vector<PolynomialRoot> IntegerPolynomial::roots() const {
 BallMatrix IntegerPolynomial::simple_roots(slong bits) const {
   std::optional<BallMatrix> roots;
   for_squarefree_factors(value_, [&](const fmpz_poly_struct* factor, int multiplicity) {
-    if (multiplicity > 1) return;
-    const slong count = fmpz_poly_degree(factor);
-    const acb_ptr balls = _acb_vec_init(count);
-    arb_fmpz_poly_complex_roots(balls, factor, 0, bits);
-    roots.emplace(count, 1);
-    for (slong i = 0; i < count; ++i) acb_swap((*roots)(i, 0), balls + i);
-    _acb_vec_clear(balls, count);
+    if (multiplicity == 1) roots.emplace(balls_of_roots(factor, bits));
   });
   return roots ? *roots : BallMatrix(0, 1);
 }

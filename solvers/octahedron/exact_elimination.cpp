@@ -98,6 +98,11 @@ std::optional<int> separated_real_solutions(const Scene& scene, const Octahedron
   return std::nullopt;
 }
 
+IntegerPolynomial diagonal_polynomial(const Scene& scene, const Octahedron& octahedron) {
+  const RationalPolynomial diagonal = diagonal_resultant(SymbolicEntries(scene, octahedron), octahedron);
+  return diagonal.is_zero() ? IntegerPolynomial() : IntegerPolynomial(diagonal, x);
+}
+
 OctahedronPolynomials eliminated(const Scene& scene, const Octahedron& octahedron) {
   const SymbolicEntries entries(scene, octahedron);
   OctahedronPolynomials result;

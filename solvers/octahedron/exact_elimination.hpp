@@ -50,6 +50,9 @@ struct OctahedronPolynomials {
 /// The same number by X + λY for some λ; nothing where a solution is multiple.
 std::optional<int> separated_real_solutions(const Scene& scene, const Octahedron& octahedron);
 
+/// P alone.
+IntegerPolynomial diagonal_polynomial(const Scene& scene, const Octahedron& octahedron);
+
 OctahedronPolynomials eliminated(const Scene& scene, const Octahedron& octahedron);
 
 }  // namespace gcs

@@ -168,7 +168,7 @@ class ExactPlacer {
 
 std::vector<ComplexPoints> exactly_placed(const Scene& scene, const Octahedron& octahedron) {
   std::vector<ComplexPoints> figures;
-  const IntegerPolynomial diagonal = eliminated(scene, octahedron).diagonal;
+  const IntegerPolynomial diagonal = diagonal_polynomial(scene, octahedron);
   if (diagonal.is_zero()) return figures;
   ExactPlacer placer(scene, octahedron);
   const BallMatrix roots = diagonal.simple_roots(bits);

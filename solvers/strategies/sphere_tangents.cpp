@@ -61,10 +61,7 @@ int point_of(const Scene& scene, const DistanceConstraint& constraint) {
 }
 
 Candidate candidate_of(const Scene& scene, const ComplexLine& line, bool is_real, int multiplicity) {
-  ComplexPoints points(3, scene.point_count());
-  for (int i = 0; i < scene.point_count(); ++i)
-    points.col(i) = scene.fixed_point(i)->cast<std::complex<double>>();
-  return {figure_of(points, {line}, is_real), multiplicity};
+  return {beside_given_points(scene, line, is_real), multiplicity};
 }
 
 void report_degenerate(const Scene& scene, const LocalSpheres& local, const DegenerateTangents& tangents,

@@ -62,6 +62,13 @@ std::optional<FourSpheres> spheres_of(const Scene& scene) {
   return count == spheres.size() ? std::optional(spheres) : std::nullopt;
 }
 
+Figure beside_given_points(const Scene& scene, const ComplexLine& line, bool is_real) {
+  ComplexPoints points(3, scene.point_count());
+  for (int i = 0; i < scene.point_count(); ++i)
+    points.col(i) = scene.fixed_point(i)->cast<std::complex<double>>();
+  return figure_of(points, {line}, is_real);
+}
+
 LocalSpheres::LocalSpheres(const FourSpheres& in_scene) : spheres(in_scene), origin(in_scene[0].center) {
   double reach = 0;
   for (Sphere& sphere : spheres) {

@@ -28,6 +28,9 @@ struct LocalSpheres {
   ComplexLine in_scene(const ComplexTangent& line) const;
 };
 
+/// The given points and this line. Precondition: all points are given.
+Figure beside_given_points(const Scene& scene, const ComplexLine& line, bool is_real);
+
 /// A common tangent of the local spheres that was found to 1e-3 of its size, in the scene, as good as its coordinates in
 /// doubles can be, and normalised (complex_lines.hpp). A simple one by Newton's method in the scene's coordinates, which are
 /// those of the exact line to their last bit then, and where the centres are nearly collinear or the

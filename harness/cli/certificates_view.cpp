@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "harness/cli/summary_line.hpp"
+#include "harness/base/summary_line.hpp"
 
 namespace gcs {
 namespace {

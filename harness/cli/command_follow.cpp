@@ -13,9 +13,9 @@
 
 #include "harness/base/atomic_file.hpp"
 #include "harness/base/stop_conditions.hpp"
+#include "harness/base/summary_line.hpp"
 #include "harness/cli/argument_checks.hpp"
 #include "harness/cli/commands.hpp"
-#include "harness/cli/summary_line.hpp"
 #include "harness/results/follow_io.hpp"
 #include "harness/results/result_reader.hpp"
 

@@ -8,9 +8,9 @@
 #include <map>
 #include <string_view>
 
+#include "harness/base/summary_line.hpp"
 #include "harness/cli/certificates_view.hpp"
 #include "harness/cli/standing_view.hpp"
-#include "harness/cli/summary_line.hpp"
 #include "harness/results/exec_strategy.hpp"
 #include "harness/solving/counts_view.hpp"
 #include "solvers/running/words.hpp"

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "harness/cli/summary_line.hpp"
+#include "harness/base/summary_line.hpp"
 #include "solvers/solving/answer.hpp"
 
 namespace gcs {

@@ -7,6 +7,7 @@
 #include "solvers/construction/derive.hpp"
 #include "solvers/tracking/distance_curve.hpp"
 #include "solvers/tracking/plan_curve.hpp"
+#include "solvers/tracking/series_curve.hpp"
 #include "solvers/tracking/series_tracker.hpp"
 
 namespace {
@@ -40,7 +41,7 @@ void full_space_residual(benchmark::State& state) {
   const Eigen::VectorXd y = series.coefficient(0);
   Eigen::VectorXd f(scene.constraint_count());
   for (auto _ : state) {
-    curve.residual(y, f);
+    curve.residual(y, f, false);
     benchmark::DoNotOptimize(f.data());
   }
 }
@@ -86,7 +87,7 @@ void time_step(benchmark::State& state, Curve& curve) {
   for (auto _ : state) {
     here.evaluate(step, y);
     here.tangent(step, tangent);
-    benchmark::DoNotOptimize(curve.advance(y, tangent, there));
+    benchmark::DoNotOptimize(curve.advance(y, tangent, there, false));
     curve.reject();
   }
 }

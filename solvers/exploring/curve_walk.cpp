@@ -104,7 +104,7 @@ class CurveWalk {
     for (double step = reach / 2; step >= least_step; step /= 2) {
       series.evaluate(step, y);
       series.tangent(step, tangent);
-      if (curve.advance(y, tangent, there)) return y.head(y.size() - 1);
+      if (curve.advance(y, tangent, there, false)) return y.head(y.size() - 1);
     }
     return std::nullopt;
   }

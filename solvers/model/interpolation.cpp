@@ -68,6 +68,14 @@ double root_bound(const std::vector<double>& powers) {
 
 }  // namespace
 
+DoubleDouble LengthPath::wide_value(double t) const {
+  const DoubleDouble at{t}, left = two_sum(1.0, -t);
+  DoubleDouble bends;
+  for (std::size_t i = higher.size(); i-- > 0;) bends = (bends + DoubleDouble{higher[i]}) * at;
+  bends = (bends + DoubleDouble{bend}) * at * left;
+  return left * DoubleDouble{at_sketch} + at * DoubleDouble{at_target} + bends;
+}
+
 double LengthPath::higher_value(double t) const { return t * t * (1 - t) * polynomial_value(higher, t); }
 
 double LengthPath::higher_slope(double t) const {

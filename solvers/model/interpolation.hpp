@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "solvers/numeric/double_double.hpp"
+
 namespace gcs {
 
 /// a(t) = (1 − t)·at_sketch + t·at_target + t(1 − t)·(bend + higher[0]·t + higher[1]·t² + …), in one unit of
@@ -21,6 +23,8 @@ struct LengthPath {
     const double quadratic = (1 - t) * at_sketch + t * at_target + bend * t * (1 - t);
     return higher.empty() ? quadratic : quadratic + higher_value(t);
   }
+  /// value(t), right to some 2^-104 of its terms.
+  DoubleDouble wide_value(double t) const;
   double slope(double t) const {
     const double linear = at_target - at_sketch + bend * (1 - 2 * t);
     return higher.empty() ? linear : linear + higher_slope(t);

@@ -50,7 +50,7 @@ class FollowedCurve final : public ProvableCurve {
 
   bool start(int orientation, ArcSeries& series) override { return curve_.start(orientation, series); }
   bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) override {
-    return curve_.advance(y, tangent, series);
+    return curve_.advance(y, tangent, series, false);
   }
   WorkCounters& work() override { return curve_.work(); }
   Figure figure(const Eigen::VectorXd& y) const override { return figure_of_(y); }

@@ -12,13 +12,15 @@ DistanceFamily::DistanceFamily(const Scene& scene, const Reference& reference, i
       half_convolution_(system_.equations()) {}
 
 void DistanceFamily::residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f) {
-  const double t = y[unknowns()];
   system_.place(y.head(unknowns()), points_);
-  for (int e = 0; e < system_.equations(); ++e) {
-    const auto [a, b] = system_.edges()[e];
-    const double length = lengths_.paths()[e].value(t);
-    f[e] = ((points_.col(a) - points_.col(b)).squaredNorm() - length * length) / 2;
-  }
+  for (int e = 0; e < system_.equations(); ++e)
+    f[e] = half_excess(points_, system_.edges()[e], lengths_.paths()[e], y[unknowns()]);
+}
+
+void DistanceFamily::wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f) {
+  system_.place(y.head(unknowns()), points_);
+  for (int e = 0; e < system_.equations(); ++e)
+    f[e] = wide_half_excess(points_, system_.edges()[e], lengths_.paths()[e], y[unknowns()]);
 }
 
 void DistanceFamily::jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix) {

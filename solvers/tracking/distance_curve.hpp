@@ -16,6 +16,7 @@ class DistanceFamily {
   int unknowns() const { return system_.unknowns(); }
   Eigen::VectorXd start() const { return with_time(system_.coordinates(sketch_), 0); }
   void residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
+  void wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
   void jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix);
   void start_series(double t) { lengths_.start(t); }
   void set(int n, const Eigen::VectorXd& coefficient);

@@ -5,6 +5,13 @@
 
 namespace gcs {
 
+double wide_half_excess(const Eigen::Matrix3Xd& points, const std::array<int, 2>& edge,
+                        const LengthPath& path, double t) {
+  const DoubleDouble length = path.wide_value(t);
+  const DoubleDouble square = squared_distance<Eigen::Vector3d>(points.col(edge[0]), points.col(edge[1]), 3);
+  return (square - length * length).value() / 2;
+}
+
 LengthSeries::LengthSeries(std::vector<LengthPath> paths, std::vector<bool> plain, int order)
     : paths_(std::move(paths)), plain_(std::move(plain)) {
   plain_.resize(paths_.size());

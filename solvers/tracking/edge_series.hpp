@@ -5,12 +5,23 @@
 /// linear in the n-th coefficients; constant_n depends on lower ones only.
 
 #include <Eigen/Core>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "solvers/model/interpolation.hpp"
 
 namespace gcs {
+
+/// (|p_a − p_b|² − a(t)²)/2 of an edge between these columns.
+inline double half_excess(const Eigen::Matrix3Xd& points, const std::array<int, 2>& edge,
+                          const LengthPath& path, double t) {
+  const double length = path.value(t);
+  return ((points.col(edge[0]) - points.col(edge[1])).squaredNorm() - length * length) / 2;
+}
+/// The same, right but for the last rounding also where the difference is small.
+double wide_half_excess(const Eigen::Matrix3Xd& points, const std::array<int, 2>& edge,
+                        const LengthPath& path, double t);
 
 /// Series of a(t(s))²/2 for all lengths. With a(t) of degree two at most, as nearly always, they are made for all
 /// lengths at once from (t − t0)², (t − t0)³ and (t − t0)⁴; the others are made one by one.

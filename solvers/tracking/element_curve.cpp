@@ -74,17 +74,36 @@ bool ElementCurve::maintain(const Eigen::VectorXd& tangent) {
   return true;
 }
 
+void ElementCurve::residual(bool is_wide) {
+  if (is_wide)
+    family_.wide_residual(y_, sums_);
+  else
+    family_.residual(y_, sums_);
+}
+
 /// Puts y_ where the plan has it at t and the driving parameters.
 bool ElementCurve::evaluate(CorrectorTest& test) {
   Eigen::VectorXd change = Eigen::VectorXd::Zero(coordinates());
   for (;;) {
     ++work_.evaluations;
-    family_.residual(y_, sums_);
+    residual(test.is_wide());
     plan_.solve(jacobian_, sums_, plan_.driven(y_) - driven_, change);
     y_ -= change;
     const CorrectorTest::Verdict verdict = test.judge(change.norm(), y_.norm());
-    if (verdict != CorrectorTest::Verdict::again) return verdict == CorrectorTest::Verdict::settled;
+    if (verdict == CorrectorTest::Verdict::stalled)
+      test.widen();
+    else if (verdict != CorrectorTest::Verdict::again)
+      return verdict == CorrectorTest::Verdict::settled;
   }
+}
+
+double ElementCurve::moved_by_rounding() const {
+  const int d = plan_.driving_parameters();
+  Eigen::VectorXd rounding(d);
+  for (int r = 0; r < d; ++r)
+    rounding[r] = rounding_of_equation(r, jacobian_.row(plan_.removed()[static_cast<std::size_t>(r)]).norm(),
+                                       y_.norm());
+  return (sensitivity_ * (bordered_inverse_.leftCols(d) * rounding)).norm();
 }
 
 bool ElementCurve::correct(CorrectorTest& test) {
@@ -92,9 +111,10 @@ bool ElementCurve::correct(CorrectorTest& test) {
   driven_ = plan_.driven(y_);
   for (bool is_settled = false;;) {
     CorrectorTest of_plan(options_.tolerance);
+    if (test.is_wide()) of_plan.widen();
     if (!evaluate(of_plan)) return false;
-    if (is_settled) return true;
-    family_.residual(y_, sums_);
+    if (is_settled) return !test.is_wide() || CorrectorTest::are_arcs_apart(moved_by_rounding(), y_.norm());
+    residual(test.is_wide());
     const Eigen::VectorXd removed = sums_(plan_.removed());
     const Eigen::VectorXd parameters = bordered_inverse_.leftCols(d) * removed;
     const Eigen::VectorXd change = sensitivity_ * parameters;
@@ -103,6 +123,7 @@ bool ElementCurve::correct(CorrectorTest& test) {
     ++work_.newton_iterations;
     const CorrectorTest::Verdict verdict = test.judge(change.norm(), y_.norm());
     if (verdict == CorrectorTest::Verdict::refuse) return false;
+    if (verdict == CorrectorTest::Verdict::stalled) test.widen();
     is_settled = verdict == CorrectorTest::Verdict::settled;
   }
 }
@@ -128,10 +149,12 @@ bool ElementCurve::start(int orientation, ArcSeries& series) {
   return true;
 }
 
-bool ElementCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) {
+bool ElementCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series,
+                           bool is_wide) {
   y_ = y;
   if (!maintain(tangent)) return false;
   CorrectorTest test(options_.tolerance);
+  if (is_wide) test.widen();
   if (!correct(test)) return false;
   if (test.matrix_is_stale()) {
     differentiate();

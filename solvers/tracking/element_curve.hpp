@@ -29,7 +29,7 @@ class ElementCurve {
 
   Eigen::Index coordinates() const { return family_.unknowns() + 1; }
   bool start(int orientation, ArcSeries& series);
-  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series);
+  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series, bool is_wide);
   void renew(ArcSeries& series);
   double shortest_length(double t) const { return family_.shortest_length(t); }
   void accept();
@@ -45,7 +45,10 @@ class ElementCurve {
   void linearise();
   void border_and_invert(const Eigen::VectorXd& tangent);
   bool maintain(const Eigen::VectorXd& tangent);
+  /// Into sums_.
+  void residual(bool is_wide);
   bool evaluate(CorrectorTest& test);
+  double moved_by_rounding() const;
   bool correct(CorrectorTest& test);
   Eigen::VectorXd of_removed(const Eigen::VectorXd& per_equation, const Eigen::VectorXd& change) const;
   void expand(ArcSeries& series);

@@ -93,6 +93,16 @@ void GeneralFamily::residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorX
   for (Eigen::Index e = 0; e < f.size(); ++e) f[e] -= side(e, y[unknowns()]);
 }
 
+void GeneralFamily::wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f) {
+  const std::vector<DoubleDouble> sums = equations_.wide_sums(y);
+  for (std::size_t e = 0; e < sums.size(); ++e) {
+    const DoubleDouble value = values_[e].path.wide_value(y[unknowns()]);
+    const DoubleDouble side = values_[e].is_plain ? value : value * value * DoubleDouble{0.5};
+    const auto equation = static_cast<Eigen::Index>(e);
+    f[equation] = (sums[e] - side - DoubleDouble{equations_.given[equation]}).value();
+  }
+}
+
 void GeneralFamily::jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix) {
   const double t = y[unknowns()];
   equations_.jacobian(y, matrix);

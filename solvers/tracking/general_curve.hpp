@@ -33,6 +33,7 @@ class GeneralFamily {
   int unknowns() const { return equations_.unknowns; }
   Eigen::VectorXd start() const { return with_time(sketched_, 0); }
   void residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
+  void wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
   void jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix);
   void start_series(double t);
   void set(int n, const Eigen::VectorXd& coefficient);

@@ -26,6 +26,8 @@ concept EquationFamily = requires(F family, const F& known, double t, int n, con
   /// Where the curve begins.
   { known.start() } -> std::same_as<Eigen::VectorXd>;
   family.residual(y, f);
+  /// The same, right but for the last rounding also where it is small.
+  family.wide_residual(y, f);
   /// [dF/dx, dF/dt] at y into the first rows.
   family.jacobian(y, matrix);
   /// Of series in s whose coefficients are about to be set: t at s = 0, after the Jacobian was asked for there.
@@ -66,13 +68,14 @@ class ImplicitCurve {
     return true;
   }
 
-  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) {
+  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series, bool is_wide) {
     const Eigen::Index m = family_.unknowns();
     right_side_[m] = 0;
-    residual(y, right_side_.head(m));
+    residual(y, right_side_.head(m), is_wide);
     factorise(y, tangent);
     if (determinant_sign(lu_) != side_) return false;
     CorrectorTest test(tolerance_);
+    if (is_wide) test.widen();
     while (true) {
       correction_ = lu_.solve(right_side_);
       y -= correction_;
@@ -80,9 +83,11 @@ class ImplicitCurve {
       const CorrectorTest::Verdict verdict = test.judge(correction_.norm(), y.norm());
       if (verdict == CorrectorTest::Verdict::refuse) return false;
       if (verdict == CorrectorTest::Verdict::settled) break;
-      residual(y, right_side_.head(m));
+      if (verdict == CorrectorTest::Verdict::stalled) test.widen();
+      residual(y, right_side_.head(m), test.is_wide());
     }
     if (shortest_length(y[m]) < 0) return false;
+    if (test.is_wide() && !CorrectorTest::are_arcs_apart(moved_by_rounding(y.norm()), y.norm())) return false;
     if (test.matrix_is_stale()) factorise(y, tangent);
     expand(y, series);
     return true;
@@ -99,9 +104,12 @@ class ImplicitCurve {
   void reject() {}
   WorkCounters& work() { return work_; }
 
-  void residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f) {
+  void residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f, bool is_wide) {
     ++work_.evaluations;
-    family_.residual(y, f);
+    if (is_wide)
+      family_.wide_residual(y, f);
+    else
+      family_.residual(y, f);
   }
   /// Into the first rows of the bordered matrix.
   void jacobian(const Eigen::VectorXd& y) {
@@ -112,6 +120,15 @@ class ImplicitCurve {
   const Family& family() const { return family_; }
 
  private:
+  double moved_by_rounding(double size) {
+    const Eigen::Index m = family_.unknowns();
+    for (Eigen::Index i = 0; i < m; ++i)
+      right_side_[i] = rounding_of_equation(i, bordered_.row(i).norm(), size);
+    right_side_[m] = 0;
+    correction_ = lu_.solve(right_side_);
+    return correction_.norm();
+  }
+
   void factorise(const Eigen::VectorXd& y, const Eigen::VectorXd& last_row) {
     jacobian(y);
     bordered_.bottomRows<1>() = last_row.transpose();

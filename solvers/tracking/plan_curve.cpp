@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "solvers/tracking/corrector.hpp"
@@ -81,9 +82,28 @@ bool PlanCurve::evaluate() {
 void PlanCurve::residual(Eigen::Ref<Eigen::VectorXd> f) const {
   for (std::size_t r = 0; r < plan_.removed().size(); ++r) {
     const int c = plan_.removed()[r];
-    const auto [a, b] = ends_[c];
-    const double length = lengths_.paths()[c].value(parameters_[0]);
-    f[static_cast<Eigen::Index>(r)] = ((points_.col(a) - points_.col(b)).squaredNorm() - length * length) / 2;
+    f[static_cast<Eigen::Index>(r)] = half_excess(points_, ends_[c], lengths_.paths()[c], parameters_[0]);
+  }
+}
+
+void PlanCurve::wide_residual(Eigen::Ref<Eigen::VectorXd> f) {
+  Eigen::Index edge = 0;
+  for (; edge < std::ssize(ends_); ++edge)
+    constant_[edge] = wide_half_excess(points_, ends_[edge], lengths_.paths()[edge], parameters_[0]);
+  Eigen::Index driving = 0;
+  for (const Instruction& instruction : plan_.instructions())
+    for (int i = 0; i < instruction.count; ++i) {
+      const PlanSphere& sphere = instruction.spheres[i];
+      if (!sphere.is_driven()) continue;
+      const DoubleDouble square =
+          squared_distance<Eigen::Vector3d>(points_.col(instruction.place), sphere.reference, 3);
+      constant_[edge++] = (square - DoubleDouble{2 * parameters_[++driving]}).value() / 2;
+    }
+  Eigen::VectorXd move = Eigen::VectorXd::Zero(coordinates_ - 1);
+  sweep_.solve(constant_, 0, move.data());
+  for (std::size_t r = 0; r < plan_.removed().size(); ++r) {
+    const int c = plan_.removed()[r];
+    f[static_cast<Eigen::Index>(r)] = constant_[c] - pull(c, move.data());
   }
 }
 
@@ -219,28 +239,43 @@ bool PlanCurve::start(int orientation, ArcSeries& series) {
 
 double PlanCurve::move_size(const Eigen::VectorXd& change) const { return (sensitivity_ * change).norm(); }
 
-bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series) {
+double PlanCurve::moved_by_rounding(double size) {
+  for (Eigen::Index r = 0; r < residual_.size(); ++r) {
+    const int c = plan_.removed()[static_cast<std::size_t>(r)];
+    residual_[r] =
+        rounding_of_equation(r, std::numbers::sqrt2 * lengths_.paths()[c].value(parameters_[0]), size);
+  }
+  return move_size(bordered_inverse_.leftCols(residual_.size()) * residual_);
+}
+
+bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series, bool is_wide) {
   auto figure = Eigen::Map<Eigen::MatrixXd>(y.data(), dimension_, point_count_);
   points_.topRows(dimension_) = figure;
   if (too_near()) return false;
   if (!maintain(y[coordinates_ - 1], tangent)) return false;
   CorrectorTest test(options_.tolerance);
+  if (is_wide) test.widen();
   for (bool first = true, settled = false;; first = false) {
     if (!evaluate()) return false;
     if (settled) break;
-    residual(residual_);
     if (first) {
       differentiate();
       border_and_invert(tangent);
       if (!previous_plan_ && side_of_s_ != accepted_side_) return false;
     }
+    if (test.is_wide())
+      wide_residual(residual_);
+    else
+      residual(residual_);
     change_.noalias() = bordered_inverse_.leftCols(residual_.size()) * residual_;
     parameters_ -= change_;
     ++work_.newton_iterations;
     const CorrectorTest::Verdict verdict = test.judge(move_size(change_), y.norm());
     if (verdict == CorrectorTest::Verdict::refuse) return false;
+    if (verdict == CorrectorTest::Verdict::stalled) test.widen();
     settled = verdict == CorrectorTest::Verdict::settled;
   }
+  if (test.is_wide() && !CorrectorTest::are_arcs_apart(moved_by_rounding(y.norm()), y.norm())) return false;
   if (test.matrix_is_stale()) {
     differentiate();
     border_and_invert(tangent);

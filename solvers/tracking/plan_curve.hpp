@@ -34,7 +34,7 @@ class PlanCurve {
 
   Eigen::Index coordinates() const { return coordinates_; }
   bool start(int orientation, ArcSeries& series);
-  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series);
+  bool advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series, bool is_wide);
   void renew(ArcSeries& series);
   double shortest_length(double t) const { return lengths_.shortest(t); }
   void accept();
@@ -53,6 +53,10 @@ class PlanCurve {
   void read_parameters(const Eigen::Matrix3Xd& points, double t);
   /// (|p_a − p_b|² − a²)/2 of every removed constraint, at points().
   void residual(Eigen::Ref<Eigen::VectorXd> f) const;
+  /// The same in double-double, and of the points that the plan has without rounding, to first order: less what the
+  /// removed constraints change by when the points move to where the others hold. Precondition: differentiate() was called
+  /// near by.
+  void wide_residual(Eigen::Ref<Eigen::VectorXd> f);
   /// Derivatives of all points by (t, κ_1, …, κ_d), and the Jacobian of the removed constraints into the
   /// bordered matrix.
   void differentiate();
@@ -74,6 +78,7 @@ class PlanCurve {
   void expand(const Eigen::VectorXd& y, ArcSeries& series);
   void set_differences(int n, const ArcSeries& series);
   void solve_order(int n, ArcSeries& series);
+  double moved_by_rounding(double size);
   double move_size(const Eigen::VectorXd& change) const;
   double pull(int c, const double* move) const;
   double slope(int c) const;

@@ -30,6 +30,21 @@ Eigen::VectorXd RealEquations::sums(const Eigen::VectorXd& x) const {
   return result;
 }
 
+DoubleDouble RealForm::wide_at(const Eigen::VectorXd& x) const {
+  DoubleDouble sum{constant};
+  for (const auto& [unknown, coefficient] : terms) sum = sum + two_product(coefficient, x[unknown]);
+  return sum;
+}
+
+std::vector<DoubleDouble> RealEquations::wide_sums(const Eigen::VectorXd& x) const {
+  std::vector<DoubleDouble> result(static_cast<std::size_t>(count()));
+  for (const Product& product : products) {
+    DoubleDouble& sum = result[static_cast<std::size_t>(product.equation)];
+    sum = sum + product.left.wide_at(x) * product.right.wide_at(x);
+  }
+  return result;
+}
+
 void RealEquations::jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) const {
   matrix.topLeftCorner(count(), unknowns).setZero();
   for (const Product& product : products) {

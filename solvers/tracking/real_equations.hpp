@@ -19,6 +19,7 @@ struct RealForm {
   /// What it changes by when x does.
   double change(const Eigen::VectorXd& x) const;
   double at(const Eigen::VectorXd& x) const { return constant + change(x); }
+  DoubleDouble wide_at(const Eigen::VectorXd& x) const;
   bool operator==(const RealForm&) const = default;
 };
 
@@ -36,6 +37,8 @@ struct RealEquations {
   Eigen::Index count() const { return given.size(); }
   /// Σ left·right of all equations.
   Eigen::VectorXd sums(const Eigen::VectorXd& x) const;
+  /// The same, right to some 2^-104 of their terms.
+  std::vector<DoubleDouble> wide_sums(const Eigen::VectorXd& x) const;
   /// Their derivatives, into the first rows and columns.
   void jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) const;
 };

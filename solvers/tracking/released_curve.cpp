@@ -71,6 +71,26 @@ void ReleasedFamily::residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::Vector
     f[equation_of_[static_cast<std::size_t>(i)]] += forms_[left(i)] * forms_[right(i)];
 }
 
+void ReleasedFamily::wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f) {
+  std::vector<DoubleDouble> sums;
+  for (const double given : given_) sums.push_back({-given});
+  DoubleDouble& of_released = sums[static_cast<std::size_t>(released_)];
+  of_released = of_released - DoubleDouble{scale_} * two_sum(y[unknowns_], -1.0);
+  for (Eigen::Index i = 0; i < std::ssize(equation_of_); ++i) {
+    DoubleDouble& sum = sums[static_cast<std::size_t>(equation_of_[static_cast<std::size_t>(i)])];
+    sum = sum + wide_form(left(i), y) * wide_form(right(i), y);
+  }
+  for (std::size_t e = 0; e < sums.size(); ++e) f[static_cast<Eigen::Index>(e)] = sums[e].value();
+}
+
+DoubleDouble ReleasedFamily::wide_form(Eigen::Index form, const Eigen::VectorXd& y) const {
+  const auto number = static_cast<std::size_t>(form);
+  DoubleDouble sum{constants_[number]};
+  for (std::size_t i = ends_[number]; i < ends_[number + 1]; ++i)
+    sum = sum + two_product(terms_[i].coefficient, y[terms_[i].unknown]);
+  return sum;
+}
+
 void ReleasedFamily::jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix) {
   evaluate(y);
   matrix.topRows(given_.size()).setZero();

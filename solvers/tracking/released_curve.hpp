@@ -29,6 +29,7 @@ class ReleasedFamily {
   int unknowns() const { return unknowns_; }
   Eigen::VectorXd start() const { return start_; }
   void residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
+  void wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
   void jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix);
   void start_series(double) {}
   void set(int n, const Eigen::VectorXd& coefficient);
@@ -48,6 +49,7 @@ class ReleasedFamily {
                  Eigen::VectorXd start, int order);
   void add_form(const RealForm& form);
   void evaluate(const Eigen::VectorXd& y);
+  DoubleDouble wide_form(Eigen::Index form, const Eigen::VectorXd& y) const;
   void changes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> forms) const;
   Eigen::Index left(Eigen::Index product) const { return product; }
   Eigen::Index right(Eigen::Index product) const { return product < squares_ ? product : product + pairs(); }

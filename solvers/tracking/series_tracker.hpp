@@ -21,15 +21,16 @@
 /// the third one.
 ///
 /// Crossings of t = 1 are roots of the polynomial. Where t may turn round near 1 the polynomial is computed
-/// with the matrix at its own point, not with that of the corrector. Near an extremum of t that is as near 1
-/// as that series errs the crossings are not known, and the extremum is recorded, too.
+/// with the matrix at its own point, not with that of the corrector. Where t comes so near to 1, or passes it at so small
+/// a slope, that the error of the polynomial hides the crossings, points are corrected to the rounding of their
+/// coordinates from there on, and the step is halved while that helps. Near an extremum of t that is as near 1
+/// as that series still errs the crossings are not known, and the extremum is recorded, too.
 ///
 /// It fails (with a named cause) where S is singular, or passes a singularity closer than the smallest step,
 /// where a length vanishes, beyond which the squared equations describe another problem, and where S runs off.
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -37,32 +38,10 @@
 #include "solvers/numeric/arc_series.hpp"
 #include "solvers/numeric/polynomial_roots.hpp"
 #include "solvers/tracking/corrector.hpp"
+#include "solvers/tracking/series_curve.hpp"
 #include "solvers/tracking/tracked_path.hpp"
 
 namespace gcs {
-
-/// A curve in coordinates whose last one is t.
-template <class C>
-concept SeriesCurve = requires(C curve, int orientation, double t, Eigen::VectorXd& y,
-                               const Eigen::VectorXd& tangent, ArcSeries& series) {
-  /// Number of coordinates, t included.
-  { curve.coordinates() } -> std::convertible_to<Eigen::Index>;
-  /// The series at the start, going towards growing t (orientation +1) or falling t;
-  /// false where S is singular.
-  { curve.start(orientation, series) } -> std::same_as<bool>;
-  /// Corrects the predicted point y in the hyperplane normal to the tangent and expands there; false when the
-  /// corrector does not settle, when y is on another arc, or when a length is negative there.
-  { curve.advance(y, tangent, series) } -> std::same_as<bool>;
-  /// Expands again at the point of the last advance, once that is taken, with a matrix at this very point.
-  curve.renew(series);
-  /// The least of the lengths at t, each relative to what it is at the sketch or the target.
-  { curve.shortest_length(t) } -> std::convertible_to<double>;
-  /// The last advance is taken, or taken back.
-  curve.accept();
-  curve.reject();
-  /// Counters kept by the curve itself.
-  { curve.work() } -> std::same_as<WorkCounters&>;
-};
 
 struct SeriesTrackerOptions {
   int order = 12;
@@ -80,13 +59,6 @@ struct SeriesTrackerOptions {
   int kept_points = 0;  ///< of each step, at equal arc lengths; crossings besides
 };
 
-/// A curve on which points are the same figure that differ in the signs of some coordinates.
-template <class C>
-concept TurnedCurve = requires(const C curve, const Eigen::VectorXd& y) {
-  /// Of all coordinates, 1 or −1: those that bring the first point nearest to the second.
-  { curve.signs_towards(y, y) } -> std::same_as<Eigen::VectorXd>;
-};
-
 /// Backward evaluation must meet the old point within this fraction of the step. A jump misses it by the
 /// distance of the arcs, while a series that is good to 1e-9 one way is good to about 1e-5 the other (its
 /// disc may be smaller by the step).
@@ -98,6 +70,10 @@ inline constexpr double disc_used = 0.75;
 
 /// A length that is down to this part of itself where no step was possible is what makes S singular there.
 inline constexpr double vanished = 1e-8;
+
+/// How far along S, in the scene's unit, the error of t may move a crossing: Newton's method leads to the solution from
+/// there.
+inline constexpr double settled_crossing = 1e-4;
 
 /// How far from an extremum of height h of t the crossings next to it may be, in units of sqrt(h/|t''|):
 /// twice where a parabola puts them.
@@ -117,7 +93,8 @@ class SeriesTracker {
         options_(options),
         context_(context),
         here_(curve.coordinates(), options.order),
-        there_(curve.coordinates(), options.order) {}
+        there_(curve.coordinates(), options.order),
+        beside_(curve.coordinates(), options.order) {}
 
   /// Follows the curve from its start until it is back there.
   TrackedPath run() {
@@ -155,17 +132,54 @@ class SeriesTracker {
     for (; step_ >= least_step; step_ /= 2) {
       here_.evaluate(step_, predicted_);
       here_.tangent(step_, tangent_);
-      if (curve_.advance(predicted_, tangent_, there_) && step_ <= there_.radius() && agrees_backwards()) {
+      if (curve_.advance(predicted_, tangent_, there_, is_wide_) && step_ <= there_.radius() &&
+          agrees_backwards()) {
+        if (hides_crossings()) {
+          sharpen();
+          ++work.rejected_steps;
+          continue;
+        }
         curve_.accept();
         ++work.iterations;
         work.smallest_step = std::min(work.smallest_step.value_or(step_), step_);
-        if (may_touch(there_)) curve_.renew(there_);
+        if (is_wide_ || may_touch(there_)) curve_.renew(there_);
         return true;
       }
       curve_.reject();
       ++work.rejected_steps;
     }
     return false;
+  }
+
+  /// Whether the error of t on this step hides where, or whether, t comes to 1, and that can be mended.
+  bool hides_crossings() const {
+    if (std::abs(here_.coefficient(0)[t_row()] - 1) > step_) return false;  // |dt/ds| ≤ 1
+    const std::vector<double> above = height(here_);
+    if (!may_vanish(above, step_, time_error_at(step_))) return false;
+    const std::vector<double> rate = derivative(above);
+    const auto can_be_mended = [&](double s) { return !is_wide_ || series_error_at(s) > rounding_of_time(); };
+    return std::ranges::any_of(real_roots(above, step_),
+                               [&](double s) {
+                                 const double least_rate =
+                                     std::abs(polynomial_value(rate, s)) -
+                                     (is_wide_ ? 0 : CorrectorTest::stale_limit * options_.tolerance);
+                                 return least_rate * settled_crossing < time_error_at(s) && can_be_mended(s);
+                               }) ||
+           std::ranges::any_of(real_roots(rate, step_), [&](double s) {
+             return std::abs(polynomial_value(above, s)) <= time_error_at(s) && can_be_mended(s);
+           });
+  }
+
+  /// Takes the step back: it is halved, but first the point that it begins at is corrected to the rounding of its coordinates.
+  void sharpen() {
+    curve_.reject();
+    if (is_wide_) return;
+    is_wide_ = true;
+    predicted_ = here_.coefficient(0);
+    tangent_ = here_.coefficient(1);
+    if (curve_.advance(predicted_, tangent_, there_, is_wide_)) std::swap(here_, there_);
+    curve_.reject();
+    step_ *= 2;
   }
 
   bool agrees_backwards() {
@@ -233,13 +247,24 @@ class SeriesTracker {
     if (!may_vanish(above, end, time_error_at(end)) && (above[0] >= 0) == (t_at_end >= 1)) return;
     int direction = above[0] >= 0 ? -1 : 1;
     for (const double s : sign_changes(above, end, t_at_end - 1)) {
-      here_.evaluate(s, predicted_);
-      path_.crossings.push_back({predicted_, direction, path_.length + s});
+      path_.crossings.push_back({point_at(s), direction, path_.length + s});
       direction = -direction;
     }
     const std::vector<double> rate = derivative(above);
     for (const double s : sign_changes(rate, end, ends_here ? start_tangent_[t] : there_.coefficient(1)[t]))
       record_touch(above, rate, s);
+  }
+
+  /// The series' point on this step, corrected where crossings are hidden by less than it errs: where S is flat, Newton's
+  /// method at t = 1 leads far along it from a point that is a little beside.
+  const Eigen::VectorXd& point_at(double s) {
+    here_.evaluate(s, predicted_);
+    if (!is_wide_) return predicted_;
+    here_.tangent(s, tangent_);
+    scratch_ = predicted_;
+    if (!curve_.advance(scratch_, tangent_, beside_, is_wide_)) scratch_ = predicted_;
+    curve_.reject();
+    return scratch_;
   }
 
   /// Where t comes no nearer to 1 than the series errs, its extremum says all that there is to say.
@@ -250,7 +275,7 @@ class SeriesTracker {
     const double reach = touch_reach * std::sqrt((height + error) / std::abs(bend));
     PathTouch touch{{}, {}, bend < 0 ? 1 : -1, path_.length + s, reach};
     if (!(reach <= step_)) touch.reach = std::numeric_limits<double>::infinity();
-    here_.evaluate(s, touch.point);
+    touch.point = point_at(s);
     here_.evaluate(s - step_ / 16, touch.before);
     path_.touches.push_back(std::move(touch));
   }
@@ -258,12 +283,21 @@ class SeriesTracker {
   /// A bound on the error of t(s) near an extremum, where the series is that at its own point, for all that
   /// the corrector shows: it refuses a prediction that is off by more than so many of the last terms, and
   /// stops at the rounding of ill-conditioned points.
-  double time_error_at(double s) const {
+  double time_error_at(double s) const { return series_error_at(s) + rounding_of_time(); }
+
+  double series_error_at(double s) const {
     const int last = options_.order;
     const auto coefficient = [&](int n) { return std::abs(here_.coefficients()(t_row(), n)); };
     const double terms = (coefficient(last) * s + coefficient(last - 1)) * std::pow(s, last - 1);
-    return CorrectorTest::first_limit * terms +
-           CorrectorTest::settled_limit(here_.coefficient(0).lpNorm<Eigen::Infinity>());
+    return CorrectorTest::first_limit * terms;
+  }
+
+  double rounding_of_time() const { return rounding_at(here_.coefficient(0)); }
+
+  /// What the corrector leaves of a point's coordinates.
+  double rounding_at(const Eigen::Ref<const Eigen::VectorXd>& y) const {
+    const double size = y.lpNorm<Eigen::Infinity>();
+    return is_wide_ ? CorrectorTest::wide_limit(size) : CorrectorTest::settled_limit(size);
   }
 
   /// Whether t comes to 1 on this step, or turns round before.
@@ -287,12 +321,12 @@ class SeriesTracker {
     double error = time_error_at(s);
     here_.evaluate(s, predicted_);
     here_.tangent(s, tangent_);
-    if (curve_.advance(predicted_, tangent_, there_)) {
+    if (curve_.advance(predicted_, tangent_, there_, is_wide_)) {
       curve_.accept();
       curve_.renew(there_);
       const std::vector<double> rate = derivative(height(there_));
       there_.evaluate(-rate[0] / rate[1], predicted_);
-      error = CorrectorTest::settled_limit(predicted_.lpNorm<Eigen::Infinity>());
+      error = rounding_at(predicted_);
     } else {
       curve_.reject();
     }
@@ -360,8 +394,9 @@ class SeriesTracker {
   Curve& curve_;
   SeriesTrackerOptions options_;
   TrackerContext context_;
-  ArcSeries here_, there_;
+  ArcSeries here_, there_, beside_;
   double step_ = 0;
+  bool is_wide_ = false;  ///< corrections are to leave nothing but the rounding of coordinates
   Eigen::VectorXd start_, start_tangent_, predicted_, tangent_, scratch_;
   TrackedPath path_;
 };

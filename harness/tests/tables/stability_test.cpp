@@ -388,6 +388,12 @@ TEST_CASE("octahedra that all but move are solved") {
   check_counts("bricard@1e-15", "cayley-menger", 2);
 }
 
+// Corrections stall where rounding of residuals is amplified; crossings drown where t hardly changes.
+TEST_CASE("paths are followed where arcs all but meet, and decided where they are all but flat") {
+  check_right(
+      measured({"near-miss@1e-12", "bricard@1e-10", "bricard-two@1e-10"}, {"full-space", "rcp", "explore"}));
+}
+
 TEST_CASE("errors are below the condition number times half of the unit roundoff") {
   const RunFile run = measured(
       {"touching-spheres@0.5", "touching-spheres@1e-8", "straight-bodies@1e-1", "symmetric-body@1e-2"},

@@ -79,7 +79,7 @@ struct Ellipse {
     REQUIRE(curve.start(1, result));
     Eigen::VectorXd y = point(side, 1);
     const Eigen::VectorXd tangent = (y - point(side - 1e-8, 1)).normalized();
-    REQUIRE(curve.advance(y, tangent, result));
+    REQUIRE(curve.advance(y, tangent, result, false));
     return result;
   }
 

@@ -124,12 +124,12 @@ void check_series_agree(const ProblemStatement& problem, int steps, double toler
     for (bool taken = false; !taken; step /= 2) {
       here.evaluate(step, y);
       here.tangent(step, tangent);
-      taken = distances.advance(y, tangent, there);
+      taken = distances.advance(y, tangent, there, false);
       REQUIRE(step > 1e-9);
     }
     std::swap(here, there);
     Eigen::VectorXd twin_y = as_plan_coordinates(scene, system, y);
-    REQUIRE(plan.advance(twin_y, as_plan_coordinates(scene, system, tangent), twin));
+    REQUIRE(plan.advance(twin_y, as_plan_coordinates(scene, system, tangent), twin, false));
     plan.accept();
     worst = std::max(worst, series_difference(scene, system, here, twin, here.step_for(options.tolerance)));
   }
@@ -210,12 +210,12 @@ TEST_CASE("a point moved off the curve by less than the tolerance is corrected b
     series.evaluate(step, y);
     series.tangent(step, tangent);
     for (double& value : y) value += random.uniform(-1e-9, 1e-9);
-    REQUIRE(curve.advance(y, tangent, series));
+    REQUIRE(curve.advance(y, tangent, series, false));
     CHECK(path_error(scene, curve.figure(y), y[y.size() - 1]) <= 1e-14);
     CHECK(series.coefficient(0) == y);
 
     y += 1e-3 * tangent.reverse();
-    CHECK_FALSE(curve.advance(y, tangent, series));
+    CHECK_FALSE(curve.advance(y, tangent, series, false));
     curve.reject();
   };
   check(distances);

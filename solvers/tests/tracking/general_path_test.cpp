@@ -88,7 +88,8 @@ TEST_CASE("S of points beside given lines and planes meets solutions that monodr
       const Answer on_path = followed(scene.problem()), all = solve(scene, "monodromy");
       CAPTURE(seed, scene.dimension(), on_path.reason);
       const bool is_complete = on_path.status == RunStatus::complete;
-      CHECK((is_complete || on_path.reason.find("singular") != std::string::npos));
+      const auto is_said = [&](const char* cause) { return on_path.reason.find(cause) != std::string::npos; };
+      CHECK((is_complete || is_said("singular") || is_said("a length vanishes")));
       complete += is_complete;
       CHECK(all.status == RunStatus::complete);
       CHECK(on_path.failed_checks.empty());

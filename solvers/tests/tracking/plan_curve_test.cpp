@@ -249,14 +249,14 @@ TEST_CASE("a step taken back leaves the plan as it was") {
     const auto before = describe_plan(scene, curve.plan());
     const std::int64_t changes = curve.work().plan_changes;
     Eigen::VectorXd attempt = y;
-    REQUIRE(curve.advance(attempt, tangent, next));
+    REQUIRE(curve.advance(attempt, tangent, next, false));
     if (describe_plan(scene, curve.plan()) != before) {
       CHECK(curve.work().plan_changes == changes + 1);
       curve.reject();
       CHECK(describe_plan(scene, curve.plan()) == before);
       CHECK(curve.work().plan_changes == changes);
       ++taken_back;
-      REQUIRE(curve.advance(y, tangent, next));
+      REQUIRE(curve.advance(y, tangent, next, false));
     }
     curve.accept();
     std::swap(series, next);

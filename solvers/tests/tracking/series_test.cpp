@@ -232,9 +232,18 @@ TEST_CASE("the corrector settles on noise, on quadratic promise, and refuses wha
     CHECK(test.judge(1e-12, 1) == Verdict::settled);
   }
   SECTION("corrections that hardly fall are refused") {
+    CorrectorTest test(1e-7);
+    CHECK(test.judge(1e-6, 1) == Verdict::again);
+    CHECK(test.judge(2e-7, 1) == Verdict::refuse);
+  }
+  SECTION(
+      "small corrections that hardly fall may be rounding, which residuals in double-double do not have") {
     CorrectorTest test(tolerance);
-    CHECK(test.judge(1e-8, 1) == Verdict::again);
-    CHECK(test.judge(2e-9, 1) == Verdict::refuse);
+    CHECK(test.judge(1e-10, 1) == Verdict::again);
+    CHECK(test.judge(9e-11, 1) == Verdict::stalled);
+    test.widen();
+    CHECK(test.judge(9e-11, 1) == Verdict::again);
+    CHECK(test.judge(8e-11, 1) == Verdict::refuse);
   }
   SECTION("near the noise, corrections that hardly fall are taken for rounding") {
     CorrectorTest test(tolerance);

@@ -71,6 +71,9 @@ inline constexpr double disc_used = 0.75;
 /// A length that is down to this part of itself where no step was possible is what makes S singular there.
 inline constexpr double vanished = 1e-8;
 
+/// Where nothing but the rounding of coordinates is left, a step may be this short, a few hundred roundings.
+inline constexpr double least_wide_step = 1e-13;
+
 /// How far along S, in the scene's unit, the error of t may move a crossing: Newton's method leads to the solution from
 /// there.
 inline constexpr double settled_crossing = 1e-4;
@@ -124,12 +127,20 @@ class SeriesTracker {
   }
 
  private:
+  /// Where no step is short enough for points that the rounding of residuals moves, one may be for others.
   bool step() {
+    if (take_step()) return true;
+    if (is_wide_) return false;
+    widen();
+    return take_step();
+  }
+
+  bool take_step() {
     WorkCounters& work = curve_.work();
     const double far = options_.step_max_far * here_.coefficient(0).lpNorm<Eigen::Infinity>();
     step_ = std::min(
         {std::max(options_.step_max, far), here_.step_for(options_.tolerance), disc_used * here_.radius()});
-    for (; step_ >= least_step; step_ /= 2) {
+    for (; step_ >= (is_wide_ ? least_wide_step : least_step); step_ /= 2) {
       here_.evaluate(step_, predicted_);
       here_.tangent(step_, tangent_);
       if (curve_.advance(predicted_, tangent_, there_, is_wide_) && step_ <= there_.radius() &&
@@ -170,15 +181,20 @@ class SeriesTracker {
            });
   }
 
-  /// Takes the step back: it is halved, but first the point that it begins at is corrected to the rounding of its coordinates.
-  void sharpen() {
-    curve_.reject();
-    if (is_wide_) return;
+  /// From now on points are corrected to the rounding of their coordinates, first the one that the step begins at.
+  void widen() {
     is_wide_ = true;
     predicted_ = here_.coefficient(0);
     tangent_ = here_.coefficient(1);
     if (curve_.advance(predicted_, tangent_, there_, is_wide_)) std::swap(here_, there_);
     curve_.reject();
+  }
+
+  /// Takes the step back: it is halved, but first tried again with points as exact as can be.
+  void sharpen() {
+    curve_.reject();
+    if (is_wide_) return;
+    widen();
     step_ *= 2;
   }
 

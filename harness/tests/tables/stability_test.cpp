@@ -392,6 +392,8 @@ TEST_CASE("octahedra that all but move are solved") {
 TEST_CASE("paths are followed where arcs all but meet, and decided where they are all but flat") {
   check_right(
       measured({"near-miss@1e-12", "bricard@1e-10", "bricard-two@1e-10"}, {"full-space", "rcp", "explore"}));
+  // Next to the target S turns within 1e-10.
+  check_right(measured({"short-edge@1e-10"}, {"full-space", "rcp"}));
 }
 
 TEST_CASE("errors are below the condition number times half of the unit roundoff") {

@@ -44,6 +44,30 @@ std::vector<int> without_value(const GeneralEquations& equations) {
   return result;
 }
 
+/// The monomial whose coefficient monomial j has.
+int leader(const MonomialSystem& system, int j) { return system.shares.empty() ? j : system.shares[j]; }
+
+/// The coefficient that the first monomial of each equation has makes it zero.
+FamilyMember random_zero_of_coefficients(const MonomialSystem& system, std::mt19937_64& random) {
+  FamilyMember member{random_complex_vector(system.unknowns, random),
+                      random_complex_vector(static_cast<int>(system.monomials.size()), random)};
+  for (int e = 0; e < system.equations(); ++e) {
+    const int first = system.first[e];
+    Complex with_first = 0, others = 0;
+    for (int j = first; j < system.first[e + 1]; ++j) {
+      const Complex monomial = monomial_at(system.monomials[j], member.x);
+      if (leader(system, j) == first)
+        with_first += monomial;
+      else
+        others += member.parameters[leader(system, j)] * monomial;
+    }
+    member.parameters[first] = -others / with_first;
+    for (int j = first; j < system.first[e + 1]; ++j)
+      member.parameters[j] = member.parameters[leader(system, j)];
+  }
+  return member;
+}
+
 }  // namespace
 
 Expansion expanded(const QuadraticEquation& equation) {
@@ -124,6 +148,15 @@ HomotopyFamily family_of(const GeneralEquations& equations) {
     if (j >= 0) is_free[j] = true;
   return {equations.signs, std::move(is_free), false,
           [&equations](std::mt19937_64& random) { return random_member(equations, random); }};
+}
+
+HomotopyFamily family_of_coefficients(const GeneralEquations& equations) {
+  const MonomialSystem& system = equations.system;
+  std::vector<bool> is_free;
+  for (int j = 0; j < static_cast<int>(system.monomials.size()); ++j)
+    is_free.push_back(leader(system, j) == j);
+  return {equations.signs, std::move(is_free), false,
+          [&system](std::mt19937_64& random) { return random_zero_of_coefficients(system, random); }};
 }
 
 Elimination order_elimination(const MonomialSystem& system, const HomotopyFamily& family,

@@ -51,6 +51,10 @@ FamilyMember random_member(const GeneralEquations& equations, std::mt19937_64& r
 
 HomotopyFamily family_of(const GeneralEquations& equations);
 
+/// The equations with all coefficients free, but that monomials which share one still do; members are random zeros of
+/// random coefficients. It holds the equations of the same bodies in other shapes.
+HomotopyFamily family_of_coefficients(const GeneralEquations& equations);
+
 /// The samples are Jacobians at random members.
 Elimination order_elimination(const MonomialSystem& system, const HomotopyFamily& family,
                               std::mt19937_64& random);

@@ -22,6 +22,7 @@
 #include <stdexcept>
 
 #include "solvers/homotopies/complex_strategy.hpp"
+#include "solvers/homotopies/endgame.hpp"
 #include "solvers/homotopies/general_trace.hpp"
 #include "solvers/homotopies/mirror_images.hpp"
 #include "solvers/homotopies/start_store.hpp"
@@ -185,7 +186,36 @@ class MonodromyStrategy final : public ComplexStrategy {
                                  progress("points for the trace test"), start.work);
       is_done = !with_trace_ || why_not_all(found.generic, found.trace, "").empty();
     }
+    if (!is_done && most && !stopped())
+      search_coefficients(request, *classes_of(most), search, start, found.generic);
     return found;
+  }
+
+  /// Next to special shapes of bodies solutions are so far away that no loop of values comes near them. Among all
+  /// coefficients the shapes are special, too, but random ones are not: from their zeros paths lead to all of the shapes'.
+  static void search_coefficients(const SolveRequest& request, std::uint64_t most,
+                                  const MonodromyOptions& options, GeneralStart& start,
+                                  GenericSolutions& found) {
+    const auto stopped = [&] { return request.stop.stop_requested(); };
+    const GenericSolutions zeros = search_by_monodromy(
+        family_of_coefficients(start.equations), start.tracking, {std::nullopt, nullptr}, options,
+        start.random, stopped, [&](int) { report_progress(request, "solutions at random coefficients", -1); },
+        start.work);
+    const std::vector<PathEnd> ends = follow_to_end(
+        start.tracking, zeros.solutions, zeros.squares, found.squares,
+        [&](const ComplexVectorX& x) { return is_zero_at(start.equations.system, found.squares, x); },
+        stopped, [&](double fraction) { report_progress(request, "paths to random values", fraction); },
+        start.work);
+    SolutionSet classes(start.equations.signs, start.random);
+    for (const ComplexVectorX& x : found.solutions) classes.insert(x, regular_uncertainty);
+    for (const PathEnd& end : ends)
+      if (end.kind == PathEnd::Kind::regular) classes.insert(end.x, regular_uncertainty);
+    found.solutions = classes.solutions();
+    found.legs += zeros.legs;
+    found.lost_legs += zeros.lost_legs;
+    found.arcs_used += zeros.arcs_used;
+    if (found.solutions.size() == most) found.end = SearchEnd::complete;
+    if (found.solutions.size() > most) found.end = SearchEnd::inconsistent;
   }
 
   /// For start systems, where options name them.

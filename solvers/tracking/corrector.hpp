@@ -23,8 +23,8 @@ class CorrectorTest {
   /// A tangent that is off by more tolerances than this is computed anew.
   static constexpr double stale_limit = 10;
 
-  /// `tolerance`: the tracker's, in the unit of the coordinates.
-  explicit CorrectorTest(double tolerance) : tolerance_(tolerance) {}
+  /// `tolerance`: the tracker's, in the unit of the coordinates. `is_wide`: residuals are in double-double.
+  explicit CorrectorTest(double tolerance, bool is_wide = false) : tolerance_(tolerance), is_wide_(is_wide) {}
 
   Verdict judge(double correction, double size) {
     const double noise = noise_at(size);
@@ -76,9 +76,9 @@ class CorrectorTest {
   static constexpr double noise_limit = 1e3;
   static constexpr double rounding_limit = 3e-10;
   double tolerance_;
+  bool is_wide_;
   double previous_ = 0;
   double factor_ = 0;
-  bool is_wide_ = false;
 };
 
 /// What rounding may leave of equation i, whose gradient has this length, at coordinates of that size. The signs and sizes

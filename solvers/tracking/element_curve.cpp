@@ -110,8 +110,7 @@ bool ElementCurve::correct(CorrectorTest& test) {
   const int d = plan_.driving_parameters();
   driven_ = plan_.driven(y_);
   for (bool is_settled = false;;) {
-    CorrectorTest of_plan(options_.tolerance);
-    if (test.is_wide()) of_plan.widen();
+    CorrectorTest of_plan(options_.tolerance, test.is_wide());
     if (!evaluate(of_plan)) return false;
     if (is_settled) return !test.is_wide() || CorrectorTest::are_arcs_apart(moved_by_rounding(), y_.norm());
     residual(test.is_wide());
@@ -153,8 +152,7 @@ bool ElementCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, A
                            bool is_wide) {
   y_ = y;
   if (!maintain(tangent)) return false;
-  CorrectorTest test(options_.tolerance);
-  if (is_wide) test.widen();
+  CorrectorTest test(options_.tolerance, is_wide);
   if (!correct(test)) return false;
   if (test.matrix_is_stale()) {
     differentiate();

@@ -74,8 +74,7 @@ class ImplicitCurve {
     residual(y, right_side_.head(m), is_wide);
     factorise(y, tangent);
     if (determinant_sign(lu_) != side_) return false;
-    CorrectorTest test(tolerance_);
-    if (is_wide) test.widen();
+    CorrectorTest test(tolerance_, is_wide);
     while (true) {
       correction_ = lu_.solve(right_side_);
       y -= correction_;

@@ -253,8 +253,7 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
   points_.topRows(dimension_) = figure;
   if (too_near()) return false;
   if (!maintain(y[coordinates_ - 1], tangent)) return false;
-  CorrectorTest test(options_.tolerance);
-  if (is_wide) test.widen();
+  CorrectorTest test(options_.tolerance, is_wide);
   for (bool first = true, settled = false;; first = false) {
     if (!evaluate()) return false;
     if (settled) break;

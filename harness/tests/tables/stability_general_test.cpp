@@ -100,9 +100,20 @@ TEST_CASE("solutions that doubles do not tell apart are not called a double one"
     }
 }
 
-TEST_CASE("postures that are nearly separate from the others are found or missed") {
+TEST_CASE("postures that no loop of values comes near are found over all coefficients") {
   // Six by Hunt 1983; two of them are as far away as 1/ε at any values.
-  for (const std::string epsilon : {"1e-3", "1e-4", "1e-6", "1e-8", "1e-10", "1e-12"})
+  for (const std::string epsilon : {"1e-3", "1e-4", "1e-6"})
+    for (int seed = 1; seed <= repetitions(7); ++seed) {
+      const SolveRun run = solved("symmetric-body@" + epsilon, "monodromy", static_cast<std::uint64_t>(seed));
+      INFO(epsilon << ", seed " << seed << ": " << run.reason);
+      CHECK(run.status == RunStatus::complete);
+      CHECK(run.solutions.size() == 6);
+    }
+}
+
+// Coefficients that differ by so much leave everything to the end of a straight way.
+TEST_CASE("postures that are further away are found or missed") {
+  for (const std::string epsilon : {"1e-8", "1e-10", "1e-12"})
     for (int seed = 1; seed <= repetitions(7); ++seed) {
       const SolveRun run = solved("symmetric-body@" + epsilon, "monodromy", static_cast<std::uint64_t>(seed));
       INFO(epsilon << ", seed " << seed << ": " << run.reason);

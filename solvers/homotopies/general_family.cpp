@@ -44,9 +44,6 @@ std::vector<int> without_value(const GeneralEquations& equations) {
   return result;
 }
 
-/// The monomial whose coefficient monomial j has.
-int leader(const MonomialSystem& system, int j) { return system.shares.empty() ? j : system.shares[j]; }
-
 /// The coefficient that the first monomial of each equation has makes it zero.
 FamilyMember random_zero_of_coefficients(const MonomialSystem& system, std::mt19937_64& random) {
   FamilyMember member{random_complex_vector(system.unknowns, random),
@@ -56,14 +53,14 @@ FamilyMember random_zero_of_coefficients(const MonomialSystem& system, std::mt19
     Complex with_first = 0, others = 0;
     for (int j = first; j < system.first[e + 1]; ++j) {
       const Complex monomial = monomial_at(system.monomials[j], member.x);
-      if (leader(system, j) == first)
+      if (system.leader(j) == first)
         with_first += monomial;
       else
-        others += member.parameters[leader(system, j)] * monomial;
+        others += member.parameters[system.leader(j)] * monomial;
     }
     member.parameters[first] = -others / with_first;
     for (int j = first; j < system.first[e + 1]; ++j)
-      member.parameters[j] = member.parameters[leader(system, j)];
+      member.parameters[j] = member.parameters[system.leader(j)];
   }
   return member;
 }
@@ -154,7 +151,7 @@ HomotopyFamily family_of_coefficients(const GeneralEquations& equations) {
   const MonomialSystem& system = equations.system;
   std::vector<bool> is_free;
   for (int j = 0; j < static_cast<int>(system.monomials.size()); ++j)
-    is_free.push_back(leader(system, j) == j);
+    is_free.push_back(system.leader(j) == j);
   return {equations.signs, std::move(is_free), false,
           [&system](std::mt19937_64& random) { return random_zero_of_coefficients(system, random); }};
 }

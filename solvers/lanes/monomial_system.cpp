@@ -13,8 +13,7 @@ MonomialSums monomial_sums(const MonomialSystem& system) {
   for (int e = 0; e < system.equations(); ++e) {
     std::map<int, std::vector<std::pair<int, int>>> with_coefficient;
     for (int j = system.first[e]; j < system.first[e + 1]; ++j)
-      with_coefficient[system.shares.empty() ? j : system.shares[j]].emplace_back(system.monomials[j].u,
-                                                                                  system.monomials[j].v);
+      with_coefficient[system.leader(j)].emplace_back(system.monomials[j].u, system.monomials[j].v);
     for (auto& [coefficient, monomials] : with_coefficient) {
       std::sort(monomials.begin(), monomials.end());
       const auto [known, is_new] = numbers.try_emplace(monomials, static_cast<int>(result.sums.size()));

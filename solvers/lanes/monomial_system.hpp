@@ -21,6 +21,8 @@ struct MonomialSystem {
   std::vector<int> shares{};
 
   int equations() const { return static_cast<int>(first.size()) - 1; }
+  /// The monomial whose coefficient monomial j has.
+  int leader(int j) const { return shares.empty() ? j : shares[j]; }
 };
 
 /// The equations as Σ c·(sum of monomials): monomials with one coefficient are a sum, and sums that several equations have

@@ -5,6 +5,7 @@
 #include "solvers/elements/system_builder.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/bilinear_product.hpp"
+#include "solvers/numeric/wide_vector.hpp"
 
 namespace gcs {
 namespace {
@@ -101,6 +102,16 @@ bool are_parallel(const ProblemStatement& problem, int a, int b) {
   return std::ranges::find(parallel, problem.line_of(b)) != parallel.end();
 }
 
+/// n and n·(p − q) of the equations below. In double-double: far away products of nearly isotropic directions cancel.
+ComplexValues normal_and_distance(const LineForms& a, const LineForms& b, const ComplexValues& x) {
+  const WideVector across =
+      cross_product(widened(vector_at(a.direction, x)), widened(vector_at(b.direction, x)));
+  const WideVector n = inverse_sqrt(bilinear_product(across, across)) * across;
+  ComplexValues result = components(narrowed(n), 3);
+  result.push_back(bilinear_product(n, wide_difference(vector_at(a.foot, x), vector_at(b.foot, x))).value());
+  return result;
+}
+
 /// Of lines that are not parallel the common normal n: n·u = n·v = 0, n·n = 1; then (n·(p − q))² = a².
 void distance_line_line(SystemBuilder& builder, const StatedRelation& stated) {
   const LineForms &a = builder.line(stated.entity(0)), &b = builder.line(stated.entity(1));
@@ -117,14 +128,8 @@ void distance_line_line(SystemBuilder& builder, const StatedRelation& stated) {
   }
   const SignMask turning = builder.new_turning();
   const VectorForm normal = builder.vector(turning);
-  builder.define([a, b](const Placement&, const ComplexValues& x) {
-    return components(unit_vector(cross_product(vector_at(a.direction, x), vector_at(b.direction, x))), 3);
-  });
   const LinearForm apart = builder.unknown(turning);
-  builder.define([a, b, normal](const Placement&, const ComplexValues& x) {
-    return ComplexValues{bilinear_product(vector_at(normal, x),
-                                          Eigen::Vector3cd(vector_at(a.foot, x) - vector_at(b.foot, x)))};
-  });
+  builder.define([a, b](const Placement&, const ComplexValues& x) { return normal_and_distance(a, b, x); });
   builder.add(Equation().plus(normal, normal).equals(exactly(1)));
   builder.add(Equation().plus(normal, a.direction).equals());
   builder.add(Equation().plus(normal, b.direction).equals());

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "solvers/figures/singular_ratio.hpp"
+#include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
 namespace {
@@ -19,6 +20,11 @@ double size_of(const ComplexValues& x) {
   double size = 1;
   for (const std::complex<double>& value : x) size = std::max(size, std::abs(value));
   return size;
+}
+
+/// The errors of two figures, and the rounding of coordinates.
+double reach_of(const GeneralTolerance& tolerance, double size) {
+  return std::min(tolerance.relative * size, std::max(64 * unit_roundoff * size, 4 * tolerance.error));
 }
 
 }  // namespace
@@ -56,13 +62,14 @@ double GeneralJudge::condition(const Figure& figure) const {
 bool is_real(const Eigen::MatrixXcd& matrix) { return (matrix.imag().array() == 0).all(); }
 
 ReflectionClasses general_classes(const Scene& scene, std::span<const Figure> figures,
-                                  std::span<const double> tolerances) {
+                                  std::span<const GeneralTolerance> tolerances) {
   ReflectionClasses classes;
   const bool has_system = !why_no_system(scene);
   std::vector<ComplexValues> known;  // of the first of each class
   const auto equal = [&](const SignMasks& signs, const ComplexValues& x, const ComplexValues& y,
-                         double tolerance) {
-    const double reach = tolerance * std::max(size_of(x), size_of(y));
+                         const GeneralTolerance& a, const GeneralTolerance& b) {
+    const double size = std::max(size_of(x), size_of(y));
+    const double reach = std::max(reach_of(a, size), reach_of(b, size));
     return some_signs_fit(signs,
                           [&](std::size_t i, double sign) { return std::abs(x[i] - sign * y[i]) <= reach; });
   };
@@ -80,8 +87,8 @@ ReflectionClasses general_classes(const Scene& scene, std::span<const Figure> fi
     for (; number < classes.count(); ++number) {
       const auto first = static_cast<std::size_t>(classes.first[static_cast<std::size_t>(number)]);
       if (figures[first].is_real() == figures[i].is_real() &&
-          equal(system.equations().mirror, x, known[static_cast<std::size_t>(number)],
-                std::max(tolerances[first], tolerances[i])))
+          equal(system.equations().mirror, x, known[static_cast<std::size_t>(number)], tolerances[first],
+                tolerances[i]))
         break;
     }
     if (number == classes.count()) {

@@ -1,6 +1,7 @@
 #pragma once
 /// How good a figure is as a solution of a general scene, and which are the same.
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,10 +36,17 @@ class GeneralJudge {
 /// Whether all imaginary parts are 0.
 bool is_real(const Eigen::MatrixXcd& matrix);
 
-/// Two figures are the same class when no unknown of the scene's equations differs by more than the tolerance, relative
-/// to 1 + the largest, after some change of signs. Of two tolerances, one for each figure, the larger counts. No complex
-/// figure equals a real one. n² for n figures, with early exits.
+/// How far unknowns of figures of one class may be apart.
+struct GeneralTolerance {
+  double relative = 0;  ///< to the largest unknown, at least 1
+  double error =
+      std::numeric_limits<double>::infinity();  ///< see Candidate::error; less than that where it is proven
+};
+
+/// Two figures are the same class when no unknown of the scene's equations differs by more than the tolerance after some
+/// change of signs. Of two tolerances, one for each figure, the larger counts. No complex figure equals a real one. n² for n
+/// figures, with early exits.
 ReflectionClasses general_classes(const Scene& scene, std::span<const Figure> figures,
-                                  std::span<const double> tolerances);
+                                  std::span<const GeneralTolerance> tolerances);
 
 }  // namespace gcs

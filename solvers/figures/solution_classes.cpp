@@ -50,10 +50,10 @@ double merging_tolerance(double condition) {
 ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
                                    std::span<const SolutionAccuracy> accuracies) {
   if (scene.problem().is_general()) {
-    std::vector<double> found;
+    std::vector<GeneralTolerance> tolerances;
     for (const SolutionAccuracy& accuracy : accuracies)
-      found.push_back(std::min(proven_tolerance(scene, accuracy), merging_tolerance(accuracy.condition)));
-    return general_classes(scene, representatives, found);
+      tolerances.push_back({merging_tolerance(accuracy.condition), accuracy.error});
+    return general_classes(scene, representatives, tolerances);
   }
   std::vector<ClassTolerance> tolerances;
   for (std::size_t i = 0; i < representatives.size(); ++i)

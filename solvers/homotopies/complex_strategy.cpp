@@ -190,10 +190,11 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   const auto make_report = [&] {
     return complex_report(request.scene, start.coordinates, ends, work, random, request);
   };
-  const auto before = [&](const std::vector<std::size_t>& numbers) {
+  const auto before = [&](const std::vector<std::size_t>& numbers, double sigma) {
     std::vector<ComplexVectorX> starts;
     for (const std::size_t i : numbers) starts.push_back(start.solutions()[i]);
-    return follow_to_endgame(start.tracking, starts, start.squares(), squares, stopped, work);
+    return follow_to_radius(start.tracking, std::move(starts), start.squares(), squares, sigma, stopped,
+                            work);
   };
   SolveReport report = make_report();
   if (report.status == SolveStatus::partial && has_precise_ends(request.scene) &&

@@ -430,16 +430,27 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
   return endgame.walk_around_ends(report);
 }
 
-std::vector<ComplexVectorX> follow_to_endgame(LegTracking& tracking, std::span<const ComplexVectorX> starts,
-                                              const ComplexVectorX& from, const ComplexVectorX& to,
-                                              const std::function<bool()>& stopped, WorkCounters& work) {
-  const Route route = segment(from, to, 1, first_radius);
-  std::vector<Leg> legs;
-  for (const ComplexVectorX& start : starts) legs.push_back({start.data(), &route});
-  std::vector<ComplexVectorX> result;
-  for (LegResult& leg : tracking.follow(legs, stopped, work))
-    result.push_back(leg.state.end == LegEnd::arrived ? std::move(leg.x) : ComplexVectorX());
-  return result;
+std::vector<ComplexVectorX> follow_to_radius(LegTracking& tracking, std::vector<ComplexVectorX> starts,
+                                             const ComplexVectorX& from, const ComplexVectorX& to,
+                                             double radius, const std::function<bool()>& stopped,
+                                             WorkCounters& work) {
+  double last = 1;
+  for (const double next : {first_radius, radius}) {
+    if (next >= last || next < radius) continue;
+    const Route route = segment(from, to, last, next);
+    std::vector<Leg> legs;
+    std::vector<ComplexVectorX*> moved;
+    for (ComplexVectorX& x : starts) {
+      if (x.empty()) continue;
+      legs.push_back({x.data(), &route});
+      moved.push_back(&x);
+    }
+    std::vector<LegResult> results = tracking.follow(legs, stopped, work);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      *moved[i] = results[i].state.end == LegEnd::arrived ? std::move(results[i].x) : ComplexVectorX();
+    last = next;
+  }
+  return starts;
 }
 
 void settle(const MonomialSystem& system, const ComplexVectorX& coefficients, int threads,

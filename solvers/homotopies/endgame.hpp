@@ -43,10 +43,11 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work);
 
-/// Where the paths from these starts are at σ = first_radius; empty where one is lost.
-std::vector<ComplexVectorX> follow_to_endgame(LegTracking& tracking, std::span<const ComplexVectorX> starts,
-                                              const ComplexVectorX& from, const ComplexVectorX& to,
-                                              const std::function<bool()>& stopped, WorkCounters& work);
+/// Where the paths from these starts are at σ = radius ≤ first_radius; empty where one is lost.
+std::vector<ComplexVectorX> follow_to_radius(LegTracking& tracking, std::vector<ComplexVectorX> starts,
+                                             const ComplexVectorX& from, const ComplexVectorX& to,
+                                             double radius, const std::function<bool()>& stopped,
+                                             WorkCounters& work);
 
 /// Newton's method on ends that the trackers, whose order of elimination is fixed, did not take for regular ones or, where
 /// small pivots enlarge rounding, left beside them. On `threads` ≥ 1.

@@ -1,6 +1,7 @@
 #include "solvers/homotopies/general_report.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "solvers/certificates/nearly_singular.hpp"
@@ -91,8 +92,8 @@ class GeneralReporter {
         ++without_angle_;
         continue;
       }
-      missing_.too_far += loses_distances(scene_, figure);
       if (!distinct.is_singular(i) && !judge_.is_stiff(figure)) {
+        missing_.too_far += loses_distances(scene_, figure);
         missing_.lonely += !distinct.has_conjugate(i);
         report_.candidates.push_back({std::move(figure), 1});
         continue;
@@ -113,11 +114,27 @@ class GeneralReporter {
     report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
   }
 
+  /// Precise ends each for itself, if doubles tell what they are apart; others together.
+  ResolvedCandidates settled(const DistinctEnds& distinct, const Place& place) const {
+    const bool are_precise = std::ranges::all_of(place.ends, [&](const StiffEnd& end) {
+      return distinct.is_precise(end.number) && !distinct.is_singular(end.number);
+    });
+    ResolvedCandidates each;
+    for (std::size_t k = 0; are_precise && k < place.ends.size(); ++k) {
+      const int number = place.ends[k].number;
+      ResolvedCandidates one =
+          simple_solutions_near(system_, distinct[number], distinct.paths(number), stop_);
+      std::ranges::move(one.list, std::back_inserter(each.list));
+    }
+    each.are_told_apart = are_different_classes(scene_, each.list);
+    if (each.are(place.paths)) return each;
+    return simple_solutions_near(system_, distinct[place.ends.front().number], place.paths, stop_);
+  }
+
   /// As many simple solutions for the file's own numbers as paths ended there, or the ends as they are.
   void add_place(const DistinctEnds& distinct, const Place& place, bool is_lonely,
                  std::vector<Candidate>& simple) {
-    const ComplexVectorX& x = distinct[place.ends.front().number];
-    const ResolvedCandidates found = simple_solutions_near(system_, x, place.paths, stop_);
+    const ResolvedCandidates found = settled(distinct, place);
     const auto is_real = [](const Candidate& candidate) { return candidate.figure.is_real(); };
     if (found.are(place.paths)) {
       missing_.lonely += is_lonely && !std::ranges::all_of(found.list, is_real);
@@ -131,6 +148,7 @@ class GeneralReporter {
   void add_unresolved(const DistinctEnds& distinct, const StiffEnd& end, bool may_be_multiple) {
     const ComplexVectorX& x = distinct[end.number];
     const bool is_lonely = !distinct.has_conjugate(end.number);
+    missing_.too_far += loses_distances(scene_, end.figure);
     const bool loses_rank = is_lonely && judge_.condition(end.figure) >= rank_lost;
     if (loses_rank) add_loose(x);
     missing_.lonely += is_lonely && !loses_rank;

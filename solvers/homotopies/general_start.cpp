@@ -2,8 +2,10 @@
 
 #include <utility>
 
+#include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/homotopies/conjugate_ends.hpp"
 #include "solvers/homotopies/general_report.hpp"
+#include "solvers/homotopies/precise_ends.hpp"
 
 namespace gcs {
 namespace {
@@ -47,13 +49,30 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const G
   std::mt19937_64 keys(request.seed);
   end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(given.system, given.coefficients, x); },
                     given.signs, keys, ends);
-  SolveReport report = general_report(scene.system, given, ends, all_work, keys, request.stop);
+  const auto make_report = [&] {
+    return general_report(scene.system, given, ends, all_work, keys, request.stop);
+  };
+  const auto before = [&](const std::vector<std::size_t>& numbers, double sigma) {
+    std::vector<ComplexVectorX> starts;
+    for (const std::size_t i : numbers) starts.push_back(solutions[i]);
+    return follow_to_radius(tracking, std::move(starts), parameters, given.coefficients, sigma, stopped,
+                            all_work);
+  };
+  SolveReport report = make_report();
+  const FigureJudge judge(scene.system);
+  const auto is_open = [&](const PathEnd& end) {
+    if (end.kind == PathEnd::Kind::at_infinity) return true;
+    if (report.status != SolveStatus::partial) return false;
+    return end.kind != PathEnd::Kind::regular || judge.is_stiff(scene.system.figure(end.x, false));
+  };
+  if (determine_ends(given, parameters, is_open, before, request.threads, ends, request.stop))
+    report = make_report();
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
+  // Certificates are of these equations in general scenes alone, not in those of points and several lines.
+  if (request.scene.problem().is_general() && !is_stopped)
+    report.generic_member = GenericMember{values_of(equations, parameters), solutions};
   if (missing.empty()) {
     report.generic = solutions.size();
-    // Certificates are of these equations in general scenes alone, not in those of points and several lines.
-    if (request.scene.problem().is_general())
-      report.generic_member = GenericMember{values_of(equations, parameters), solutions};
     return report;
   }
   report.reason = missing + (report.reason.empty() ? "" : "; " + report.reason);

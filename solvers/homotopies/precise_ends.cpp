@@ -12,15 +12,21 @@
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/figures/complex_distances.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
 
-constexpr double last_sigma = 1e-60;
+constexpr double last_sigma = 1e-80;
 /// Unknowns³ of all ends together: seconds.
 constexpr double most_work = 5e4;
 
-constexpr double sigma_bits = 200;  // of last_sigma
+/// Of σ: there doubles hold most paths whose ends they do not hold.
+constexpr double beside_the_end = 1e-6;
+/// Of a general scene's paths: an end takes as long as some hundred of them, whatever their number.
+constexpr double most_of_paths = 0.05;
+
+constexpr double sigma_bits = 266;  // of last_sigma
 
 /// Coordinates like σ^(−p) are squared, and the condition number grows as fast: four times their bits, beside those of σ
 /// itself and a margin.
@@ -41,18 +47,18 @@ class PreciseEnd {
     equations_.emplace_back(system, bits);
   }
 
-  /// The end, from x at the beginning of the endgame; one that failed where Newton's method does not get there.
-  PathEnd run(const ComplexVectorX& start, const std::stop_token& stop) {
+  /// The end, from x at a σ next to it; one that failed where Newton's method does not get there.
+  PathEnd run(const ComplexVectorX& start, double sigma, const std::stop_token& stop) {
     BallMatrix x = BallKrawczyk::vector(start);
-    if (!missed(first_radius, 0.1, near_path, x)) return {};
-    std::deque<Station> stations{{std::log(first_radius), x}};
+    if (!missed(sigma, 0.1, near_path, x)) return {};
+    std::deque<Station> stations{{std::log(sigma), x}};
     double step = 1e-3, last_tested = 0;
     while (stations.back().log_sigma > std::log(last_sigma)) {
       if (stations.back().log_sigma < last_tested - worth_a_test) {
         if (is_approximate_zero(stations.back().x)) return end_next_to(stations.back().x);
         last_tested = stations.back().log_sigma;
       }
-      choose_precision(stations.back().log_sigma);
+      choose_precision(stations.back());
       Station next = extrapolated(stations, stations.back().log_sigma - step);
       const auto off = missed(std::exp(next.log_sigma), most_missed, near_path, next.x);
       step *= change_of_step(off, stations.size());
@@ -77,10 +83,11 @@ class PreciseEnd {
   const BallKrawczyk& equations() const { return equations_[level_]; }
   slong bits() const { return equations().bits(); }
 
-  /// What bits_for asks for at the last σ, at this one.
-  void choose_precision(double log_sigma) {
-    const double share = log_sigma / std::log(last_sigma);
-    const double needed = fewest_bits / 2.0 + share * static_cast<double>(equations_.back().bits());
+  /// What bits_for asks for at the last σ, at this one, and at least for coordinates of this size.
+  void choose_precision(const Station& station) {
+    const double share = station.log_sigma / std::log(last_sigma);
+    const double needed = fewest_bits / 2.0 + std::max(share * static_cast<double>(equations_.back().bits()),
+                                                       4 * std::log2(largest(rounded(station.x))));
     while (level_ + 1 < equations_.size() && static_cast<double>(bits()) < needed) ++level_;
   }
 
@@ -126,7 +133,7 @@ class PreciseEnd {
       if (!acb_mat_approx_solve(correction.get(), equations().jacobian(x).get(), residual(x, sigma).get(),
                                 bits()))
         return std::nullopt;
-      const double length = beside_edges(correction, x);
+      const double length = beside_factors(correction, x);
       if (!(length <= allowed)) return std::nullopt;
       if (!first) first = length;
       acb_mat_sub(x.get(), x.get(), correction.get(), bits());
@@ -137,31 +144,55 @@ class PreciseEnd {
     return std::nullopt;
   }
 
-  /// The largest |form(x)| of an equation's squares: of an edge, its longest part along an axis.
-  double edge(const QuadraticEquation& equation, const BallMatrix& x) const {
-    double longest = 0;
+  /// The largest |l(x)| and |r(x)| of an equation's products l·r.
+  struct Factors {
+    double left = 0;
+    double right = 0;
+  };
+
+  /// Where all are 0, what rounding makes of that.
+  Factors factors(const QuadraticEquation& equation, const BallMatrix& x) const {
+    const double zero = std::ldexp(largest(rounded(x)), static_cast<int>(-bits() / 3));
+    Factors most{zero, zero};
     for (const FormProduct& product : equation.products) {
-      const BallMatrix value = along(product.left, x, 1);
-      longest = std::max(longest, magnitude(value(0, 0)));
+      most.left = std::max(most.left, size(product.left, x) + magnitude_of(product.left.constant));
+      most.right = std::max(most.right, size(product.right, x) + magnitude_of(product.right.constant));
     }
-    return longest;
+    return most;
   }
 
-  /// A form without its constant, of each column.
+  static double magnitude_of(const ExactNumber& number) { return std::abs(rounded_to_double(number)); }
+
+  /// |form(x)|, without its constant.
+  double size(const LinearForm& form, const BallMatrix& x) const {
+    const BallMatrix value = along(form, x, 1);
+    return magnitude(value(0, 0));
+  }
+
+  /// A form without its constant, of each column. Its coefficients are as good as doubles are, which of edges is exactly.
   BallMatrix along(const LinearForm& form, const BallMatrix& columns, slong count) const {
     BallMatrix sum(1, count);
-    for (const auto& [unknown, coefficient] : form.terms)
-      for (slong c = 0; c < count; ++c)
-        acb_addmul_si(sum(0, c), columns(unknown, c), coefficient.value.real() < 0 ? -1 : 1, bits());
+    Ball coefficient;
+    for (const ScaledUnknown& term : form.terms) {
+      const std::complex<double> factor = rounded_to_double(term.coefficient);
+      acb_set_d_d(coefficient, factor.real(), factor.imag());
+      for (slong c = 0; c < count; ++c) acb_addmul(sum(0, c), coefficient, columns(term.unknown, c), bits());
+    }
     return sum;
   }
 
-  double beside_edges(const BallMatrix& correction, const BallMatrix& x) const {
+  double beside_factors(const BallMatrix& correction, const BallMatrix& x) const {
     double largest = 0;
-    for (const QuadraticEquation& equation : system_.equations)
-      largest = std::max(largest, edge(equation, correction) / edge(equation, x));
+    for (const QuadraticEquation& equation : system_.equations) {
+      const Factors of = factors(equation, x);
+      for (const FormProduct& product : equation.products)
+        largest = std::max({largest, beside(size(product.left, correction), of.left),
+                            beside(size(product.right, correction), of.right)});
+    }
     return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
   }
+
+  static double beside(double change, double size) { return change == 0 ? 0 : change / size; }
 
   /// Whether α < (13 − 3·√17)/4 at σ = 0.
   bool is_approximate_zero(const BallMatrix& x) const {
@@ -169,27 +200,31 @@ class PreciseEnd {
     const BallMatrix jacobian = equations().jacobian(x);
     BallMatrix inverse(x.rows(), x.rows()), correction(x.rows(), 1);
     if (!acb_mat_approx_solve(correction.get(), jacobian.get(), residual(x, 0).get(), bits())) return false;
-    const double beta = beside_edges(correction, x);
+    const double beta = beside_factors(correction, x);
     return beta < most_alpha && acb_mat_approx_inv(inverse.get(), jacobian.get(), bits()) != 0 &&
            beta * gamma(inverse, x) < most_alpha;
   }
 
-  /// |D²f_e(h, h)| is at most 2·(its squares)·|x_a − x_b|² for |h| ≤ 1.
+  /// |D²f_e(h, h)| is at most 2·(its products)·(its factors) for |h| ≤ 1.
   double gamma(const BallMatrix& inverse, const BallMatrix& x) const {
-    std::vector<double> edges, bends;
+    std::vector<Factors> of;
+    std::vector<double> bends;
     for (const QuadraticEquation& equation : system_.equations) {
-      edges.push_back(edge(equation, x));
-      bends.push_back(2 * static_cast<double>(equation.products.size()) * edges.back() * edges.back());
+      of.push_back(factors(equation, x));
+      bends.push_back(2 * static_cast<double>(equation.products.size()) * of.back().left * of.back().right);
     }
+    const auto bend = [&](const LinearForm& form) {
+      const BallMatrix row = along(form, inverse, inverse.columns());
+      double sum = 0;
+      for (std::size_t e = 0; e < bends.size(); ++e)
+        sum += magnitude(row(0, static_cast<slong>(e))) * bends[e];
+      return sum;
+    };
     double largest = 0;
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      for (const FormProduct& product : system_.equations[i].products) {
-        const BallMatrix row = along(product.left, inverse, inverse.columns());
-        double sum = 0;
-        for (std::size_t e = 0; e < edges.size(); ++e)
-          sum += magnitude(row(0, static_cast<slong>(e))) * bends[e];
-        largest = std::max(largest, sum / edges[i] / 2);
-      }
+    for (std::size_t i = 0; i < of.size(); ++i)
+      for (const FormProduct& product : system_.equations[i].products)
+        largest = std::max({largest, beside(bend(product.left), of[i].left) / 2,
+                            beside(bend(product.right), of[i].right) / 2});
     return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
   }
 
@@ -244,25 +279,47 @@ double power_of(const PathEnd& end) {
   return end.pole_order > 0 ? static_cast<double>(end.pole_order) / end.winding_number : 1;
 }
 
-/// All of a scene, on their way between two lists of squared lengths.
+/// All of some equations, while their right-hand sides go straight from some to others.
 class PreciseEnds {
  public:
-  PreciseEnds(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to)
-      : scene_(scene), to_(to), system_(SceneEquations(scene).system()) {
-    for (std::size_t e = 0; e < to.size(); ++e) way_.push_back(from[e] - to[e]);
+  /// `way`: the first ones minus the last.
+  PreciseEnds(QuadraticSystem system, ComplexVectorX way)
+      : system_(std::move(system)), way_(std::move(way)) {}
+
+  const QuadraticSystem& system() const { return system_; }
+  double work(std::ptrdiff_t ends) const { return static_cast<double>(ends) * std::pow(system_.unknowns, 3); }
+
+  /// From x at σ. `power`: it may run away so fast, in 1/σ.
+  PathEnd end_of(const ComplexVectorX& x, double sigma, double power, const std::stop_token& stop) const {
+    return PreciseEnd(system_, bits_for(power), way_).run(x, sigma, stop);
   }
 
+ private:
+  QuadraticSystem system_;
+  ComplexVectorX way_;
+};
+
+ComplexVectorX difference(const ComplexVectorX& a, const ComplexVectorX& b) {
+  ComplexVectorX result = a;
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] -= b[i];
+  return result;
+}
+
+/// Of a scene, on their way between two lists of squared lengths.
+class DistanceEnds {
+ public:
+  DistanceEnds(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to)
+      : scene_(scene), to_(to), precise_(SceneEquations(scene).system(), difference(from, to)) {}
+
   /// Whether the squared lengths in doubles are the file's.
-  bool are_exact() const { return !are_rounded(BallKrawczyk(system_, bits_for(1)), to_); }
+  bool are_exact() const { return !are_rounded(BallKrawczyk(precise_.system(), bits_for(1)), to_); }
   /// Whether points may be at infinity: in space where the file's lengths let them escape.
   bool may_escape() const { return scene_.dimension() == 2 || !closed_walks(scene_).empty(); }
-  bool are_few(std::ptrdiff_t ends) const {
-    return static_cast<double>(ends) * std::pow(system_.unknowns, 3) <= most_work;
-  }
+  bool are_few(std::ptrdiff_t ends) const { return precise_.work(ends) <= most_work; }
 
   /// Whether the path has an end, which replaces `end`. `power`: it may run away so fast, in 1/σ.
   bool follow(const ComplexVectorX& before, double power, const std::stop_token& stop, PathEnd& end) const {
-    PathEnd precise = PreciseEnd(system_, bits_for(power), way_).run(before, stop);
+    PathEnd precise = precise_.end_of(before, first_radius, power, stop);
     const bool is_end = precise.kind == PathEnd::Kind::regular ||
                         (precise.kind == PathEnd::Kind::at_infinity && may_escape());
     if (is_end) end = std::move(precise);
@@ -272,8 +329,7 @@ class PreciseEnds {
  private:
   const Scene& scene_;
   const ComplexVectorX& to_;
-  QuadraticSystem system_;
-  ComplexVectorX way_;
+  PreciseEnds precise_;
 };
 
 bool is_doubtful(const Scene& scene, const PathEnd& end) {
@@ -284,12 +340,10 @@ bool is_doubtful(const Scene& scene, const PathEnd& end) {
   return end.kind == PathEnd::Kind::singular;
 }
 
-void doubt(std::vector<PathEnd>& ends) {
-  for (PathEnd& end : ends) {
-    if (end.kind != PathEnd::Kind::at_infinity) continue;
-    end.kind = PathEnd::Kind::failed;
-    end.cause = "rounding of the lengths does not tell whether they end at infinity";
-  }
+void doubt(PathEnd& end) {
+  if (end.kind != PathEnd::Kind::at_infinity) return;
+  end.kind = PathEnd::Kind::failed;
+  end.cause = "rounding of the lengths does not tell whether they end at infinity";
 }
 
 }  // namespace
@@ -301,14 +355,14 @@ bool has_precise_ends(const Scene& scene) {
 void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
                    std::vector<PathEnd>& ends, const std::stop_token& stop) {
   if (std::ranges::all_of(ends, [](const PathEnd& end) { return end.before.empty(); })) return;
-  const PreciseEnds precise(scene, from, to);
+  const DistanceEnds precise(scene, from, to);
   const bool is_explained = precise.are_exact() || (scene.dimension() == 3 && precise.may_escape());
   const auto is_open = [&](const PathEnd& end) {
     return !end.before.empty() &&
            (end.kind == PathEnd::Kind::failed || (end.kind == PathEnd::Kind::at_infinity && !is_explained));
   };
   if (!precise.are_few(std::ranges::count_if(ends, is_open))) {
-    if (scene.dimension() == 3 && !is_explained) doubt(ends);
+    if (scene.dimension() == 3 && !is_explained) std::ranges::for_each(ends, doubt);
     return;
   }
   for (PathEnd& end : ends)
@@ -316,14 +370,13 @@ void continue_ends(const Scene& scene, const ComplexVectorX& from, const Complex
 }
 
 bool determine_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
-                    const std::function<std::vector<ComplexVectorX>(const std::vector<std::size_t>&)>& before,
-                    std::vector<PathEnd>& ends, const std::stop_token& stop) {
+                    const EndsBefore& before, std::vector<PathEnd>& ends, const std::stop_token& stop) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (is_doubtful(scene, ends[i])) open.push_back(i);
-  const PreciseEnds precise(scene, from, to);
+  const DistanceEnds precise(scene, from, to);
   if (!precise.are_few(std::ssize(open))) return false;
-  const std::vector<ComplexVectorX> starts = before(open);
+  const std::vector<ComplexVectorX> starts = before(open, first_radius);
   bool are_determined = !open.empty();
   for (std::size_t k = 0; k < open.size() && are_determined; ++k) {
     PathEnd& end = ends[open[k]];
@@ -331,6 +384,38 @@ bool determine_ends(const Scene& scene, const ComplexVectorX& from, const Comple
         !starts[k].empty() && precise.follow(starts[k], 1.0 / std::max(1, end.winding_number), stop, end);
   }
   return are_determined;
+}
+
+bool determine_ends(const GeneralEquations& given, const ComplexVectorX& from,
+                    const std::function<bool(const PathEnd&)>& is_open, const EndsBefore& before, int threads,
+                    std::vector<PathEnd>& ends, const std::stop_token& stop) {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (!ends[i].is_precise && is_open(ends[i])) open.push_back(i);
+  ComplexVectorX way;
+  for (const int j : given.value_monomial) way.push_back(j < 0 ? 0 : given.coefficients[j] - from[j]);
+  const PreciseEnds precise(given.exact, std::move(way));
+  const bool are_few = precise.work(std::ssize(open)) <= most_work ||
+                       static_cast<double>(open.size()) <= most_of_paths * static_cast<double>(ends.size());
+  if (open.empty() || !are_few) return false;
+  for (const double sigma : {beside_the_end, first_radius, 1.0}) {
+    const std::vector<ComplexVectorX> starts = before(open, sigma);
+    std::vector<PathEnd> found(open.size());
+    share_on_threads(open.size(), threads, [&](std::size_t k) {
+      if (!starts[k].empty() && !stop.stop_requested())
+        found[k] = precise.end_of(starts[k], sigma, power_of(ends[open[k]]), stop);
+    });
+    std::vector<std::size_t> left;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      if (found[k].kind == PathEnd::Kind::failed)
+        left.push_back(open[k]);
+      else
+        ends[open[k]] = std::move(found[k]);
+    }
+    open = std::move(left);
+  }
+  for (const std::size_t i : open) doubt(ends[i]);
+  return true;
 }
 
 }  // namespace gcs

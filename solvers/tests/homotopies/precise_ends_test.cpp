@@ -20,7 +20,8 @@ struct NearCentres {
   const char* square_of_c;  ///< 1 + 4h²
 };
 
-Answer solved(const NearCentres& scene, const char* strategy) {
+/// `with_line`: one through c and q makes the scene a general one, of other equations.
+Answer solved(const NearCentres& scene, const char* strategy, bool with_line) {
   Problem problem(2);
   problem.points("p", "c", "q", "b", "r")
       .squared_distance("c", "r", scene.square_of_c)
@@ -30,6 +31,7 @@ Answer solved(const NearCentres& scene, const char* strategy) {
       .squared_distance("b", "q", scene.square_of_b)
       .squared_distance("p", "c", "4")
       .squared_distance("b", "r", scene.square_of_b);
+  if (with_line) problem.lines("l").on("c", "l").on("q", "l");
   return solve(problem, strategy, {{"reduce", "off"}});
 }
 
@@ -43,14 +45,15 @@ double size_beside(double h, int side_of_c) {
 }  // namespace
 
 TEST_CASE("solutions that rounded lengths send to infinity are found where the file's lengths put them") {
+  const bool with_line = GENERATE(false, true);
   for (const NearCentres& scene :
        {NearCentres{1e-6, "1.000000000001", "1.000000000004"},
         NearCentres{1e-8, "1.0000000000000001", "1.0000000000000004"},
         NearCentres{1e-10, "1.00000000000000000001", "1.00000000000000000004"},
         NearCentres{1e-12, "1.000000000000000000000001", "1.000000000000000000000004"}})
     for (const char* strategy : {"monodromy", "polyhedral"}) {
-      const Answer answer = solved(scene, strategy);
-      INFO(scene.h << ", " << strategy << ": " << answer.reason);
+      const Answer answer = solved(scene, strategy, with_line);
+      INFO(scene.h << ", " << strategy << (with_line ? " with a line: " : ": ") << answer.reason);
       CHECK(answer.status == RunStatus::complete);
       CHECK(answer.counts.at_infinity == 0u);
       std::vector<double> found;
@@ -66,7 +69,7 @@ TEST_CASE("solutions that rounded lengths send to infinity are found where the f
 }
 
 TEST_CASE("solutions that are at infinity are said to be there") {
-  const Answer answer = solved({0, "1", "1"}, "monodromy");
+  const Answer answer = solved({0, "1", "1"}, "monodromy", GENERATE(false, true));
   INFO(answer.reason);
   CHECK(answer.status == RunStatus::complete);
   CHECK(answer.solutions.empty());

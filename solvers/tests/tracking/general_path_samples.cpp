@@ -157,7 +157,7 @@ Answer followed(const ProblemStatement& problem, const OptionMap& options) {
 
 bool are_alike(const Scene& scene, const Figure& a, const Figure& b) {
   const std::vector<Figure> figures{a, b};
-  const std::vector<double> tolerances(2, 1e-6);
+  const std::vector<GeneralTolerance> tolerances(2, {1e-6});
   return general_classes(scene, figures, tolerances).count() == 1;
 }
 

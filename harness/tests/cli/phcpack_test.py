@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""PHCpack as an external program: scripts/phcpack-solve writes its systems and reads its solutions.
+"""PHCpack as an external program: scripts/phcpack-solve and phcpack-three-lines write its systems and read its solutions.
 
 The counts are those of the tables in the literature and of `gcsbench count`, which know nothing of PHCpack.
 
@@ -105,6 +105,43 @@ class Phcpack(unittest.TestCase):
         answer = json.loads(done.stdout)
         self.assertEqual(answer["status"], "gave up")
         self.assertIn("format", answer["reason"])
+
+    def test_the_equations_of_three_lines_hold_at_all_their_solutions(self):
+        """Those that monodromy finds by equations of its own."""
+        script = command_line.load_script("phcpack-three-lines")
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "result.json"
+            instance = SOURCE / "instances" / "three-points-three-lines-angles.json"
+            self.assertEqual(run("--quiet", "solve", instance, "--strategy", "monodromy", "--out", out).returncode, 0)
+            solutions = json.loads(out.read_text())["solutions"]
+        self.assertEqual(len(solutions), 960)
+        scene = script.Scene(json.loads(instance.read_text()))
+        names, text = scene.polynomials()
+        system = script.phcpack.Polynomials(text)
+        for solution in solutions:
+            known = {}
+            for line, of in names.items():
+                position = {part: [complex(*c) if isinstance(c, list) else c for c in numbers]
+                            for part, numbers in solution["lines"][line].items()}
+                u = [c / position["direction"][0] for c in position["direction"]]
+                f = position["point"]
+                known |= dict(zip(of, u[1:] + [f[i] * u[j] - f[j] * u[i] for i, j in ((1, 2), (2, 0), (0, 1))]))
+                placed = script.placed([1, *u[1:]], [known[name] for name in of[2:]])
+                self.assertLess(max(abs(a - b) for a, b in zip(placed["point"], f)), 1e-8 * (1 + max(map(abs, f))))
+            values = [known[name] for name in system.names]
+            size = 1 + max(map(abs, values))
+            for row in system.linearised(values):
+                self.assertLess(abs(row[-1]), 1e-9 * size * (1 + max(map(abs, row[:-1]))))
+
+    def test_three_lines_are_refused_where_there_are_none(self):
+        text = (SOURCE / "instances" / "k33.json").read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "phc").symlink_to("/bin/false")
+            done = subprocess.run([SOURCE / "scripts/phcpack-three-lines"], input=text, capture_output=True, text=True,
+                                  timeout=60, check=True, env={"PATH": folder + ":/usr/bin:/bin"})
+        answer = json.loads(done.stdout)
+        self.assertEqual(answer["status"], "gave up")
+        self.assertIn("three points and three lines", answer["reason"])
 
     def regular_ends(self, instance):
         """How many regular ends `phc -b` lists of the equations that `describe` prints."""

@@ -69,7 +69,7 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const G
     report = make_report();
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
   // Certificates are of these equations in general scenes alone, not in those of points and several lines.
-  if (request.scene.problem().is_general() && !is_stopped)
+  if (request.scene.problem().is_general() && !is_stopped && !solutions.empty())
     report.generic_member = GenericMember{values_of(equations, parameters), solutions};
   if (missing.empty()) {
     report.generic = solutions.size();

@@ -392,12 +392,13 @@ bool determine_ends(const GeneralEquations& given, const ComplexVectorX& from,
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (!ends[i].is_precise && is_open(ends[i])) open.push_back(i);
+  if (open.empty()) return false;
   ComplexVectorX way;
   for (const int j : given.value_monomial) way.push_back(j < 0 ? 0 : given.coefficients[j] - from[j]);
   const PreciseEnds precise(given.exact, std::move(way));
   const bool are_few = precise.work(std::ssize(open)) <= most_work ||
                        static_cast<double>(open.size()) <= most_of_paths * static_cast<double>(ends.size());
-  if (open.empty() || !are_few) return false;
+  if (!are_few) return false;
   for (const double sigma : {beside_the_end, first_radius, 1.0}) {
     const std::vector<ComplexVectorX> starts = before(open, sigma);
     std::vector<PathEnd> found(open.size());

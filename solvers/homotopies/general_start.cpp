@@ -1,5 +1,6 @@
 #include "solvers/homotopies/general_start.hpp"
 
+#include <functional>
 #include <utility>
 
 #include "solvers/figures/residual_and_condition.hpp"
@@ -59,13 +60,18 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const G
                             all_work);
   };
   SolveReport report = make_report();
+  // Stiff ends are many where a scene is large and, of those, nearly all are right.
   const FigureJudge judge(scene.system);
-  const auto is_open = [&](const PathEnd& end) {
-    if (end.kind == PathEnd::Kind::at_infinity) return true;
-    if (report.status != SolveStatus::partial) return false;
-    return end.kind != PathEnd::Kind::regular || judge.is_stiff(scene.system.figure(end.x, false));
+  const auto determine = [&](const std::function<bool(const Figure&)>& is_doubtful) {
+    const auto is_open = [&](const PathEnd& end) {
+      if (end.kind == PathEnd::Kind::at_infinity) return true;
+      if (report.status != SolveStatus::partial) return false;
+      return end.kind != PathEnd::Kind::regular || is_doubtful(scene.system.figure(end.x, false));
+    };
+    return determine_ends(given, parameters, is_open, before, request.threads, ends, request.stop);
   };
-  if (determine_ends(given, parameters, is_open, before, request.threads, ends, request.stop))
+  if (determine([&](const Figure& figure) { return judge.is_stiff(figure); }) ||
+      determine([&](const Figure& figure) { return loses_distances(request.scene, figure); }))
     report = make_report();
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
   // Certificates are of these equations in general scenes alone, not in those of points and several lines.

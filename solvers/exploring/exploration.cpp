@@ -45,20 +45,13 @@ SolveReport Exploration::run() {
   return report();
 }
 
-/// Whether S has equations: in scenes of distances for points, and for one line where nothing is given.
-bool Exploration::has_path() const {
-  const Scene& scene = request_.scene;
-  return scene.problem().is_general() || !scene.has_lines() || !is_explored_by_elements(scene);
-}
-
 /// By S, or by Newton's method from the sketch; random starts are what is left to try then.
 void Exploration::find_first() {
   if (!request_.scene.sketch()) return;
-  if (has_path())
-    take(recalled_or({}, [&] {
-           return Reports{
-               follow_scene_path(request_.scene, walks_.tracking, {request_.stop, request_.monitor})};
-         }).front());
+  take(
+      recalled_or({}, [&] {
+        return Reports{follow_scene_path(request_.scene, walks_.tracking, {request_.stop, request_.monitor})};
+      }).front());
   if (graph_.size() > 0 || request_.stop.stop_requested()) return;
   constexpr double settled = 1e-10;
   Eigen::VectorXd x = explored_->unknowns(*request_.scene.sketch());

@@ -35,7 +35,6 @@ class Exploration {
     int start = 0;
   };
 
-  bool has_path() const;
   void find_first();
   void walk_all();
   bool start_anew();

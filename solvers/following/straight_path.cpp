@@ -30,9 +30,7 @@ SeriesTrackerOptions tracker_options(const ArcSettings& settings) {
 }
 
 /// The path of points alone, in the frame of three of them, has fewer unknowns.
-bool is_path_of_elements(const Scene& scene) {
-  return scene.problem().is_general() || scene.has_lines() || scene.is_anchored();
-}
+bool takes_elements(const Scene& scene) { return is_path_of_elements(scene) || scene.is_anchored(); }
 
 /// Newton's method at t = 1 from a crossing (x, 1); false where it does not settle near by.
 template <class Family>
@@ -63,7 +61,7 @@ class ArcFollower {
       : scene_(scene), options_(tracker_options(settings)), context_(context), proves_(settings.prove) {}
 
   StraightArc run() {
-    const bool has_elements = is_path_of_elements(scene_);
+    const bool has_elements = takes_elements(scene_);
     if (auto reason = has_elements ? why_no_arc_of_elements() : why_no_path(scene_)) {
       arc_.end = ArcEnd::unsupported;
       arc_.reason = *std::move(reason);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "solvers/tracking/general_path.hpp"
 #include "solvers/tracking/path_report.hpp"
 
 namespace gcs {
@@ -21,7 +22,7 @@ constexpr double shrink = 0.7;
 }  // namespace
 
 std::optional<std::string> why_not_proven(const Scene& scene) {
-  if (scene.problem().is_general())
+  if (is_path_of_elements(scene))
     return scene.sketch() ? why_no_system(scene)
                           : "a path strategy starts from a sketch, and the instance has none";
   if (const auto reason = why_no_path(scene)) return reason;

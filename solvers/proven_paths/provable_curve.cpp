@@ -44,8 +44,8 @@ std::unique_ptr<ProvableCurve> provable_curve_of_elements(const Scene& scene, in
 }
 
 std::unique_ptr<ProvableCurve> provable_curve(const Scene& scene, int order, double tolerance) {
-  return scene.problem().is_general() ? provable_curve_of_elements(scene, order, tolerance)
-                                      : curve_of_distances(scene, order, tolerance);
+  return is_path_of_elements(scene) ? provable_curve_of_elements(scene, order, tolerance)
+                                    : curve_of_distances(scene, order, tolerance);
 }
 
 }  // namespace gcs

@@ -49,14 +49,14 @@ class FullSpaceStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
-    if (scene.problem().is_general()) return why_no_general_path(scene);
+    if (is_path_of_elements(scene)) return why_no_general_path(scene);
     const bool proves = mode_ == FullSpace::Mode::certified || names_jumps_;
     return proves ? why_not_proven(scene) : why_no_path(scene);
   }
 
   SolveReport solve(const SolveRequest& request) override {
     const TrackerContext context{request.stop, request.monitor};
-    if (request.scene.problem().is_general()) return solve_general(request.scene, context);
+    if (is_path_of_elements(request.scene)) return solve_general(request.scene, context);
     switch (mode_) {
       case FullSpace::Mode::paper:
         return solve_as_published(request.scene, for_scene(options_, request.scene).paper, context);

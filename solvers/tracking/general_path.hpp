@@ -13,6 +13,13 @@
 
 namespace gcs {
 
+/// Whether S is that of the equations of elements. Otherwise it is one of distances between points alone; with a line that is
+/// put on an axis there is none.
+inline bool is_path_of_elements(const Scene& scene) {
+  const ProblemStatement& problem = scene.problem();
+  return problem.is_general() || problem.lines.size() > 1 || (scene.has_lines() && scene.is_anchored());
+}
+
 /// Tracks S from the sketch until it closes. Where it has an end at infinity instead, the other half is tracked too, and
 /// the path in the report leads from one end to the other. Precondition: the scene has a sketch, and its equations are as
 /// many as its unknowns.

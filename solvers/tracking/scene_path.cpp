@@ -9,7 +9,7 @@ namespace gcs {
 
 SolveReport follow_scene_path(const Scene& scene, SeriesTrackerOptions options,
                               const TrackerContext& context) {
-  if (scene.problem().is_general()) return follow_general_path(scene, options, context);
+  if (is_path_of_elements(scene)) return follow_general_path(scene, options, context);
   options.far = times_far_away(scene.length_paths());
   return report_once_refined(options, [&](const SeriesTrackerOptions& refined) {
     DistanceCurve curve(scene, wide_reference(scene), refined.order, refined.tolerance);

@@ -74,7 +74,40 @@ Problem beside_given_elements_in_the_plane(RandomNumbers& random) {
   return problem.sketch("p", {sketch[0], sketch[1]});
 }
 
+/// A line at distances from four given points; the target and the sketch are lines near each other.
+Problem tangent(RandomNumbers& random) {
+  const Eigen::Vector3d foot = random.point(3, 1), along = random.point(3, 1),
+                        near = foot + random.point(3, 0.3), near_along = along + random.point(3, 0.3);
+  Problem problem(3);
+  problem.lines("L");
+  for (const std::string name : {"a", "b", "c", "d"}) {
+    const Eigen::Vector3d p = random.point(3, 1);
+    problem.points(name).fix(name, {p[0], p[1], p[2]}).sketch(name, {p[0], p[1], p[2]});
+    problem.distance(name, "L", distance_from_line(p, foot, along.normalized()));
+  }
+  return problem.sketch("L", {near[0], near[1], near[2]}, {near_along[0], near_along[1], near_along[2]});
+}
+
 }  // namespace
+
+TEST_CASE("S of a line beside given points closes, proven, and meets common tangents") {
+  std::size_t met = 0;
+  for (int seed = 1; seed <= repetitions(12); ++seed) {
+    RandomNumbers random(static_cast<std::uint64_t>(seed));
+    const Scene scene(tangent(random));
+    const Answer fast = followed(scene.problem()),
+                 proven = followed(scene.problem(), {{"mode", "certified"}});
+    CAPTURE(seed, fast.reason, proven.reason);
+    CHECK(fast.status == RunStatus::complete);
+    REQUIRE(proven.ends.size() == 1);
+    CHECK(proven.ends[0].end == PathRecord::End::closed);
+    CHECK(proven.ends[0].proven);
+    check_same_crossings(scene, crossed(fast), crossed(proven));
+    check_listed_once(scene, crossed(fast), solve(scene, "sphere-tangents"));
+    met += fast.crossings.size();
+  }
+  CHECK(met >= 2);
+}
 
 // Where the distance from a line goes through 0 on the way, the sides of the line cross: a singular point of S.
 TEST_CASE("S of points beside given lines and planes meets solutions that monodromy finds") {

@@ -435,8 +435,8 @@ std::vector<ComplexVectorX> follow_to_radius(LegTracking& tracking, std::vector<
                                              double radius, const std::function<bool()>& stopped,
                                              WorkCounters& work) {
   double last = 1;
-  for (const double next : {first_radius, radius}) {
-    if (next >= last || next < radius) continue;
+  for (const double next : {std::max(first_radius, radius), radius}) {
+    if (next >= last) continue;
     const Route route = segment(from, to, last, next);
     std::vector<Leg> legs;
     std::vector<ComplexVectorX*> moved;

@@ -43,7 +43,7 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work);
 
-/// Where the paths from these starts are at σ = radius ≤ first_radius; empty where one is lost.
+/// Where the paths from these starts are at σ = radius ≤ 1; empty where one is lost.
 std::vector<ComplexVectorX> follow_to_radius(LegTracking& tracking, std::vector<ComplexVectorX> starts,
                                              const ComplexVectorX& from, const ComplexVectorX& to,
                                              double radius, const std::function<bool()>& stopped,

@@ -114,11 +114,12 @@ class GeneralReporter {
     report_.candidates.insert(report_.candidates.end(), simple.begin(), simple.end());
   }
 
-  /// Precise ends each for itself, if doubles tell what they are apart; others together.
+  /// Several precise ends each for itself, if doubles tell what they are apart; others together.
   ResolvedCandidates settled(const DistinctEnds& distinct, const Place& place) const {
-    const bool are_precise = std::ranges::all_of(place.ends, [&](const StiffEnd& end) {
-      return distinct.is_precise(end.number) && !distinct.is_singular(end.number);
-    });
+    const bool are_precise =
+        place.ends.size() > 1 && std::ranges::all_of(place.ends, [&](const StiffEnd& end) {
+          return distinct.is_precise(end.number) && !distinct.is_singular(end.number);
+        });
     ResolvedCandidates each;
     for (std::size_t k = 0; are_precise && k < place.ends.size(); ++k) {
       const int number = place.ends[k].number;

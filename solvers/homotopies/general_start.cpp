@@ -60,17 +60,21 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const G
                             all_work);
   };
   SolveReport report = make_report();
-  // Stiff ends are many where a scene is large and, of those, nearly all are right.
-  const FigureJudge judge(scene.system);
+  const bool has_doubts = report.status == SolveStatus::partial;
   const auto determine = [&](const std::function<bool(const Figure&)>& is_doubtful) {
     const auto is_open = [&](const PathEnd& end) {
       if (end.kind == PathEnd::Kind::at_infinity) return true;
-      if (report.status != SolveStatus::partial) return false;
-      return end.kind != PathEnd::Kind::regular || is_doubtful(scene.system.figure(end.x, false));
+      return has_doubts &&
+             (end.kind != PathEnd::Kind::regular || is_doubtful(scene.system.figure(end.x, false)));
     };
     return determine_ends(given, parameters, is_open, before, request.threads, ends, request.stop);
   };
-  if (determine([&](const Figure& figure) { return judge.is_stiff(figure); }) ||
+  const auto determine_stiff = [&] {
+    const FigureJudge judge(scene.system);
+    return determine([&](const Figure& figure) { return judge.is_stiff(figure); });
+  };
+  // Stiff ends are many where a scene is large and, of those, nearly all are right.
+  if ((has_doubts && determine_stiff()) ||
       determine([&](const Figure& figure) { return loses_distances(request.scene, figure); }))
     report = make_report();
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());

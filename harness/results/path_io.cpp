@@ -10,6 +10,7 @@
 #include "harness/results/file_formats.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/reading/json_build.hpp"
+#include "solvers/tracking/general_path.hpp"
 
 namespace gcs {
 namespace {
@@ -135,7 +136,7 @@ JsonValue crossings_value(const std::vector<PathNode>& nodes) {
 }  // namespace
 
 std::optional<std::string> why_no_path_text(const Scene& scene) {
-  if (scene.problem().is_general())
+  if (is_path_of_elements(scene))
     return "paths are written of points with distances between them only; full-space with mode=certified "
            "proves S";
   return why_not_proven(scene);

@@ -18,6 +18,7 @@
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/reading/figure_json.hpp"
 #include "solvers/reading/text_input.hpp"
+#include "solvers/tracking/general_path.hpp"
 #include "solvers/tracking/path_report.hpp"
 
 namespace gcs {
@@ -220,7 +221,7 @@ constexpr double same_place = 1e-6;
 /// Empty where S is not proven in time or a crossing is not in the list.
 std::optional<std::vector<bool>> known_on_path(const Scene& scene, const ReferenceList& list,
                                                double limit_s) {
-  if (scene.problem().is_general() || why_not_proven(scene)) return std::nullopt;
+  if (is_path_of_elements(scene) || why_not_proven(scene)) return std::nullopt;
   const StopWatch watch(limit_s);
   CertifiedTracker tracker(scene, {}, {watch.token(), nullptr});
   const SolveReport report =

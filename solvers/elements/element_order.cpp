@@ -7,20 +7,12 @@
 
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/stated_signs.hpp"
+#include "solvers/model/reframed_scene.hpp"
 
 namespace gcs {
 namespace {
 
 // ---- frames
-
-/// The reference of the scene or, where it names a line, that of its points alone.
-Reference point_frame(const Scene& scene) {
-  if (scene.reference().line < 0) return scene.reference();
-  const ProblemStatement& problem = scene.problem();
-  std::vector<bool> is_point(static_cast<std::size_t>(problem.entity_count()), false);
-  std::fill_n(is_point.begin(), problem.points.size(), true);
-  return Scene::unchecked(sub_problem(problem, is_point).problem).reference();
-}
 
 /// The scene with a frame for its general equations; nothing where there are none, or where complex figures
 /// are not compared (see assess).
@@ -31,7 +23,7 @@ std::optional<Scene> framed(const Scene& scene) {
   if (!stated_signs(problem).empty() || (problem.is_general() && why_no_system(scene))) return std::nullopt;
   if (!problem.is_anchored() && !problem.file_frame && problem.reference_body < 0) {
     if (static_cast<int>(problem.points.size()) < problem.dimension) return std::nullopt;
-    problem.reference = point_frame(scene);
+    problem.reference = in_frame_of_elements(scene).reference();
   }
   Scene result = Scene::unchecked(std::move(problem));
   return why_no_system(result) ? std::nullopt : std::optional(std::move(result));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solvers/certificates/krawczyk.hpp"
+#include "solvers/model/reframed_scene.hpp"
 #include "solvers/model/wide_reference.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/tracking/distance_curve.hpp"
@@ -213,10 +214,25 @@ class ArcFollower {
   StraightArc arc_;
 };
 
+/// The frame puts a line on an axis in one of two directions: in that which leaves the points nearer to the sketch.
+Figure in_frame_of_line(const Scene& scene, Figure figure) {
+  const Figure one = scene.in_frame(figure);
+  figure.lines[static_cast<std::size_t>(scene.reference().line)].direction *= -1;
+  Figure other = scene.in_frame(figure);
+  const auto moved = [&](const Figure& to) { return (to.points - scene.sketch()->points).squaredNorm(); };
+  return moved(one) <= moved(other) ? one : other;
+}
+
 }  // namespace
 
 StraightArc follow_straight(const Scene& scene, const ArcSettings& settings, const TrackerContext& context) {
-  return ArcFollower(scene, settings, context).run();
+  const Scene followed = in_frame_of_elements(scene);
+  StraightArc arc = ArcFollower(followed, settings, context).run();
+  const bool has_figure = arc.end == ArcEnd::reached || arc.end == ArcEnd::folds;
+  if (!is_in_frame_of_line(scene) || !has_figure) return arc;
+  arc.figure = in_frame_of_line(scene, arc.figure);
+  arc.error = std::numeric_limits<double>::infinity();  // what it is in the line's frame is not known
+  return arc;
 }
 
 }  // namespace gcs

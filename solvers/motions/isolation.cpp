@@ -6,6 +6,7 @@
 
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/model/reframed_scene.hpp"
 #include "solvers/motions/local_multiplicity.hpp"
 
 namespace gcs {
@@ -44,12 +45,6 @@ Reference widest_reference(const ComplexPoints& points, int dimension) {
     }
   }
   return widest;
-}
-
-Scene with_reference(const Scene& scene, const Reference& reference) {
-  ProblemStatement problem = scene.problem();
-  problem.reference = reference;
-  return Scene::unchecked(std::move(problem));
 }
 
 }  // namespace

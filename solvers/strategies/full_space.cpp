@@ -5,7 +5,7 @@
 /// bounded ([I] (h2)), or none. Where the Jacobian has full rank on it ([I] (h1)) S is a closed curve; it is followed
 /// through the folds of t until it is back at the sketch, and every crossing of t = 1 is a solution.
 ///
-/// Of a general scene (planes, bodies, angles, incidences) S is that of tracking/general_curve.hpp, mode=fast, certified
+/// Of a general scene (lines, planes, bodies, angles, incidences) S is that of tracking/general_curve.hpp, mode=fast, certified
 /// or newton. There it may go to infinity, and is then followed to both of its ends.
 ///
 /// mode=fast is tracking/series_tracker.hpp on tracking/distance_curve.hpp, mode=paper is
@@ -20,6 +20,7 @@
 #include "solvers/strategies/full_space.hpp"
 
 #include "solvers/elements/general_structure.hpp"
+#include "solvers/model/reframed_scene.hpp"
 #include "solvers/proven_paths/certified_tracker.hpp"
 #include "solvers/proven_paths/path_jumps.hpp"
 #include "solvers/tracking/general_path.hpp"
@@ -49,14 +50,15 @@ class FullSpaceStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
-    if (is_path_of_elements(scene)) return why_no_general_path(scene);
+    if (is_path_of_elements(scene)) return why_no_general_path(in_frame_of_elements(scene));
     const bool proves = mode_ == FullSpace::Mode::certified || names_jumps_;
     return proves ? why_not_proven(scene) : why_no_path(scene);
   }
 
   SolveReport solve(const SolveRequest& request) override {
     const TrackerContext context{request.stop, request.monitor};
-    if (is_path_of_elements(request.scene)) return solve_general(request.scene, context);
+    if (is_path_of_elements(request.scene))
+      return solve_general(in_frame_of_elements(request.scene), context);
     switch (mode_) {
       case FullSpace::Mode::paper:
         return solve_as_published(request.scene, for_scene(options_, request.scene).paper, context);

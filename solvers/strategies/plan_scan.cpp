@@ -27,6 +27,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solvers/model/reframed_scene.hpp"
 #include "solvers/scanning/element_scan.hpp"
 #include "solvers/scanning/element_subdivision.hpp"
 #include "solvers/scanning/grid_scan.hpp"
@@ -42,29 +43,19 @@ class PlanScanStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
-    if (scene.problem().is_general()) {
-      if (const auto reason = why_no_element_plan(scene, Instructions::all_places)) return reason;
-      if (is_published()) return std::nullopt;
-      const ElementPlan plan = derive_element_plan(scene, Instructions::all_places);
-      if (auto reason = why_too_many(plan.ranges.size())) return reason;
-      return why_no_element_subdivision(scene, plan);
-    }
-    if (scene.has_lines() && !is_published())
-      return "its subdivision places points only, and the instance has a line";
+    if (places_elements(scene)) return why_no_plan_of_elements(in_frame_of_elements(scene));
     if (const auto reason = why_no_scan_plan(scene)) return reason;
     return is_published() ? std::nullopt : why_too_many(derive_scan_plan(scene).ranges.size());
   }
 
   void prepare(const SolveRequest& request) override {
-    if (!request.scene.problem().is_general()) plan_ = derive_scan_plan(request.scene);
+    if (!places_elements(request.scene)) plan_ = derive_scan_plan(request.scene);
   }
 
   SolveReport solve(const SolveRequest& request) override {
-    if (request.scene.problem().is_general()) {
-      const ElementPlan plan = derive_element_plan(request.scene, Instructions::all_places);
-      if (is_published()) return element_scan(request, plan, grid(request.scene, plan.ranges));
-      return scan_report(request.scene, plan.ranges.size(),
-                         subdivide_element_plan(request, plan, asked_.scan.max_cells));
+    if (places_elements(request.scene)) {
+      const Scene scene = in_frame_of_elements(request.scene);
+      return scan_elements(request.on(scene));
     }
     const ScanPlan plan = plan_ ? *plan_ : derive_scan_plan(request.scene);
     if (is_published()) return grid_scan(request, plan, grid(request.scene, plan.ranges));
@@ -73,6 +64,26 @@ class PlanScanStrategy final : public Strategy {
 
  private:
   bool is_published() const { return asked_.method == PlanScan::Method::published; }
+
+  /// The scan as published knows a line.
+  bool places_elements(const Scene& scene) const {
+    return scene.problem().is_general() || (scene.has_lines() && !is_published());
+  }
+
+  std::optional<std::string> why_no_plan_of_elements(const Scene& scene) const {
+    if (auto reason = why_no_element_plan(scene, Instructions::all_places)) return reason;
+    if (is_published()) return std::nullopt;
+    const ElementPlan plan = derive_element_plan(scene, Instructions::all_places);
+    if (auto reason = why_too_many(plan.ranges.size())) return reason;
+    return why_no_element_subdivision(scene, plan);
+  }
+
+  SolveReport scan_elements(const SolveRequest& request) const {
+    const ElementPlan plan = derive_element_plan(request.scene, Instructions::all_places);
+    if (is_published()) return element_scan(request, plan, grid(request.scene, plan.ranges));
+    return scan_report(request.scene, plan.ranges.size(),
+                       subdivide_element_plan(request, plan, asked_.scan.max_cells));
+  }
 
   std::optional<std::string> why_too_many(std::size_t angles) const {
     if (angles <= static_cast<std::size_t>(asked_.most_angles)) return std::nullopt;

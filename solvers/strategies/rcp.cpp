@@ -44,6 +44,7 @@
 #include "solvers/construction/derive.hpp"
 #include "solvers/construction/hypotheses.hpp"
 #include "solvers/homotopies/general_start.hpp"
+#include "solvers/model/reframed_scene.hpp"
 #include "solvers/tracking/general_path.hpp"
 #include "solvers/tracking/newton_from_sketch.hpp"
 #include "solvers/tracking/paper_homotopies.hpp"
@@ -74,19 +75,19 @@ class RcpStrategy final : public Strategy {
 
   std::optional<std::string> why_unsupported(const SolveRequest& request) const override {
     const Scene& scene = request.scene;
-    if (scene.problem().is_general()) return why_no_general_plan(scene);
+    if (is_path_of_elements(scene)) return why_no_general_plan(in_frame_of_elements(scene));
     if (const auto reason = why_no_path(scene)) return reason;
     return why_no_plan(scene);
   }
 
   void prepare(const SolveRequest& request) override {
-    if (!request.scene.problem().is_general()) plan_ = first_plan(request.scene, plan_options_.rule);
+    if (!is_path_of_elements(request.scene)) plan_ = first_plan(request.scene, plan_options_.rule);
   }
 
   SolveReport solve(const SolveRequest& request) override {
     const Scene& scene = request.scene;
     const TrackerContext context{request.stop, request.monitor};
-    if (scene.problem().is_general()) return solve_general(scene, context);
+    if (is_path_of_elements(scene)) return solve_general(in_frame_of_elements(scene), context);
     const Plan plan = plan_ ? *plan_ : first_plan(scene, plan_options_.rule);
     const Figure sketch = in_plan_frame(scene, plan, *scene.sketch());
     if (mode_ == Rcp::Mode::newton) return solve_by_newton(scene, plan, sketch, context);

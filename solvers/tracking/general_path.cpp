@@ -7,6 +7,7 @@
 
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/elements/stated_signs.hpp"
+#include "solvers/model/reframed_scene.hpp"
 #include "solvers/tracking/general_curve.hpp"
 #include "solvers/tracking/sketched_unknowns.hpp"
 
@@ -205,14 +206,6 @@ FollowHalf by_series(const Scene& scene, const TrackerContext& context, const Cu
   };
 }
 
-/// The scene in the frame of these points; as it is where there are none.
-Scene with_reference(const Scene& scene, const Reference& reference) {
-  if (reference.origin < 0) return scene;
-  ProblemStatement problem = scene.problem();
-  problem.reference = reference;
-  return Scene::unchecked(std::move(problem));
-}
-
 }  // namespace
 
 std::unique_ptr<TargetEquations> target_values(const SceneSystem& system) {
@@ -250,7 +243,7 @@ SolveReport follow_general_path(const Scene& scene, const SeriesTrackerOptions& 
 SolveReport follow_general_plan(const Scene& scene, const ElementPlan& plan,
                                 const SeriesTrackerOptions& options, const ElementCurveOptions& of_curve,
                                 const TrackerContext& context) {
-  const Scene in_plan_frame = with_reference(scene, plan.frame());
+  const Scene in_plan_frame = plan.frame().origin < 0 ? scene : with_reference(scene, plan.frame());
   const auto curve_of = [&](const SceneSystem& system, GeneralFamily family, double tolerance) {
     ElementCurveOptions refined = of_curve;
     refined.tolerance = tolerance;

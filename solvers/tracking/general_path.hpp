@@ -13,11 +13,10 @@
 
 namespace gcs {
 
-/// Whether S is that of the equations of elements. Otherwise it is one of distances between points alone; with a line that is
-/// put on an axis there is none.
+/// Whether S is that of the equations of elements, in a frame for these (see in_frame_of_elements). Otherwise it is one of
+/// distances between points alone.
 inline bool is_path_of_elements(const Scene& scene) {
-  const ProblemStatement& problem = scene.problem();
-  return problem.is_general() || problem.lines.size() > 1 || (scene.has_lines() && scene.is_anchored());
+  return scene.problem().is_general() || scene.has_lines();
 }
 
 /// Tracks S from the sketch until it closes. Where it has an end at infinity instead, the other half is tracked too, and

@@ -84,12 +84,17 @@ class Follow(command_line.CommandLine):
         done = run("follow", self.write(TRIANGLE, "triangle.json"), "--to", "ca=7")
         self.assertEqual(done.returncode, NOT_SOLVED)
         self.assertIn("undecided: ", done.stdout)
-        self.assertIn("unsupported: ", run("follow", "hoffmann-yuan", "--from", self.line_result()).stdout)
 
-    def line_result(self):
+    def test_a_line_that_the_frame_puts_on_an_axis(self):
         result = self.folder / "line.json"
         run("solve", "hoffmann-yuan", "--strategy", "theta-scan", "--out", result)
-        return result
+        constraint = json.loads(result.read_text())["instance"]["constraints"][0]
+        to = f"{constraint['id']}={constraint['length'] * 1.001!r},{constraint['length']!r}"
+        legs = self.followed("hoffmann-yuan", "--from", result, "--to", to)
+        self.assertEqual([leg["end"] for leg in legs], ["reached", "reached"])
+        self.assertTrue(all(leg["proven"] for leg in legs))
+        for name, place in json.loads(result.read_text())["solutions"][0]["points"].items():
+            self.assertLess(math.dist(legs[1]["figure"]["points"][name], place), 1e-9)
 
     def test_bad_input(self):
         triangle = self.write(TRIANGLE, "triangle.json")

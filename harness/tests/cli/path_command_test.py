@@ -152,7 +152,7 @@ class Paths(command_line.CommandLine):
 
     def test_where_there_is_no_path_to_prove(self):
         out = self.folder / "path.json"
-        for instance, word in [(self.write(changed(sketch=None)), "sketch"), ("hoffmann-yuan", "lines")]:
+        for instance, word in [(self.write(changed(sketch=None)), "sketch"), ("octahedron-line", "points with distances")]:
             self.assert_one_message(run("path", instance, "--out", out), NOT_SOLVED, word)
         done = run("path", self.write(FLAT, "flat.json"), "--out", out)
         self.assert_one_message(done, NOT_SOLVED, "gave up", "touches")

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "solvers/figures/general_figures.hpp"
+#include "solvers/model/reframed_scene.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
 #include "solvers/tests/tracking/slow_general_path.hpp"
 
@@ -156,9 +157,10 @@ Answer followed(const ProblemStatement& problem, const OptionMap& options) {
 }
 
 bool are_alike(const Scene& scene, const Figure& a, const Figure& b) {
-  const std::vector<Figure> figures{a, b};
+  const Scene framed = in_frame_of_elements(scene);
+  const std::vector<Figure> figures{framed.in_frame(a), framed.in_frame(b)};
   const std::vector<GeneralTolerance> tolerances(2, {1e-6});
-  return general_classes(scene, figures, tolerances).count() == 1;
+  return general_classes(framed, figures, tolerances).count() == 1;
 }
 
 std::vector<Figure> crossed(const Answer& answer) {

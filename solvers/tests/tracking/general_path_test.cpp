@@ -88,7 +88,46 @@ Problem tangent(RandomNumbers& random) {
   return problem.sketch("L", {near[0], near[1], near[2]}, {near_along[0], near_along[1], near_along[2]});
 }
 
+/// A tetrahedron and a line at distances from its corners, which the program puts on an axis.
+Problem beside_tetrahedron(RandomNumbers& random) {
+  const Eigen::Vector3d foot = random.point(3, 1), along = random.point(3, 1),
+                        near = foot + random.point(3, 0.3), near_along = along + random.point(3, 0.3);
+  Problem problem(3);
+  problem.lines("L");
+  std::vector<std::pair<std::string, Eigen::Vector3d>> corners;
+  for (const std::string name : {"a", "b", "c", "d"}) {
+    const Eigen::Vector3d p = random.point(3, 1), drawn = p + random.point(3, 0.1);
+    problem.points(name).sketch(name, {drawn[0], drawn[1], drawn[2]});
+    problem.distance(name, "L", distance_from_line(p, foot, along.normalized()));
+    for (const auto& [other, q] : corners) problem.distance(other, name, (p - q).norm());
+    corners.emplace_back(name, p);
+  }
+  return problem.sketch("L", {near[0], near[1], near[2]}, {near_along[0], near_along[1], near_along[2]});
+}
+
 }  // namespace
+
+TEST_CASE("S of a free line closes, proven, and is the same in a plan's parameters") {
+  std::size_t met = 0;
+  for (int seed = 1; seed <= repetitions(8); ++seed) {
+    RandomNumbers random(static_cast<std::uint64_t>(seed));
+    const Scene scene(beside_tetrahedron(random));
+    REQUIRE(scene.reference().line == 0);
+    const Answer fast = followed(scene.problem()),
+                 proven = followed(scene.problem(), {{"mode", "certified"}}), planned = solve(scene, "rcp");
+    CAPTURE(seed, fast.reason, proven.reason, planned.reason);
+    CHECK(fast.status == RunStatus::complete);
+    CHECK(planned.status == RunStatus::complete);
+    REQUIRE(proven.ends.size() == 1);
+    CHECK(proven.ends[0].end == PathRecord::End::closed);
+    CHECK(proven.ends[0].proven);
+    check_same_crossings(scene, crossed(fast), crossed(proven));
+    check_same_crossings(scene, crossed(fast), crossed(planned));
+    check_listed_once(scene, crossed(fast), solve(scene, "polyhedral"));
+    met += fast.crossings.size();
+  }
+  CHECK(met >= 2);
+}
 
 TEST_CASE("S of a line beside given points closes, proven, and meets common tangents") {
   std::size_t met = 0;

@@ -1,0 +1,16 @@
+#pragma once
+/// A scene in another frame than its own.
+
+#include "solvers/model/scene.hpp"
+
+namespace gcs {
+
+/// The same problem in that frame.
+Scene with_reference(const Scene& scene, const Reference& reference);
+
+/// Whether the frame is that of a line, which the equations of elements do not have.
+bool is_in_frame_of_line(const Scene& scene);
+/// Such a scene in the frame of its points, others as they are.
+Scene in_frame_of_elements(const Scene& scene);
+
+}  // namespace gcs

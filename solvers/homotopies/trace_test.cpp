@@ -190,25 +190,15 @@ class FibreTest {
         work_(work) {}
 
   /// Of the sums S at three values of ε, 1 + i/2, 1 and 1 − i/2 times the search's: (S_1 − S_0)(ε_2 − ε_0) −
-  /// (S_2 − S_0)(ε_1 − ε_0), relative to the same of their terms; nothing where a path was lost.
-  std::optional<double> defect(const GenericSolutions& fibre) const {
-    const Complex aside(0, 0.5);
-    const auto ahead = at(fibre, 1.0 + aside), behind = at(fibre, 1.0 - aside);
-    if (!ahead || !behind) return std::nullopt;
-    const auto middle = phi({fibre.squares, fibre.solutions}), first = phi(*ahead), last = phi(*behind);
-    if (!middle || !first || !last) return std::nullopt;
-    const BallMatrix forward = step(fibre, *ahead), back = step(fibre, *behind);
-    Ball sum, term, difference;
-    double size = 0;
-    for (slong i = 0; i < middle->rows(); ++i) {
-      acb_sub(term, (*first)(i, 0), (*middle)(i, 0), precise_bits_of_zeros);
-      acb_mul(term, term, back(0, 0), precise_bits_of_zeros);
-      acb_sub(difference, (*middle)(i, 0), (*last)(i, 0), precise_bits_of_zeros);
-      acb_addmul(term, difference, forward(0, 0), precise_bits_of_zeros);
-      acb_add(sum, sum, term, precise_bits_of_zeros);
-      size += std::abs(rounded_midpoint(term));
-    }
-    return size > 0 ? std::abs(rounded_midpoint(sum)) / size : 1;
+  /// (S_2 − S_0)(ε_1 − ε_0), relative to the same of their terms; nothing where a path was lost. Precondition: the points
+  /// of the last call come first.
+  std::optional<double> defect(const GenericSolutions& fibre) {
+    GenericSolutions added;
+    added.squares = fibre.squares;
+    added.solutions.assign(fibre.solutions.begin() + summed_, fibre.solutions.end());
+    if (!add(added)) return std::nullopt;
+    summed_ = std::ssize(fibre.solutions);
+    return size_ > 0 ? std::abs(rounded_midpoint(sum_)) / size_ : 1;
   }
 
   /// How many of the points have s = 0 when ε is 0.
@@ -221,6 +211,26 @@ class FibreTest {
   }
 
  private:
+  /// The terms of these points; false, and none, where a path was lost.
+  bool add(const GenericSolutions& fibre) {
+    const Complex aside(0, 0.5);
+    const auto ahead = at(fibre, 1.0 + aside), behind = at(fibre, 1.0 - aside);
+    if (!ahead || !behind) return false;
+    const auto middle = phi({fibre.squares, fibre.solutions}), first = phi(*ahead), last = phi(*behind);
+    if (!middle || !first || !last) return false;
+    const BallMatrix forward = step(fibre, *ahead), back = step(fibre, *behind);
+    Ball term, difference;
+    for (slong i = 0; i < middle->rows(); ++i) {
+      acb_sub(term, (*first)(i, 0), (*middle)(i, 0), precise_bits_of_zeros);
+      acb_mul(term, term, back(0, 0), precise_bits_of_zeros);
+      acb_sub(difference, (*middle)(i, 0), (*last)(i, 0), precise_bits_of_zeros);
+      acb_addmul(term, difference, forward(0, 0), precise_bits_of_zeros);
+      acb_add(sum_, sum_, term, precise_bits_of_zeros);
+      size_ += std::abs(rounded_midpoint(term));
+    }
+    return true;
+  }
+
   std::optional<Fibre> at(const GenericSolutions& fibre, Complex factor) const {
     return moved(tracking_, fibre, problem_.product, factor, stopped_, work_);
   }
@@ -250,6 +260,9 @@ class FibreTest {
   ComplexVectorX weights_;
   const std::function<bool()>& stopped_;
   WorkCounters& work_;
+  std::ptrdiff_t summed_ = 0;  ///< points
+  Ball sum_;
+  double size_ = 0;
 };
 
 }  // namespace
@@ -257,7 +270,7 @@ class FibreTest {
 TraceTest test_trace(const TraceProblem& problem, LegTracking& tracking, const MonodromyOptions& options,
                      std::mt19937_64& random, const std::function<bool()>& stopped,
                      const std::function<void(int)>& progress, WorkCounters& work) {
-  const FibreTest fibre_test(problem, tracking, random, stopped, work);
+  FibreTest fibre_test(problem, tracking, random, stopped, work);
   TraceTest test;
   std::size_t tested = 0;  // points: a search only adds to them
   const auto sums_are_affine = [&](const GenericSolutions& fibre) {

@@ -3,9 +3,12 @@
 #include "harness/solving/frame_view.hpp"
 #include "harness/solving/solve_run.hpp"
 #include "solvers/construction/derive.hpp"
+#include "solvers/construction/element_plan.hpp"
 #include "solvers/counting/scene_analysis.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/homotopies/general_start.hpp"
+#include "solvers/model/reframed_scene.hpp"
+#include "solvers/tracking/general_path.hpp"
 
 namespace gcs {
 namespace {
@@ -18,15 +21,31 @@ std::vector<int> entities_of(const Reference& reference, const ProblemStatement&
   return entities;
 }
 
-std::optional<ConstructionPlan> construction_plan(const Scene& scene) {
-  if (why_no_path(scene)) return std::nullopt;
+ConstructionPlan plan_of_points(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
   ConstructionPlan description;
+  if (const auto reason = why_no_path(scene)) {
+    description.why_none = *reason;
+    return description;
+  }
   description.given = !problem.construction.empty();
   const Plan plan = first_plan(scene, ExchangeRule{});
   description.instructions = describe_plan(scene, plan);
   for (const int constraint : plan.removed())
     description.removed.push_back(problem.constraints[static_cast<std::size_t>(constraint)].id);
+  description.driving_parameters = description.removed.size();
+  return description;
+}
+
+ConstructionPlan plan_of_elements(const Scene& scene) {
+  ConstructionPlan description;
+  if (const auto reason = why_no_element_plan(scene, Instructions::one_place)) {
+    description.why_none = *reason;
+    return description;
+  }
+  const ElementPlan plan = derive_element_plan(scene, Instructions::one_place);
+  description.instructions = describe_plan(scene.problem(), plan);
+  description.driving_parameters = plan.ranges.size();
   return description;
 }
 
@@ -46,7 +65,6 @@ DistanceFacts distance_facts(const Scene& scene, const SceneAnalysis& analysis) 
   facts.reduction = reduce_to_core(problem, entities_of(scene.reference(), problem));
   facts.parts = analysis.parts(Split::all);
   if (!why_no_path(scene)) facts.positive_support = positive_support(scene.length_paths());
-  facts.plan = construction_plan(scene);
   return facts;
 }
 
@@ -69,6 +87,8 @@ Description describe(Instance instance) {
   Description description;
   description.frame = frame_parts(scene);
   description.counts = analysis.counts();
+  description.plan =
+      is_path_of_elements(scene) ? plan_of_elements(in_frame_of_elements(scene)) : plan_of_points(scene);
   description.strategies = verdicts({scene, {}, &analysis});
   if (instance.problem.is_general())
     description.general = general_facts(scene);

@@ -15,9 +15,11 @@ namespace gcs {
 
 /// The plan that a path strategy starts with.
 struct ConstructionPlan {
-  bool given = false;                     ///< by the file; otherwise derived
-  std::vector<std::string> instructions;  ///< "p4 = interSSS(p1, a4, p2, a5, p3', k1)"
-  std::vector<std::string> removed;       ///< ids of the constraints that driving parameters replace
+  std::string why_none;  ///< empty: there is one
+  bool given = false;    ///< by the file; otherwise derived
+  std::size_t driving_parameters = 0;
+  std::vector<std::string> instructions;  ///< see describe_plan
+  std::vector<std::string> removed;  ///< of points: ids of the constraints that driving parameters replace
 };
 
 struct StrategyVerdict {
@@ -29,10 +31,8 @@ struct StrategyVerdict {
 struct DistanceFacts {
   Structure structure;
   CoreReduction reduction;
-  std::vector<Part> parts;  ///< as the option reduce=on takes the scene apart
-  std::optional<TimeRange>
-      positive_support;                  ///< empty where S, and so a figure to start from, is not defined
-  std::optional<ConstructionPlan> plan;  ///< likewise
+  std::vector<Part> parts;                    ///< as the option reduce=on takes the scene apart
+  std::optional<TimeRange> positive_support;  ///< empty where S is not defined, or not of points alone
 };
 
 /// Of any other scene.
@@ -48,6 +48,7 @@ struct Description {
   Instance instance;
   std::vector<std::pair<std::string, std::string>> frame;  ///< see frame_parts
   TheoreticalCounts counts;
+  ConstructionPlan plan;
   std::vector<StrategyVerdict> strategies;
   std::optional<DistanceFacts> distances;  ///< one of the two
   std::optional<GeneralFacts> general;

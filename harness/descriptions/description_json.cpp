@@ -83,7 +83,7 @@ JsonValue parts_value(const ProblemStatement& problem, const std::vector<Part>& 
 
 JsonValue plan_value(const ConstructionPlan& plan) {
   return json_object({{"given", json_boolean(plan.given)},
-                      {"driving_parameters", json_count(plan.removed.size())},
+                      {"driving_parameters", json_count(plan.driving_parameters)},
                       {"removed", json_texts(plan.removed)},
                       {"instructions", json_texts(plan.instructions)}});
 }
@@ -136,7 +136,8 @@ std::string json_description(const Description& description) {
   of_distances("interpolation", [&](const DistanceFacts& f) { return interpolation_value(problem, f); });
   of_distances("core", [&](const DistanceFacts& f) { return core_value(problem, f.reduction); });
   of_distances("parts", [&](const DistanceFacts& f) { return parts_value(problem, f.parts); });
-  of_distances("construction", [](const DistanceFacts& f) { return json_or_null(f.plan, plan_value); });
+  members.emplace_back("construction",
+                       description.plan.why_none.empty() ? plan_value(description.plan) : json_null());
   return to_text(json_object(std::move(members)), 1) + "\n";
 }
 

@@ -103,13 +103,13 @@ std::string parts_text(const ProblemStatement& problem, const std::vector<Part>&
   return row("solved apart", fmt::format("{} parts: {}", solved.size(), join(solved)));
 }
 
-std::string plan_text(const std::optional<ConstructionPlan>& plan) {
-  if (!plan) return row("construction plan", "none: it starts from a sketch of points");
-  const std::string removed = plan->removed.empty() ? "" : " in place of " + join(plan->removed);
+std::string plan_text(const ConstructionPlan& plan) {
+  if (!plan.why_none.empty()) return row("construction plan", "none: " + plan.why_none);
+  const std::string removed = plan.removed.empty() ? "" : " in place of " + join(plan.removed);
   std::string text =
-      row("construction plan", fmt::format("{}; driving parameters: {}{}", plan->given ? "given" : "derived",
-                                           plan->removed.size(), removed));
-  for (const std::string& instruction : plan->instructions) text += "  " + instruction + "\n";
+      row("construction plan", fmt::format("{}; driving parameters: {}{}", plan.given ? "given" : "derived",
+                                           plan.driving_parameters, removed));
+  for (const std::string& instruction : plan.instructions) text += "  " + instruction + "\n";
   return text;
 }
 
@@ -159,8 +159,7 @@ std::string text_description(const Description& description) {
   std::string text = instance.id + (instance.title.empty() ? "" : ": " + instance.title) + "\n";
   text += row("entities", entities_text(problem)) + bodies_text(problem);
   if (const auto fixed = fixed_names(problem); !fixed.empty()) text += row("fixed", join(fixed));
-  text += freedom_rows(description) + counts_text(problem, description.counts);
-  if (description.distances) text += plan_text(description.distances->plan);
+  text += freedom_rows(description) + counts_text(problem, description.counts) + plan_text(description.plan);
   return text + strategies_text(description.strategies) + published_text(instance.published);
 }
 

@@ -1,14 +1,18 @@
 #include "solvers/construction/element_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
 
+#include "solvers/elements/general_structure.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/scene_system.hpp"
 #include "solvers/model/given_numbers.hpp"
+#include "solvers/running/words.hpp"
 
 namespace gcs {
 namespace {
@@ -289,6 +293,19 @@ std::optional<std::string> why_no_element_plan(const Scene& scene, Instructions 
 
 ElementPlan derive_element_plan(const Scene& scene, Instructions instructions) {
   return best_placing(scene, instructions).plan();
+}
+
+std::vector<std::string> describe_plan(const ProblemStatement& problem, const ElementPlan& plan) {
+  std::vector<std::string> texts;
+  for (const ElementStep& step : plan.steps) {
+    std::string text = problem.name(step.place) + (step.is_origin ? " at the origin" : " from ");
+    for (const GivenFrom& from : step.given)
+      text += fmt::format("{}{} ({})", &from == step.given.data() ? "" : ", ", problem.name(from.other),
+                          id_of_value(problem, from.constraint));
+    if (step.angles > 0) text += "; " + counted(step.angles, "driving parameter");
+    texts.push_back(std::move(text));
+  }
+  return texts;
 }
 
 }  // namespace gcs

@@ -47,4 +47,8 @@ std::optional<std::string> why_no_element_plan(const Scene& scene, Instructions 
 /// why_no_element_plan.
 ElementPlan derive_element_plan(const Scene& scene, Instructions instructions);
 
+/// The plan in words, a text for each instruction: "L from p1 (a13), p2 (a14); 2 driving parameters", of an element that
+/// these and the frame place with what constraints say.
+std::vector<std::string> describe_plan(const ProblemStatement& problem, const ElementPlan& plan);
+
 }  // namespace gcs

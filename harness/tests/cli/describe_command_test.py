@@ -12,7 +12,7 @@ import command_line
 from command_line import DONE, NOT_SOLVED, run
 from general_scenes import PLATFORM, distances, planes
 
-DISTANCES_ALONE = ["core to solve", "construction plan", "lengths >= 0", "placed after it"]
+DISTANCES_ALONE = ["core to solve", "lengths >= 0", "placed after it"]
 
 
 def leaves(node):
@@ -55,13 +55,27 @@ class Describe(command_line.CommandLine):
         for words in ["3 points, 3 planes in space", "up to reflection", "origin e1, axis e2, plane e3"]:
             self.assertIn(words, text)
 
+    def test_construction_plan(self):
+        for instance, parameters, instruction in [
+                ("octahedral-4p2h", 1, "e4 from e2 (a6), e3 (a8); 1 driving parameter"),
+                ("two-lines", 0, "M from c1 (a5), c2 (a6), c3 (a7), c4 (a8)"),
+                ("octahedron-line", 1, "L from p1 (a13), p2 (a14), p4 (a15), p6 (a16)")]:
+            with self.subTest(instance):
+                plan = json.loads(run("describe", instance, "--json").stdout)["construction"]
+                self.assertEqual(plan["driving_parameters"], parameters)
+                self.assertIn(instruction, plan["instructions"])
+                self.assertIn(f"derived; driving parameters: {parameters}\n", run("describe", instance).stdout)
+        instance = self.instance(PLATFORM)
+        self.assertIsNone(json.loads(run("describe", instance, "--json").stdout)["construction"])
+        self.assertIn("none: no instruction places the body 'platform'", run("describe", instance).stdout)
+
     def test_description_for_programs(self):
         described = json.loads(run("describe", self.instance(PLATFORM), "--json").stdout)
         self.assertEqual(described["bodies"], {"base": ["a1", "a2", "a3"], "platform": ["b1", "b2", "b3"]})
         self.assertEqual(described["degrees_of_freedom"],
                          {"unknowns": 4, "equations": 4, "rigid": True, "why_not_rigid": None})
         self.assertEqual((described["frame"], described["convention"]), ({"body": "base"}, "up to motion"))
-        for name in ["core", "parts", "construction", "interpolation", "reference"]:
+        for name in ["core", "parts", "interpolation", "reference"]:
             self.assertIsNone(described[name])
         bound = described["theoretical_counts"]["bound"]
         self.assertEqual((bound["fixed_frame"], bound["up_to_reflection"]), (6, None))

@@ -90,9 +90,12 @@ std::vector<Variant> general_variants() {
           {"polyhedral", {}},
           {"system-paths", {{"system", "quadrics"}}},
           {"system-paths", {{"system", "echelon"}}},
+          {"cayley-menger", {}},
+          {"plan-scan", {}},
           {"newton-multistart", {}},
           {"explore", {}},
-          {"full-space", {}}};
+          {"full-space", {}},
+          {"rcp", {}}};
 }
 
 std::vector<Table> build_general(const RunFile& run, const Publication& known) {

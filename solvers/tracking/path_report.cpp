@@ -12,6 +12,7 @@
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/wide_reference.hpp"
 #include "solvers/numeric/rounding.hpp"
+#include "solvers/tracking/flat_refinement.hpp"
 
 namespace gcs {
 namespace {
@@ -69,6 +70,9 @@ class TargetDistances final : public TargetEquations {
     return system_.coordinates(scene_.in_frame(figure_of_(point), system_.reference()));
   }
   Refinement refine(Eigen::VectorXd& x) const override { return gcs::refine(system_, squares_, x); }
+  std::optional<Eigen::VectorXd> refine_where_flat(const Eigen::VectorXd& x, double most) const override {
+    return flat_refinement(system_, squares_, x, most);
+  }
   std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const override {
     return solutions_at_fold(system_, squares_, near, work);
   }
@@ -199,13 +203,20 @@ class PathReporter {
   /// Refined by Newton's method where it is not proven.
   Candidate candidate_of(const MetSolution& met) {
     if (std::isfinite(met.error)) return {equations_.figure(met.x), 1, met.error};
+    const double most = largest_refinement * scene_.size();
+    const auto is_solution = [&](const Eigen::VectorXd& x) {
+      return (x - met.x).norm() <= most &&
+             relative_residual(scene_, equations_.figure(x)) <= largest_residual;
+    };
     Eigen::VectorXd x = met.x;
     const Refinement refinement = equations_.refine(x);
     report_.work.newton_iterations += refinement.iterations;
+    if (!refinement.converged || !is_solution(x)) {
+      const auto found = equations_.refine_where_flat(met.x, most);
+      if (found) x = *found;
+      if (!found || !is_solution(x)) falls_short("a crossing of t = 1 did not refine to a solution");
+    }
     Candidate candidate{equations_.figure(x), 1};
-    if (!refinement.converged || (x - met.x).norm() > largest_refinement * scene_.size() ||
-        relative_residual(scene_, candidate.figure) > largest_residual)
-      falls_short("a crossing of t = 1 did not refine to a solution");
     candidate.error = equations_.proven_error(candidate.figure);
     if (met.has_neighbour && !std::isfinite(candidate.error) && is_stiff(scene_, candidate.figure))
       falls_short(not_told_apart);

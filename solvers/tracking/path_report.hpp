@@ -24,6 +24,12 @@ class TargetEquations {
   virtual Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const = 0;
   /// By Newton's method.
   virtual Refinement refine(Eigen::VectorXd& x) const = 0;
+  /// Where that fails: the solution no further than `most` along the direction in which the equations change least, if
+  /// there is a way that finds it (flat_refinement.hpp).
+  virtual std::optional<Eigen::VectorXd> refine_where_flat(const Eigen::VectorXd& /*x*/,
+                                                           double /*most*/) const {
+    return std::nullopt;
+  }
   /// As solutions_at_fold says.
   virtual std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const = 0;
   /// The same by a proof in balls, with errors; nothing where it does not succeed, or doubles do not tell the two apart.

@@ -394,6 +394,8 @@ TEST_CASE("paths are followed where arcs all but meet, and decided where they ar
       measured({"near-miss@1e-12", "bricard@1e-10", "bricard-two@1e-10"}, {"full-space", "rcp", "explore"}));
   // Next to the target S turns within 1e-10.
   check_right(measured({"short-edge@1e-10"}, {"full-space", "rcp"}));
+  // Crossings are refined in double-double.
+  check_right(measured({"bricard@1e-12", "bricard-two@1e-12"}, {"rcp"}));
 }
 
 TEST_CASE("errors are below the condition number times half of the unit roundoff") {

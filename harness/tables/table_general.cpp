@@ -95,6 +95,7 @@ std::vector<Variant> general_variants() {
           {"newton-multistart", {}},
           {"explore", {}},
           {"full-space", {}},
+          {"full-space", {{"mode", "certified"}}},
           {"rcp", {}}};
 }
 

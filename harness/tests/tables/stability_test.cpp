@@ -432,12 +432,17 @@ TEST_CASE("some solutions that doubles do not tell apart are listed as one") {
 }
 
 TEST_CASE("why not all solutions of a product are listed is said") {
-  const auto reason = [](const std::string& member, const RunLimits& limits) {
-    return run_strategy(find_strategy("plan-scan"), {}, Scene(load_member(member).problem), limits).reason;
+  const auto reason = [](const std::string& strategy, const std::string& member, const RunLimits& limits) {
+    const SolveRun run =
+        run_strategy(find_strategy(strategy), {}, Scene(load_member(member).problem), limits);
+    CHECK(run.failed_checks.empty());
+    return run.reason;
   };
-  CHECK(reason("mixed-lengths@1e-15", {}) ==
+  CHECK(reason("plan-scan", "mixed-lengths@1e-15", {}) ==
         "2 of the 8 solutions are listed; doubles do not tell all apart");
-  CHECK(reason("mixed-lengths@1e-4", {{.max_solutions = 5}}) ==
+  CHECK(reason("monodromy", "mixed-lengths@1e-15", {}) ==
+        "8 of the 32 solutions are listed; doubles do not tell all apart");
+  CHECK(reason("plan-scan", "mixed-lengths@1e-4", {{.max_solutions = 5}}) ==
         "5 of the 8 solutions are listed; max_solutions lists more");
 }
 

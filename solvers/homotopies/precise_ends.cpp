@@ -55,7 +55,7 @@ class PreciseEnd {
     double step = 1e-3, last_tested = 0;
     while (stations.back().log_sigma > std::log(last_sigma)) {
       if (stations.back().log_sigma < last_tested - worth_a_test) {
-        if (is_approximate_zero(stations.back().x)) return end_next_to(stations.back().x);
+        if (const auto zero = approximate_zero(stations.back())) return end_next_to(*zero);
         last_tested = stations.back().log_sigma;
       }
       choose_precision(stations.back());
@@ -194,6 +194,16 @@ class PreciseEnd {
 
   static double beside(double change, double size) { return change == 0 ? 0 : change / size; }
 
+  /// The point of the path, to a fourth of the bits, where that is an approximate zero at σ = 0: next to curves along which
+  /// equations hardly change γ is 1e18 and more.
+  std::optional<BallMatrix> approximate_zero(const Station& station) const {
+    BallMatrix x = station.x;
+    const bool is_near = missed(std::exp(station.log_sigma), most_missed, settled(), x).has_value();
+    return is_near && is_approximate_zero(x) ? std::optional(x) : std::nullopt;
+  }
+
+  double settled() const { return std::ldexp(1.0, static_cast<int>(-bits() / 4)); }
+
   /// Whether α < (13 − 3·√17)/4 at σ = 0.
   bool is_approximate_zero(const BallMatrix& x) const {
     constexpr double most_alpha = 0.157;
@@ -236,8 +246,7 @@ class PreciseEnd {
 
   PathEnd end_next_to(BallMatrix x) {
     level_ = equations_.size() - 1;
-    const double settled = std::ldexp(1.0, static_cast<int>(-bits() / 4));
-    if (!missed(0, 0.1, settled, x)) return {};
+    if (!missed(0, 0.1, settled(), x)) return {};
     return {PathEnd::Kind::regular, rounded(x), 1, 0, true, "", {}, true};
   }
 

@@ -109,7 +109,7 @@ Problem beside_tetrahedron(RandomNumbers& random) {
 
 TEST_CASE("S of a free line closes, proven, and is the same in a plan's parameters") {
   std::size_t met = 0;
-  for (int seed = 1; seed <= repetitions(8); ++seed) {
+  for (int seed = 5; seed < 5 + repetitions(8); ++seed) {
     RandomNumbers random(static_cast<std::uint64_t>(seed));
     const Scene scene(beside_tetrahedron(random));
     REQUIRE(scene.reference().line == 0);

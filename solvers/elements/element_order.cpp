@@ -23,7 +23,7 @@ std::optional<Scene> framed(const Scene& scene) {
   if (!stated_signs(problem).empty() || (problem.is_general() && why_no_system(scene))) return std::nullopt;
   if (!problem.is_anchored() && !problem.file_frame && problem.reference_body < 0) {
     if (static_cast<int>(problem.points.size()) < problem.dimension) return std::nullopt;
-    problem.reference = in_frame_of_elements(scene).reference();
+    problem.reference = reference_of_elements(scene);
   }
   Scene result = Scene::unchecked(std::move(problem));
   return why_no_system(result) ? std::nullopt : std::optional(std::move(result));

@@ -14,8 +14,12 @@ Scene with_reference(const Scene& scene, const Reference& reference) {
 
 bool is_in_frame_of_line(const Scene& scene) { return !scene.is_anchored() && scene.reference().line >= 0; }
 
+Reference reference_of_elements(const Scene& scene) {
+  return is_in_frame_of_line(scene) ? point_reference(scene.problem()) : scene.reference();
+}
+
 Scene in_frame_of_elements(const Scene& scene) {
-  return is_in_frame_of_line(scene) ? with_reference(scene, point_reference(scene.problem())) : scene;
+  return is_in_frame_of_line(scene) ? with_reference(scene, reference_of_elements(scene)) : scene;
 }
 
 }  // namespace gcs

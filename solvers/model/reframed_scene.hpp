@@ -10,7 +10,8 @@ Scene with_reference(const Scene& scene, const Reference& reference);
 
 /// Whether the frame is that of a line, which the equations of elements do not have.
 bool is_in_frame_of_line(const Scene& scene);
-/// Such a scene in the frame of its points, others as they are.
+/// Of such a scene the frame of its points, of others their own; and the scene in it.
+Reference reference_of_elements(const Scene& scene);
 Scene in_frame_of_elements(const Scene& scene);
 
 }  // namespace gcs

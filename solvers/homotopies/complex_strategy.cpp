@@ -185,10 +185,13 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   if (has_precise_ends(request.scene))
     continue_ends(request.scene, start.squares(), squares, ends, request.stop);
   std::mt19937_64 random(request.seed);
-  end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(start.system, x); },
-                    mirror_axes(request.scene, start.coordinates), random, ends);
   const auto make_report = [&] {
-    return complex_report(request.scene, start.coordinates, ends, work, random, request);
+    std::vector<LostPath> lost =
+        end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(start.system, x); },
+                          mirror_axes(request.scene, start.coordinates), random, ends);
+    SolveReport made = complex_report(request.scene, start.coordinates, ends, work, random, request);
+    restore(std::move(lost), ends);
+    return made;
   };
   const auto before = [&](const std::vector<std::size_t>& numbers, double sigma) {
     std::vector<ComplexVectorX> starts;

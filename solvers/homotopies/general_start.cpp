@@ -48,10 +48,13 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const G
   std::vector<PathEnd> ends = follow_to_end(tracking, solutions, parameters, given.coefficients, is_zero,
                                             stopped, progress, all_work);
   std::mt19937_64 keys(request.seed);
-  end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(given.system, given.coefficients, x); },
-                    given.signs, keys, ends);
   const auto make_report = [&] {
-    return general_report(scene.system, given, ends, all_work, keys, request.stop);
+    std::vector<LostPath> lost = end_at_conjugates(
+        [&](const ComplexVectorX& x) { return jacobian_at(given.system, given.coefficients, x); },
+        given.signs, keys, ends);
+    SolveReport made = general_report(scene.system, given, ends, all_work, keys, request.stop);
+    restore(std::move(lost), ends);
+    return made;
   };
   const auto before = [&](const std::vector<std::size_t>& numbers, double sigma) {
     std::vector<ComplexVectorX> starts;

@@ -20,10 +20,10 @@ PathEnd failed() { return {PathEnd::Kind::failed, {5, 7}, 1, 0, false, "its step
 ComplexVectorX identity(const ComplexVectorX&) { return {1, 0, 0, 1}; }
 ComplexVectorX of_rank_one(const ComplexVectorX&) { return {1, 1, 1, 1}; }
 
-void complete(std::vector<PathEnd>& ends, const SignMasks& signs = {-1, -1},
-              ComplexVectorX (*jacobian)(const ComplexVectorX&) = identity) {
+std::vector<LostPath> complete(std::vector<PathEnd>& ends, const SignMasks& signs = {-1, -1},
+                               ComplexVectorX (*jacobian)(const ComplexVectorX&) = identity) {
   std::mt19937_64 random(1);
-  end_at_conjugates(jacobian, signs, random, ends);
+  return end_at_conjugates(jacobian, signs, random, ends);
 }
 
 const ComplexVectorX z{{1, 2}, {3, -1}}, w{{0.5, -4}, {2, 0.25}}, real{{1.5, 0}, {-2, 0}};
@@ -51,6 +51,16 @@ TEST_CASE("of several paths that were lost as many end at conjugates as these ar
   CHECK(ends[0].kind == PathEnd::Kind::regular);
   CHECK(ends[0].x == conjugate(z));
   CHECK(ends[2].kind == PathEnd::Kind::failed);
+}
+
+TEST_CASE("paths that were given conjugates as their ends can be lost ones again") {
+  std::vector<PathEnd> ends{failed(), regular(z), failed()};
+  restore(complete(ends), ends);
+  for (const std::size_t i : {0, 2}) {
+    CHECK(ends[i].kind == PathEnd::Kind::failed);
+    CHECK(ends[i].x == failed().x);
+    CHECK(ends[i].cause == failed().cause);
+  }
 }
 
 TEST_CASE("where more conjugates are missing than paths were lost, a step has jumped, and nothing is known") {

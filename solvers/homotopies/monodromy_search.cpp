@@ -1,10 +1,13 @@
 #include "solvers/homotopies/monodromy_search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
 #include <numbers>
 #include <utility>
+
+#include "solvers/homotopies/distinct_ends.hpp"
 
 namespace gcs {
 namespace {
@@ -17,6 +20,12 @@ struct Node {
   std::vector<int> next{};                 ///< [arc]: solutions before this one have been followed
 
   static constexpr int open = -1, followed = -2;
+};
+
+/// How many of the legs along an arc that were followed lately led to new solutions.
+struct Yield {
+  double tried = 0;
+  double fresh = 0;
 };
 
 /// A leg from solution `solution` of node `node` along arc `arc`.
@@ -36,6 +45,16 @@ bool is_homogeneous(const SquareSystem& system) {
 /// While the ends of one are sorted in, legs of the others are followed.
 constexpr std::size_t blocks_at_once = 2;
 
+/// Solutions may fall into blocks, the more of them the more solutions there are, that single arcs do not leave.
+int first_arcs(const MonodromyOptions& options, const std::optional<std::uint64_t>& count) {
+  const int arcs = count ? 2 + static_cast<int>(std::bit_width(*count)) / 3 : 0;
+  return std::min(std::max(options.first_arcs, arcs), options.arcs);
+}
+
+std::complex<double> random_turn(std::mt19937_64& random) {
+  return std::polar(1.0, std::uniform_real_distribution<double>(0, 2 * std::numbers::pi)(random));
+}
+
 ComplexVectorX scaled(ComplexVectorX x, std::complex<double> factor) {
   for (std::complex<double>& value : x) value *= factor;
   return x;
@@ -43,23 +62,24 @@ ComplexVectorX scaled(ComplexVectorX x, std::complex<double> factor) {
 
 class Search {
  public:
-  Search(const HomotopyFamily& family, const MonodromyOptions& options, std::mt19937_64& random)
-      : family_(family), options_(options), random_(random) {
-    const FamilyMember start = family.random_member(random), other = family.random_member(random);
+  Search(const HomotopyFamily& family, const Completeness& completeness, const MonodromyOptions& options,
+         std::mt19937_64& random)
+      : family_(family), completeness_(completeness), options_(options), random_(random) {
+    const FamilyMember start = (is_real() ? family.real_member : family.random_member)(random);
+    const FamilyMember other = family.random_member(random);
     for (const FamilyMember& member : {start, other})
       nodes_.push_back({member.parameters, SolutionSet(family.signs, random)});
+    if (is_real()) turn_ = random_turn(random);
     add(0, start.x, 0);
-    found_.squares = nodes_[0].squares;
-    while (static_cast<int>(gammas_.size()) < std::min(options.first_arcs, options.arcs)) add_arc();
+    while (arcs() < first_arcs(options, completeness.count)) add_arc();
   }
 
-  GenericSolutions run(LegTracking& tracking, const Completeness& completeness,
-                       const std::function<bool()>& stopped, const std::function<void(int)>& progress,
-                       WorkCounters& work) {
-    while (!is_over(completeness) && !stopped()) {
+  GenericSolutions run(LegTracking& tracking, const std::function<bool()>& stopped,
+                       const std::function<void(int)>& progress, WorkCounters& work) {
+    while (!is_over() && !stopped()) {
       while (followed_.size() < blocks_at_once && hand_out(tracking)) continue;
       if (followed_.empty()) {
-        if (is_quiet_and_done(completeness)) break;
+        if (is_quiet_and_done()) break;
         add_arc();
         continue;
       }
@@ -74,46 +94,72 @@ class Search {
  private:
   std::uint64_t size() const { return static_cast<std::uint64_t>(nodes_[0].solutions.size()); }
 
-  bool is_over(const Completeness& completeness) {
-    if (!consistent_ || (completeness.count && size() > *completeness.count))
+  bool is_over() {
+    const std::optional<std::uint64_t>& count = completeness_.count;
+    if (!consistent_ || (count && size() > *count))
       found_.end = SearchEnd::inconsistent;
-    else if (completeness.count && size() == *completeness.count)
+    else if (count && size() == *count)
       found_.end = SearchEnd::complete;
     return found_.end != SearchEnd::stopped;
   }
 
   /// Precondition: nothing is left to follow.
-  bool is_quiet_and_done(const Completeness& completeness) {
-    if (completeness.test && completeness.test(found()))
+  bool is_quiet_and_done() {
+    if (completeness_.test && completeness_.test(found()))
       found_.end = SearchEnd::complete;
-    else if (static_cast<int>(gammas_.size()) == options_.arcs)
+    else if (arcs() == options_.arcs)
       found_.end = SearchEnd::quiet;
     return found_.end != SearchEnd::stopped;
   }
 
   GenericSolutions found() const {
     GenericSolutions found = found_;
-    found.solutions = nodes_[0].solutions.solutions();
-    found.arcs_used = static_cast<int>(gammas_.size());
+    found.squares = scaled(nodes_[0].squares, turn_ * turn_);
+    for (const ComplexVectorX& x : nodes_[0].solutions.solutions())
+      found.solutions.push_back(scaled(x, turn_));
+    found.arcs_used = arcs();
     return found;
   }
 
-  /// The more are known, the more, so that threads and processes seldom wait for each other's last legs. Those that are
-  /// handed out when the last solution is found are followed in vain: of some four for each solution.
+  int arcs() const { return static_cast<int>(gammas_.size()); }
+  bool is_real() const { return static_cast<bool>(family_.real_member); }
+
+  /// The more are known, the more, so that threads and processes seldom wait for each other's last legs: but those that are
+  /// handed out when the last solution is found are followed in vain, and those before know less of what is new.
   std::size_t legs_at_once() const {
-    return std::max<std::size_t>(size() / 16, static_cast<std::size_t>(options_.fewest_at_once)) /
-           blocks_at_once;
+    constexpr std::size_t fewest = 16;  // two blocks that fill the lanes of one thread
+    return std::max<std::size_t>(size() / 32, fewest) / blocks_at_once;
   }
 
-  /// The next legs to follow, at most `most`: first what the first arcs have not been tried on.
+  /// The next legs to follow, at most `most`, along the first arcs of which something new is to be expected. None, where the
+  /// results of such arcs are awaited; where there are none, along one more arc, or whatever is left.
   std::vector<Task> next_tasks(std::size_t most) {
     std::vector<Task> tasks;
-    for (int arc = 0; arc < static_cast<int>(gammas_.size()); ++arc) {
-      const std::size_t before = tasks.size();
-      take_tasks(0, arc, most, tasks);
-      if (!options_.is_one_way || tasks.size() == before) take_tasks(1, arc, most, tasks);
+    bool are_dull = true;
+    for (int arc = 0; arc < arcs(); ++arc) {
+      if (is_dull(arc)) continue;
+      are_dull = false;
+      take_tasks(arc, most, tasks);
     }
+    if (!tasks.empty() || (!are_dull && !followed_.empty())) return tasks;
+    if (completeness_.count && arcs() < options_.arcs) add_arc();
+    for (int arc = arcs() - 1; arc >= 0; --arc) take_tasks(arc, most, tasks);
     return tasks;
+  }
+
+  /// The share of solutions that are not known, of the count.
+  double missing() const {
+    const double count = static_cast<double>(*completeness_.count);
+    return std::max(1.0, count - static_cast<double>(size())) / count;
+  }
+
+  /// Whether an arc that permutes solutions at random would have led to many more new ones. In the first four expected ones
+  /// none is new by such chance one time in fifty.
+  bool is_dull(int arc) const {
+    if (!completeness_.count) return false;
+    const Yield& yield = yields_[arc];
+    const double expected = yield.tried * missing();
+    return expected >= expected_at_least && yield.fresh < expected / 4;
   }
 
   /// False where there is nothing to follow.
@@ -150,19 +196,29 @@ class Search {
 
   /// Sorts in the end of the task's leg.
   void arrive(const Task& task, const ComplexVectorX& end, double uncertainty) {
-    const int other = 1 - task.node;
+    const int other = 1 - task.node, before = nodes_[other].solutions.size();
     const int number = add(other, other == 1 ? scaled(end, 1.0 / gammas_[task.arc]) : end, uncertainty);
+    count_in(nodes_[other].solutions.size() > before, yields_[task.arc]);
     int& back = nodes_[other].images[task.arc][number];
     if (back >= 0 && back != task.solution) consistent_ = false;
     back = task.solution;
     nodes_[task.node].images[task.arc][task.solution] = number;
   }
 
+  /// What was long ago counts less and less.
+  void count_in(bool is_fresh, Yield& yield) const {
+    yield.tried += 1;
+    yield.fresh += is_fresh ? 1 : 0;
+    if (!completeness_.count || yield.tried * missing() < 2 * expected_at_least) return;
+    yield.tried /= 2;
+    yield.fresh /= 2;
+  }
+
   void add_arc() {
-    std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
-    const std::complex<double> gamma = family_.is_homogeneous ? std::polar(1.0, angle(random_)) : 1.0;
+    const std::complex<double> gamma = family_.is_homogeneous ? random_turn(random_) : 1.0;
     const ComplexVectorX first = random_bend(), second = options_.has_two_bends ? random_bend() : first;
     gammas_.push_back(gamma);
+    yields_.emplace_back();
     routes_.push_back(route(nodes_[0].squares, scaled(nodes_[1].squares, gamma * gamma), first, second));
     routes_.push_back(route(scaled(nodes_[1].squares, gamma * gamma), nodes_[0].squares, second, first));
     for (Node& node : nodes_) {
@@ -195,11 +251,21 @@ class Search {
     return route;
   }
 
+  /// With its conjugate, where that is one for the same lengths.
   int add(int node, const ComplexVectorX& x, double uncertainty) {
-    const int number = nodes_[node].solutions.insert(x, uncertainty);
+    SolutionSet& solutions = nodes_[node].solutions;
+    const int before = solutions.size(), number = solutions.insert(x, uncertainty);
+    if (node == 0 && is_real() && solutions.size() > before) solutions.insert(conjugate(x), uncertainty);
     for (std::vector<int>& images : nodes_[node].images)
-      if (number >= static_cast<int>(images.size())) images.push_back(Node::open);
+      images.resize(static_cast<std::size_t>(solutions.size()), Node::open);
     return number;
+  }
+
+  /// From the solutions of one node; where it has none left, from those of the other, so that legs and their reverses are
+  /// seldom followed at once.
+  void take_tasks(int arc, std::size_t most, std::vector<Task>& tasks) {
+    const std::size_t before = tasks.size();
+    for (int node = 0; node < 2 && tasks.size() == before; ++node) take_tasks(node, arc, most, tasks);
   }
 
   void take_tasks(int node, int arc, std::size_t most, std::vector<Task>& tasks) {
@@ -212,15 +278,20 @@ class Search {
     }
   }
 
+  static constexpr double expected_at_least = 4;
+
   const HomotopyFamily& family_;
+  const Completeness& completeness_;
   const MonodromyOptions options_;
   std::mt19937_64& random_;
   std::vector<Node> nodes_;
+  std::complex<double> turn_ = 1;           // of what is returned
   ComplexVectorX gammas_;                   // of each arc
+  std::vector<Yield> yields_;               // of each arc
   std::vector<Route> routes_;               // of each arc: from node 0, then from node 1
   std::deque<std::vector<Task>> followed_;  // in the order in which they were handed out
   bool consistent_ = true;
-  GenericSolutions found_;  ///< but for the solutions and arcs
+  GenericSolutions found_;  ///< but for the lengths, solutions and arcs
 };
 
 }  // namespace
@@ -236,16 +307,24 @@ HomotopyFamily square_family(const SquareSystem& system, SignMasks signs, std::v
 }
 
 HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs) {
-  return square_family(
+  HomotopyFamily family = square_family(
       system, std::move(signs), std::vector<bool>(system.given.size(), true),
       [n = system.unknowns](std::mt19937_64& random) { return random_complex_vector(n, random); });
+  if (!family.is_homogeneous) return family;
+  family.real_member = [&system](std::mt19937_64& random) {
+    ComplexVectorX x = random_complex_vector(system.unknowns, random);
+    for (std::complex<double>& value : x) value = value.real();
+    ComplexVectorX squares = squares_at(system, x);
+    return FamilyMember{std::move(x), std::move(squares)};
+  };
+  return family;
 }
 
 GenericSolutions search_by_monodromy(const HomotopyFamily& family, LegTracking& tracking,
                                      const Completeness& completeness, const MonodromyOptions& options,
                                      std::mt19937_64& random, const std::function<bool()>& stopped,
                                      const std::function<void(int)>& progress, WorkCounters& work) {
-  return Search(family, options, random).run(tracking, completeness, stopped, progress, work);
+  return Search(family, completeness, options, random).run(tracking, stopped, progress, work);
 }
 
 }  // namespace gcs

@@ -14,6 +14,10 @@
 /// points in sectors of it, of which a few solutions may see no single one. The bend is B(s) = B, or
 /// (1 − s)B + sC with two random ones: large ones go out in one direction and come back in another, so that solutions
 /// that are far larger than the others meet branch points too.
+///
+/// Where distances are all there is, A_0 is that of a real placement, so that the conjugate of each solution is known with it:
+/// two arcs then reach nearly all, along two legs for each. A_1 stays complex, since the arcs between two real ones keep the
+/// signs of many square roots. What is returned is turned by a random γ: the way to other real lengths must not be real.
 
 #include <cstdint>
 #include <functional>
@@ -39,6 +43,8 @@ struct HomotopyFamily {
   bool is_homogeneous = false;
   /// A member at random, in which the parameters that are not free have their values.
   std::function<FamilyMember(std::mt19937_64&)> random_member;
+  /// One of real numbers, where the family is homogeneous and the conjugate of a member one; may be empty.
+  std::function<FamilyMember(std::mt19937_64&)> real_member{};
 };
 
 /// Equations whose right-hand sides are the parameters.
@@ -49,15 +55,11 @@ HomotopyFamily square_family(const SquareSystem& system, SignMasks signs, std::v
 HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs);
 
 struct MonodromyOptions {
-  int first_arcs = 4;  ///< between the nodes; one more whenever the others find nothing new
-  int arcs = 12;       ///< at most
-  /// Legs under way in the search: at least so many, and part of the result's definition.
-  int fewest_at_once = 256;
-  double bend = 2;  ///< |B| over |A|
+  int first_arcs =
+      3;  ///< between the nodes, more for a large count; one more whenever the others find nothing new
+  int arcs = 12;    ///< at most
+  double bend = 3;  ///< |B| over |A|
   bool has_two_bends = false;
-  /// Whether an arc is tried from a node's solutions only when its other end has none left: half the legs, and batches that
-  /// are half as large.
-  bool is_one_way = false;
 };
 
 /// How a search ended.

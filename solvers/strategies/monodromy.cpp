@@ -168,10 +168,8 @@ class MonodromyStrategy final : public ComplexStrategy {
       return [&request, stage](int) { report_progress(request, stage, -1); };
     };
     MonodromyOptions search = search_;
-    search.first_arcs = 3;
     search.bend = 16;
     search.has_two_bends = true;
-    search.is_one_way = true;
     StartSystem found;
     bool is_done = false;
     for (int i = 0; i < most_trace_tests && !is_done && !stopped(); ++i) {

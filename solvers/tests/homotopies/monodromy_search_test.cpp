@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "solvers/counting/laman_graphs.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/trace_test.hpp"
 #include "solvers/model/distance_system.hpp"
+#include "solvers/tests/laman_graphs.hpp"
 #include "solvers/tests/sample_problems.hpp"
+#include "solvers/tests/sanitized.hpp"
 
 using namespace gcs;
 
@@ -96,6 +99,41 @@ TEST_CASE("loops find as many solutions as the bound of a ring of hinged bodies 
     CHECK(Natural(Setting(problem).search(std::nullopt).solutions.size()) ==
           counts.bound->count.up_to_reflection());
   }
+}
+
+TEST_CASE("some two and a half legs find each solution of a graph with many") {
+  // Each needs two at least: one to another node, and one back. Half as many classes as realisations.
+  for (const samples::RecordGraph& graph : samples::record_graphs) {
+    if (graph.points < 9 || graph.points > 10) continue;
+    const GraphEdges edges = graph_of_code(graph.points, graph.code);
+    const ProblemStatement problem =
+        samples::problem_of(2, graph.points, edges, std::vector<double>(edges.size(), 1.0));
+    std::int64_t legs = 0;
+    const int seeds = repetitions(4);
+    for (int seed = 1; seed <= seeds; ++seed) {
+      const GenericSolutions found =
+          Setting(problem, static_cast<std::uint64_t>(seed)).search(graph.realisations / 2);
+      CHECK(found.end == SearchEnd::complete);
+      legs += found.legs;
+    }
+    CHECK(legs >= 2 * seeds * static_cast<std::int64_t>(graph.realisations / 2) - seeds);
+    CHECK(static_cast<double>(legs) < 2.9 * seeds * static_cast<double>(graph.realisations / 2));
+  }
+}
+
+TEST_CASE("solutions at random lengths are those of real ones, turned") {
+  Setting setting(samples::octahedron());
+  const GenericSolutions generic = setting.search(8);
+  const std::complex<double> turn = std::sqrt(generic.squares[0] / std::abs(generic.squares[0]));
+  CHECK(std::abs(turn.imag()) > 1e-3);
+  for (const std::complex<double>& square : generic.squares)
+    CHECK(std::abs((square / (turn * turn)).imag()) <= 1e-14 * std::abs(square));
+  SolutionSet set(mirror_axes(setting.scene, setting.coordinates), setting.random);
+  for (ComplexVectorX x : generic.solutions) {
+    for (std::complex<double>& value : x) value = std::conj(value / turn) * turn;
+    set.insert(x, 1e-10);
+  }
+  for (const ComplexVectorX& x : generic.solutions) CHECK(set.find(x, 1e-10) >= 0);
 }
 
 TEST_CASE("a search that meets the count stops, and one that finds more is inconsistent") {

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "solvers/counting/bezout_bound.hpp"
 #include "solvers/counting/general_bound.hpp"
 #include "solvers/counting/realisation_count.hpp"
 #include "solvers/counting/ring_bound.hpp"
 #include "solvers/elements/given_elements.hpp"
+#include "solvers/elements/stated_signs.hpp"
 #include "solvers/structure/core_reduction.hpp"
 #include "solvers/structure/sub_problem.hpp"
 
@@ -320,6 +322,20 @@ std::optional<TheoreticalCounts> counts_without_positions(const ProblemStatement
   return counts;
 }
 
+/// Orientations are no equations, but tell mirror images apart; nothing for problems without them.
+std::optional<TheoreticalCounts> counts_without_orientations(const ProblemStatement& problem) {
+  const std::optional<ProblemStatement> free = without_orientations(problem);
+  if (!free) return std::nullopt;
+  TheoreticalCounts counts = theoretical_counts(*free);
+  if (counts.exact) counts.exact->images = frame_images(problem);
+  if (!counts.bound) return counts;
+  SolutionCount& count = counts.bound->count;
+  count.images = frame_images(problem);
+  if (const std::optional<Natural> figures = std::exchange(counts.bound->figures, std::nullopt))
+    count.fixed_frame = std::min(count.fixed_frame, *figures);
+  return counts;
+}
+
 }  // namespace
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const RecursionLimits& limits) {
@@ -339,6 +355,7 @@ TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std:
 
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem,
                                      const std::optional<ElementOrder>& order) {
+  if (const auto counts = counts_without_orientations(problem)) return *counts;
   if (const auto counts = counts_without_positions(problem)) return *counts;
   return general_counts(problem, order,
                         [](const ProblemStatement& core) { return theoretical_counts(core); });

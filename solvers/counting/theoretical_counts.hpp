@@ -18,6 +18,7 @@ namespace gcs {
 /// Exact: points in the plane, some given perhaps, if the core is small enough, and points in space of which all but three can be
 /// placed one by one. Bound, the smaller of the two, the m-Bézout bound if they are equal: points, some given perhaps, or
 /// points and one line, and nothing fixed; lines at four distances on anything that has a limit or is given, by 12 each.
+/// With orientations mirror images count apart.
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const RecursionLimits& limits = {});
 /// `parts`: of decompose(problem, Split::all). Precondition: not a general scene.
 TheoreticalCounts theoretical_counts(const ProblemStatement& problem, const std::vector<Part>& parts,

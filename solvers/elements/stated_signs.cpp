@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "solvers/elements/constraint_types.hpp"
 #include "solvers/elements/system_builder.hpp"
@@ -152,6 +153,11 @@ std::vector<StatedSign> stated_signs(const ProblemStatement& problem) {
     }
   }
   return signs;
+}
+
+std::optional<ProblemStatement> without_orientations(ProblemStatement problem) {
+  const auto orientations = std::erase_if(problem.relations, [](const Relation& r) { return r.sign != 0; });
+  return orientations > 0 ? std::optional(std::move(problem)) : std::nullopt;
 }
 
 SignVerdict verdict_on(const std::vector<StatedSign>& signs, const std::function<EnclosedPoint(int)>& at) {

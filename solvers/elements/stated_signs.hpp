@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "solvers/elements/placement.hpp"
@@ -23,6 +24,9 @@ struct StatedSign {
 };
 
 std::vector<StatedSign> stated_signs(const ProblemStatement& problem);
+
+/// The problem of the same equations that has no orientations; nothing where it has none itself.
+std::optional<ProblemStatement> without_orientations(ProblemStatement problem);
 
 enum class Standing { as_stated, undecided, not_as_stated };
 

@@ -79,6 +79,20 @@ void check_conventions(const SolutionCount& count, const char* fixed_frame, cons
 
 }  // namespace
 
+TEST_CASE("with an orientation mirror images count apart, and the equations are the same") {
+  const auto oriented = [](ProblemStatement problem) {
+    Relation relation{"side", "orientation", {}, Relation::Form::none};
+    for (int point = 0; point <= problem.dimension; ++point) relation.of.push_back({point});
+    relation.sign = 1;
+    problem.relations.push_back(std::move(relation));
+    return theoretical_counts(problem);
+  };
+  check_conventions(*oriented(graph(2, 6, complete_bipartite(3, 3))).exact, "16", "16", "16");
+  const TheoreticalCounts counts = oriented(samples::octahedron());
+  REQUIRE(counts.bound);
+  check_conventions(counts.bound->count, "16", "16", "16");
+}
+
 TEST_CASE("orientations are counted as one by one") {
   samples::RandomNumbers random(7);
   std::uint64_t found = 0;

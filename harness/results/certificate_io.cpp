@@ -77,8 +77,6 @@ const char* beyond_certificates(const ProblemStatement& problem) {
   if (problem.file_frame) return "/fixed";
   for (int entity = 0; entity < problem.entity_count(); ++entity)
     if (problem.is_fixed(entity) && !bodies_with(problem, entity).empty()) return "/fixed";
-  if (std::ranges::any_of(problem.relations, [](const Relation& r) { return r.sign != 0; }))
-    return "/constraints";
   if (problem.reference_body >= 0 || problem.has_fixed()) return nullptr;
   if (!problem.bodies.empty()) return "/bodies";
   const Reference reference = Scene::unchecked(problem).reference();
@@ -106,8 +104,8 @@ void require_certifiable(const Instance& instance) {
   if (place == nullptr) return;
   throw InputError(
       instance.origin, place,
-      "a certificate is of scenes without orientations, in a frame that begins at a point or has a line and "
-      "a point, in a body, or in given elements of no body that leave no motion",
+      "a certificate is of scenes in a frame that begins at a point or has a line and a point, in a body, or "
+      "in given elements of no body that leave no motion",
       "leave out --certificate; --certify proves more");
 }
 

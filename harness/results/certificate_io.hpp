@@ -9,7 +9,7 @@
 
 namespace gcs {
 
-/// Throws InputError unless the instance has no orientation and its frame begins at a point, has a line and a point, is a
+/// Throws InputError unless the instance's frame begins at a point, has a line and a point, is a
 /// body, or given by elements of no body with positions that leave no motion.
 void require_certifiable(const Instance& instance);
 

@@ -13,6 +13,7 @@
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/counting/three_lines_bound.hpp"
 #include "solvers/elements/given_elements.hpp"
+#include "solvers/elements/stated_signs.hpp"
 #include "solvers/structure/decomposition.hpp"
 #include "solvers/structure/sub_problem.hpp"
 
@@ -195,6 +196,8 @@ JsonValue names_value(const ProblemStatement& problem, const std::vector<int>& e
 
 JsonValue certificate_limit(const Scene& scene) {
   const ProblemStatement& problem = scene.problem();
+  if (auto same_equations = without_orientations(problem))
+    return certificate_limit(Scene::unchecked(std::move(*same_equations)));
   if (const auto most = three_lines_bound(problem))
     return json_array({json_object({{"argument", json_text("three lines")},
                                     {"at_most", json_count(Natural(*most))},

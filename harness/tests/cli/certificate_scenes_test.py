@@ -23,6 +23,10 @@ def stated(kind, *between):
     return {"type": kind, "between": list(between)}
 
 
+def orientation(sign, points):
+    return {"type": "orientation", "of": points, "sign": sign}
+
+
 def scene(name, constraints, dimension=3, **elements):
     return {"format": "gcsbench-instance/2", "id": name, "dimension": dimension, **elements, "constraints": constraints}
 
@@ -210,6 +214,50 @@ class CertifiedScenes(CertificateTest):
             numbers = re.search(r"at least 8 complex .*, ([0-9]+) of them real, ([0-9]+) of these as stated: ", verdict(other))
             found.append(tuple(map(int, numbers.groups())))
         self.assertEqual({real for real, _ in found}, {sum(as_stated for _, as_stated in found)})
+
+    def test_orientations_tell_mirror_images_apart(self):
+        """Of two that are each other's image one is as stated; more orientations share them. Classes up to reflection and real
+        ones among them as in certificate_test.py."""
+        for name, classes, real in (("k33", 8, 2), ("prism", 12, 12), ("octahedron", 8, 4)):
+            plain = json.loads((SOURCE / "instances" / f"{name}.json").read_text())
+            corners = plain["dimension"] + 1
+            given = {**plain, "format": "gcsbench-instance/2", "constraints": [
+                *plain["constraints"], orientation(1, plain["points"][:corners]), orientation(-1, plain["points"][-corners:])]}
+            certificate = self.certificate(self.write(given, f"{name}.json"))
+            as_stated = {}
+            for signs in itertools.product((1, -1), repeat=2):
+                other = with_value(certificate, ["instance", "constraints", -2, "sign"], signs[0])
+                other = with_value(other, ["instance", "constraints", -1, "sign"], signs[1])
+                sentence = (f"{name}: exactly {2 * classes} complex solutions up to motion, {2 * real} of them real, "
+                            r"([0-9]+) of these as stated: proven\.")
+                as_stated[signs] = int(re.fullmatch(sentence, verdict(other))[1])
+            self.assertEqual(as_stated[1, 1] + as_stated[1, -1], real)
+            self.assertEqual(as_stated, {(a, b): as_stated[-a, -b] for a, b in as_stated})
+            self.assert_changes_are_harmless(name, certificate, but=", [0-9]+ of these as stated")
+
+    def test_half_turns_are_motions(self):
+        """A listed solution cannot stand for another one once more, turned about an axis of the frame; its mirror image can."""
+        plain = json.loads((SOURCE / "instances" / "octahedron.json").read_text())
+        given = {**plain, "format": "gcsbench-instance/2",
+                 "constraints": [*plain["constraints"], orientation(1, plain["points"][:4])]}
+        certificate = self.certificate(self.write(given, "octahedron.json"))
+        number = next(k for k, solution in enumerate(certificate["solutions"]) if solution["real"])
+        del certificate["solutions"][number + 1:], certificate["solutions"][:number]
+        certificate.update(complex=2, real=2)
+        for signs, are_two in (((1, -1, -1), False), ((-1, -1, 1), False), ((1, 1, -1), True), ((-1, -1, -1), True)):
+            solution = certificate["solutions"][0]
+            turned = [str(signs[place % 3] * int(value)) for place, value in enumerate(solution["numbers"])]
+            both = {**certificate, "solutions": [solution, {**solution, "numbers": turned}]}
+            self.assertEqual(verdict(both) is not None, are_two, signs)
+
+    def test_orientations_beside_bodies_and_given_points(self):
+        """No figure is another one for an orientation there. In the plane each real one has one of the two."""
+        given = {**NAMED["slide"], "constraints": [*NAMED["slide"]["constraints"], orientation(1, ["a1", "b1", "b2"])]}
+        certificate = self.certificate(self.write(given, "slide.json"))
+        found = [re.fullmatch(r"slide: exactly 4 isolated complex solutions up to motion, ([0-9]) of them real, ([0-9]) of these as "
+                              r"stated: proven\.", verdict(with_value(certificate, ["instance", "constraints", -1, "sign"], sign)))
+                 for sign in (1, -1)]
+        self.assertEqual(int(found[0][1]), sum(int(one[2]) for one in found))
 
     def test_touching_is_a_distance_of_0(self):
         """With that of a line from four points it has as many places as with others (Macdonald, Pach, Theobald 2001)."""

@@ -51,8 +51,14 @@ int first_arcs(const MonodromyOptions& options, const std::optional<std::uint64_
   return std::min(std::max(options.first_arcs, arcs), options.arcs);
 }
 
-std::complex<double> random_turn(std::mt19937_64& random) {
-  return std::polar(1.0, std::uniform_real_distribution<double>(0, 2 * std::numbers::pi)(random));
+std::complex<double> random_turn(double least, double most, std::mt19937_64& random) {
+  return std::polar(1.0, std::uniform_real_distribution<double>(least, most)(random));
+}
+
+/// γ, whose square turns real lengths away from others: branch points of the way crowd where γ² is real. Of 5° to 85° these
+/// take the fewest steps, a half to a third of those at either end.
+std::complex<double> turn_from_the_real(std::mt19937_64& random) {
+  return random_turn(std::numbers::pi / 8, std::numbers::pi / 4, random);
 }
 
 ComplexVectorX scaled(ComplexVectorX x, std::complex<double> factor) {
@@ -69,7 +75,7 @@ class Search {
     const FamilyMember other = family.random_member(random);
     for (const FamilyMember& member : {start, other})
       nodes_.push_back({member.parameters, SolutionSet(family.signs, random)});
-    if (is_real()) turn_ = random_turn(random);
+    if (is_real()) turn_ = turn_from_the_real(random);
     add(0, start.x, 0);
     while (arcs() < first_arcs(options, completeness.count)) add_arc();
   }
@@ -215,7 +221,8 @@ class Search {
   }
 
   void add_arc() {
-    const std::complex<double> gamma = family_.is_homogeneous ? random_turn(random_) : 1.0;
+    const std::complex<double> gamma =
+        family_.is_homogeneous ? random_turn(0, 2 * std::numbers::pi, random_) : 1.0;
     const ComplexVectorX first = random_bend(), second = options_.has_two_bends ? random_bend() : first;
     gammas_.push_back(gamma);
     yields_.emplace_back();

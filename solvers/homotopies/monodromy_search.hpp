@@ -17,7 +17,8 @@
 ///
 /// Where distances are all there is, A_0 is that of a real placement, so that the conjugate of each solution is known with it:
 /// two arcs then reach nearly all, along two legs for each. A_1 stays complex, since the arcs between two real ones keep the
-/// signs of many square roots. What is returned is turned by a random γ: the way to other real lengths must not be real.
+/// signs of many square roots. What is returned is turned by a random γ: the way to other real lengths must not be real, nor
+/// nearly so.
 
 #include <cstdint>
 #include <functional>

@@ -327,10 +327,15 @@ std::optional<TheoreticalCounts> counts_without_orientations(const ProblemStatem
   const std::optional<ProblemStatement> free = without_orientations(problem);
   if (!free) return std::nullopt;
   TheoreticalCounts counts = theoretical_counts(*free);
-  if (counts.exact) counts.exact->images = frame_images(problem);
+  const auto with_images_apart = [&](SolutionCount count) {
+    const bool are_pairs = count.images.in_frame > 1;
+    return SolutionCount{are_pairs ? Natural(2) * count.up_to_reflection() : count.fixed_frame,
+                         frame_images(problem)};
+  };
+  if (counts.exact) counts.exact = with_images_apart(*counts.exact);
   if (!counts.bound) return counts;
   SolutionCount& count = counts.bound->count;
-  count.images = frame_images(problem);
+  count = with_images_apart(count);
   if (const std::optional<Natural> figures = std::exchange(counts.bound->figures, std::nullopt))
     count.fixed_frame = std::min(count.fixed_frame, *figures);
   return counts;

@@ -91,6 +91,11 @@ TEST_CASE("with an orientation mirror images count apart, and the equations are 
   const TheoreticalCounts counts = oriented(samples::octahedron());
   REQUIRE(counts.bound);
   check_conventions(counts.bound->count, "16", "16", "16");
+  // A line and a point leave a half-turn beside two mirrors.
+  const TheoreticalCounts plain = theoretical_counts(pyramid_on_line()), beside = oriented(pyramid_on_line());
+  REQUIRE(plain.bound);
+  REQUIRE(beside.bound);
+  CHECK(beside.bound->count.up_to_reflection() == Natural(2) * plain.bound->count.up_to_reflection());
 }
 
 TEST_CASE("orientations are counted as one by one") {

@@ -9,8 +9,8 @@
 
 namespace gcs {
 
-/// Throws InputError unless the instance's frame begins at a point, has a line and a point, is a
-/// body, or given by elements of no body with positions that leave no motion.
+/// Throws InputError unless the instance's frame begins at a point, has a line and a point, is a body, or given by elements of
+/// no body with positions that leave no motion.
 void require_certifiable(const Instance& instance);
 
 /// The certified solutions of an answer, and clusters, piece by piece, and how many there can be. Returns how many it has,

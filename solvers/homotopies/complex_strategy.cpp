@@ -1,6 +1,7 @@
 #include "solvers/homotopies/complex_strategy.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "solvers/counting/scene_analysis.hpp"
 #include "solvers/elements/given_elements.hpp"

@@ -250,7 +250,7 @@ class CertifiedScenes(CertificateTest):
             both = {**certificate, "solutions": [solution, {**solution, "numbers": turned}]}
             self.assertEqual(verdict(both) is not None, are_two, signs)
 
-    def test_orientations_beside_bodies_and_given_points(self):
+    def test_orientations_beside_bodies(self):
         """No figure is another one for an orientation there. In the plane each real one has one of the two."""
         given = {**NAMED["slide"], "constraints": [*NAMED["slide"]["constraints"], orientation(1, ["a1", "b1", "b2"])]}
         certificate = self.certificate(self.write(given, "slide.json"))

@@ -285,7 +285,7 @@ class Search {
     }
   }
 
-  static constexpr double expected_at_least = 4;
+  static constexpr double expected_at_least = 4;  ///< new solutions, before an arc is judged
 
   const HomotopyFamily& family_;
   const Completeness& completeness_;

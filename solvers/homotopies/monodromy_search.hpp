@@ -56,8 +56,8 @@ HomotopyFamily square_family(const SquareSystem& system, SignMasks signs, std::v
 HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs);
 
 struct MonodromyOptions {
-  int first_arcs =
-      3;  ///< between the nodes, more for a large count; one more whenever the others find nothing new
+  /// Between the nodes, more for a large count; one more whenever the others find nothing new.
+  int first_arcs = 3;
   int arcs = 12;    ///< at most
   double bend = 3;  ///< |B| over |A|
   bool has_two_bends = false;

@@ -366,6 +366,10 @@ void conclude(bool is_stopped, const std::string& moving, const std::string& mis
                                           : SolveStatus::partial;
 }
 
+void conclude_stopped(const std::stop_token& stop, SolveReport& report) {
+  if (report.status == SolveStatus::partial && stop.stop_requested()) conclude(true, "", "", report);
+}
+
 PathRecord path_record(const PathEnd& end) {
   PathRecord record;
   switch (end.kind) {

@@ -2,6 +2,7 @@
 /// From the ends of paths to solutions of a scene, with what they prove or leave open.
 
 #include <random>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ bool is_any_stopped(const std::vector<PathEnd>& ends);
 /// Status and reason of a report: stopped; infinite where it has motions, which is said in words; partial where something
 /// is missing, likewise.
 void conclude(bool is_stopped, const std::string& moving, const std::string& missing, SolveReport& report);
+
+/// A report with doubts that may not have been looked into, as stop was asked for, says that it was stopped.
+void conclude_stopped(const std::stop_token& stop, SolveReport& report);
 
 /// The report of all paths: candidates from their finite ends, distinct up to reflections and real where
 /// Newton's method on the real part agrees; a record for every path. The status is partial where paths

@@ -204,6 +204,7 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   if (report.status == SolveStatus::partial && has_precise_ends(request.scene) &&
       determine_ends(request.scene, start.squares(), squares, before, ends, request.stop))
     report = make_report();
+  conclude_stopped(request.stop, report);
   add_start(start, report);
   return report;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/conjugate_ends.hpp"
 #include "solvers/homotopies/general_report.hpp"
 #include "solvers/homotopies/precise_ends.hpp"
@@ -80,6 +81,7 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const G
   if ((has_doubts && determine_stiff()) ||
       determine([&](const Figure& figure) { return loses_distances(request.scene, figure); }))
     report = make_report();
+  conclude_stopped(request.stop, report);
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
   // Certificates are of these equations in general scenes alone, not in those of points and several lines.
   if (request.scene.problem().is_general() && !is_stopped && !solutions.empty())

@@ -149,6 +149,17 @@ TEST_CASE("infinitely many solutions are found where there are, and nowhere else
   CHECK(found >= 2);
 }
 
+TEST_CASE("an answer that the time limit cuts short says so, and not what was left to look into") {
+  const Scene scene(load_member("bricard@1e-15").problem);  // whose ends take seconds in more and more bits
+  RunLimits limits;
+  limits.time_limit_s = 1;
+  for (const char* strategy : {"monodromy", "polyhedral"}) {
+    const SolveRun run = run_strategy(find_strategy(strategy), {}, scene, limits);
+    INFO(word(run.status) << " " << run.reason);
+    CHECK((run.status == RunStatus::timed_out || run.status == RunStatus::complete));
+  }
+}
+
 TEST_CASE("scenes scaled by a power of two have exactly scaled lengths") {
   const ProblemStatement tame = load_member("scale-of-two@0").problem;
   for (const int exponent : {100, -100, 1000, -1000}) {

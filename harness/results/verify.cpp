@@ -26,7 +26,7 @@ class Verifier {
   Verifier(const StoredResult& result, const ProofSetup& setup)
       : result_(result), scene_(result.scene), setup_(setup), equations_(scene_) {
     for (const AssessedSolution& solution : result.answer.solutions) figures_.push_back(solution.figure);
-    proofs_ = prove_solutions(equations_, figures_, setup_);
+    proofs_ = prove_solutions(equations_, signs_, figures_, setup_);
     standings_.assign(proofs_.size(), Standing::as_stated);
   }
 
@@ -68,7 +68,7 @@ class Verifier {
   /// Where the proof leaves the signs undecided that constraints state, any standing may be listed.
   void check_signs(std::size_t i) {
     const Standing listed = result_.answer.solutions[i].signs.standing;
-    standings_[i] = proven_signs(equations_, signs_, figures_[i], proofs_[i].certificate).standing;
+    standings_[i] = proofs_[i].signs.standing;
     if (standings_[i] != Standing::undecided && standings_[i] != listed)
       mismatch("standing", fmt::format("solution {} is listed as '{}' and proven to be '{}'", i, word(listed),
                                        word(standings_[i])));
@@ -116,26 +116,27 @@ class Verifier {
 
   /// Lengths are real: the conjugate of a solution is another one, or of the same class.
   void check_conjugates() {
-    std::vector<Enclosure> boxes;
-    std::vector<std::size_t> place;
-    for (std::size_t i = 0; i < proofs_.size(); ++i) {
-      if (!proofs_[i].certificate.is_isolated()) continue;
-      boxes.push_back(proofs_[i].certificate.enclosure);
-      place.push_back(i);
+    std::vector<std::size_t> isolated;
+    for (std::size_t i = 0; i < proofs_.size(); ++i)
+      if (proofs_[i].certificate.is_isolated()) isolated.push_back(i);
+    const std::size_t count = isolated.size();
+    const auto box_of = [&](std::size_t k) {  // the second half are conjugates
+      const std::size_t i = isolated[k % count];
+      Enclosure box = box_around(equations_.coordinates(figures_[i]), proofs_[i].place);
+      if (k >= count)
+        for (std::complex<double>& value : box.mid) value = std::conj(value);
+      return box;
+    };
+    std::set<std::size_t> met;
+    for (const Coincidence& pair : coincidences(2 * count, box_of, equations_.system().mirror)) {
+      const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
+      if (first < count && second >= count) met.insert(second - count);
     }
-    const auto count = static_cast<int>(boxes.size());
-    for (int i = 0; i < count; ++i) {
-      boxes.push_back(boxes[static_cast<std::size_t>(i)]);
-      for (std::complex<double>& value : boxes.back().mid) value = std::conj(value);
-    }
-    std::set<int> met;
-    for (const Coincidence& pair : coincidences(boxes, equations_.system().mirror))
-      if (pair.first < count && pair.second >= count) met.insert(pair.second - count);
-    for (int i = 0; i < count; ++i)
-      if (met.count(i) == 0)
+    for (std::size_t k = 0; k < count; ++k)
+      if (!met.contains(k))
         mismatch("conjugate",
                  fmt::format("the conjugate of solution {} is not in a list that is said to be complete",
-                             place[static_cast<std::size_t>(i)]));
+                             isolated[k]));
   }
 
   void check_counts() {

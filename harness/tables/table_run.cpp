@@ -281,7 +281,11 @@ void assess_with(Crew& crew, const TableRequest& request, CellAssessor& here, Ru
     for (std::size_t i = first; i < std::min(first + most, record.instances.size()); ++i)
       items.push_back(item_of(record.instances[i], known));
     OneByOne own([&](const NumberedItem& item) { return here.result(item.bytes); });
-    const auto results = crew.results(task, std::move(items), own, [] { return interrupted(); });
+    std::vector<std::string> results(items.size());
+    crew.each_result(
+        task, items.size(), [&](std::size_t i) { return std::move(items[i]); }, own,
+        [] { return interrupted(); },
+        [&](NumberedItem result) { results[result.number] = std::move(result.bytes); });
     for (const std::string& result : results)
       if (!result.empty()) take_part(parse_run_file(result, "cells"), record, known);
     store(known);

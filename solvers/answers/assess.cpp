@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "solvers/answers/judged_candidates.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/figures/solution_classes.hpp"
 #include "solvers/numeric/rounding.hpp"
@@ -48,12 +47,12 @@ double residual_limit(const Scene& scene, const Figure& representative) {
 
 class Assessor {
  public:
-  Assessor(const Scene& scene, const SolveReport& report, int threads)
-      : scene_(scene), report_(report), threads_(threads) {}
+  Assessor(const Scene& scene, SolveReport report, int threads)
+      : scene_(scene), report_(std::move(report)), threads_(threads) {}
 
-  Assessment run() {
+  Assessment run(const ErrorsOf& errors_of) {
     judge_candidates();
-    ListedSolutions listed = list_solutions(scene_, judge_, judged_, threads_);
+    ListedSolutions listed = list_solutions(scene_, judge_, judged_, errors_of, threads_);
     assessment_.solutions = std::move(listed.solutions);
     solution_of_ = std::move(listed.solution_of);
     check_residuals();
@@ -70,9 +69,17 @@ class Assessor {
     assessment_.failed_checks.push_back({std::move(name), std::move(what)});
   }
 
+  /// Whether it matters which image of a class a candidate is.
+  bool has_crossings() const {
+    return std::ranges::any_of(report_.paths, [](const PathRecord& path) { return !path.crossings.empty(); });
+  }
+
   void judge_candidates() {
+    const bool takes_figures = !has_crossings();
     std::vector<std::optional<Judged>> judged =
-        judged_candidates(scene_, judge_, report_.candidates, threads_);
+        judged_candidates(scene_, judge_, report_.candidates, takes_figures, threads_);
+    if (takes_figures) report_.candidates = std::vector<Candidate>();
+    judged_.reserve(judged.size());
     for (std::size_t i = 0; i < judged.size(); ++i) {
       judged_index_.push_back(judged[i] ? static_cast<int>(judged_.size()) : -1);
       if (judged[i])
@@ -209,7 +216,7 @@ class Assessor {
   void count();
 
   const Scene& scene_;
-  const SolveReport& report_;
+  SolveReport report_;
   int threads_;
   const FigureJudge judge_{scene_};
   Assessment assessment_;
@@ -261,8 +268,8 @@ Assessment& Assessment::operator=(const Assessment&) = default;
 Assessment& Assessment::operator=(Assessment&&) noexcept = default;
 Assessment::~Assessment() = default;
 
-Assessment assess(const Scene& scene, const SolveReport& report, int threads) {
-  return Assessor(scene, report, threads).run();
+Assessment assess(const Scene& scene, SolveReport report, int threads, const ErrorsOf& errors_of) {
+  return Assessor(scene, std::move(report), threads).run(errors_of);
 }
 
 void recount(Assessment& assessment) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solvers/answers/assessed_solution.hpp"
+#include "solvers/answers/judged_candidates.hpp"
 #include "solvers/answers/path_ends.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/numeric/natural.hpp"
@@ -109,8 +110,9 @@ struct Assessment {
 };
 
 /// Assesses a report of any strategy; the report may be wrong in every way. Deterministic, whatever `threads` ≥ 1 is. Never
-/// throws for a bad report: what is malformed is left out and becomes a failed check.
-Assessment assess(const Scene& scene, const SolveReport& report, int threads = 1);
+/// throws for a bad report: what is malformed is left out and becomes a failed check. A report that is handed over is given
+/// up on the way, as it may be large. `errors_of`: proven errors, asked where some candidates are taken for the same.
+Assessment assess(const Scene& scene, SolveReport report, int threads = 1, const ErrorsOf& errors_of = {});
 
 /// Brings the counts that are determined in line with the list.
 void recount(Assessment& assessment);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "solvers/certificates/certificate_member.hpp"
@@ -22,21 +23,39 @@ namespace {
 
 using Point = std::vector<std::complex<double>>;
 
-/// A pair by the places that its solutions have among all certificates. The enclosures of long lists are lent, not copied.
-std::vector<Coincidence> coincidences_of(std::vector<Certificate>& certificates, const SignMasks& mirror) {
-  std::vector<Enclosure> enclosures;
-  std::vector<int> place;
-  for (std::size_t i = 0; i < certificates.size(); ++i) {
-    if (!certificates[i].is_isolated()) continue;
-    enclosures.push_back(std::move(certificates[i].enclosure));
-    place.push_back(static_cast<int>(i));
-  }
-  std::vector<Coincidence> pairs = coincidences(enclosures, mirror);
-  for (std::size_t i = 0; i < place.size(); ++i)
-    certificates[static_cast<std::size_t>(place[i])].enclosure = std::move(enclosures[i]);
+ProvenPlace place_of(const Certificate& certificate, const Point& x) {
+  double reach = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) reach = std::max(reach, certificate.offset(i, x[i]));
+  return {reach, (certificate.enclosure.unique - reach) * (1 - 4 * epsilon)};
+}
+
+/// Where points are proven to be next to a solution; nothing where they are not.
+using ProvenPlaces = std::vector<std::optional<ProvenPlace>>;
+
+/// Which may be next to the same one. Those whose places meet are proven again: their enclosures are smaller.
+std::vector<Coincidence> coincidences_among(const Certifier& certifier, const PointOf& point_of,
+                                            const ProvenPlaces& places, const ProofSetup& setup) {
+  const SignMasks& mirror = certifier.system().mirror;
+  std::vector<std::size_t> isolated;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (places[i]) isolated.push_back(i);
+  std::set<std::size_t> met;
+  const auto place = [&](std::size_t i) { return box_around(point_of(i), *places[i]); };
+  for (const Coincidence& pair : coincidences(
+           isolated.size(), [&](std::size_t k) { return place(isolated[k]); }, mirror))
+    met.insert(
+        {isolated[static_cast<std::size_t>(pair.first)], isolated[static_cast<std::size_t>(pair.second)]});
+  const std::vector<std::size_t> meeting(met.begin(), met.end());
+  std::vector<Enclosure> boxes;
+  for (const std::size_t i : meeting) boxes.push_back(place(i));
+  certify_points(
+      certifier, meeting.size(), [&](std::size_t k) { return point_of(meeting[k]); },
+      {.threads = setup.threads, .stop = setup.stop, .crew = setup.crew},
+      [&](std::size_t k, Certificate certificate) { boxes[k] = std::move(certificate.enclosure); });
+  std::vector<Coincidence> pairs = coincidences(boxes, mirror);
   for (Coincidence& pair : pairs) {
-    pair.first = place[static_cast<std::size_t>(pair.first)];
-    pair.second = place[static_cast<std::size_t>(pair.second)];
+    pair.first = static_cast<int>(meeting[static_cast<std::size_t>(pair.first)]);
+    pair.second = static_cast<int>(meeting[static_cast<std::size_t>(pair.second)]);
   }
   return pairs;
 }
@@ -44,11 +63,15 @@ std::vector<Coincidence> coincidences_of(std::vector<Certificate>& certificates,
 /// How many classes the points are proven to be, each next to a solution of its own.
 std::uint64_t proven_classes(const Certifier& certifier, const std::vector<Point>& points,
                              const ProofSetup& setup) {
-  std::vector<Certificate> all = certificates(
-      certifier, points.size(), [&](std::size_t i) { return points[i]; }, setup);
-  std::vector<bool> counts;
-  for (const Certificate& certificate : all) counts.push_back(certificate.is_proven);
-  for (const Coincidence& pair : coincidences_of(all, certifier.system().mirror))
+  ProvenPlaces places(points.size());
+  std::vector<char> counts(points.size());  // threads do not share a char
+  const auto point_of = [&](std::size_t i) { return points[i]; };
+  certify_points(certifier, points.size(), point_of, setup,
+                 [&](std::size_t i, const Certificate& certificate) {
+                   if (certificate.is_isolated()) places[i] = place_of(certificate, points[i]);
+                   counts[i] = certificate.is_proven;
+                 });
+  for (const Coincidence& pair : coincidences_among(certifier, point_of, places, setup))
     counts[static_cast<std::size_t>(pair.second)] = false;
   return static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), true));
 }
@@ -107,15 +130,32 @@ std::uint64_t proven_undecided(const Assessment& assessment) {
       }));
 }
 
+/// What signs say of the real solution that is proven next to a figure: of its enclosure or, where that is too wide, of
+/// one in a higher precision.
+SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
+                         const Figure& figure, const Certificate& certificate) {
+  constexpr int precise_bits = 128;  // of which the enclosure's doubles keep 53
+  const SystemBuilder& elements = equations.general()->elements();
+  const auto verdict = [&](const Enclosure& enclosure) {
+    return verdict_on(signs, [&](int point) { return enclosed_point(elements.point(point), enclosure); });
+  };
+  const SignVerdict first = verdict(certificate.enclosure);
+  if (first.standing != Standing::undecided) return first;
+  const Certificate precise =
+      Certifier(equations.system()).certify(equations.coordinates(figure), precise_bits);
+  return precise.is_proven ? verdict(precise.enclosure) : first;
+}
+
 /// What is proven of the solutions of an assessment, each for itself and among the others. Their figures are lent, not
 /// copied, as lists may be long.
 void prove_listed(const SceneEquations& equations, const Scene& scene, const ProofSetup& setup,
                   Assessment& assessment) {
   Proofs& proofs = *assessment.proofs;
   std::vector<Figure> figures;
+  figures.reserve(assessment.solutions.size());
   for (AssessedSolution& solution : assessment.solutions) figures.push_back(std::move(solution.figure));
   const std::vector<StatedSign> signs = stated_signs(scene.problem());
-  const std::vector<SolutionProof> all = prove_solutions(equations, figures, setup);
+  const std::vector<SolutionProof> all = prove_solutions(equations, signs, figures, setup);
   for (std::size_t i = 0; i < all.size(); ++i) {
     AssessedSolution& solution = assessment.solutions[i];
     solution.figure = std::move(figures[i]);
@@ -133,7 +173,7 @@ void prove_listed(const SceneEquations& equations, const Scene& scene, const Pro
       solution.error_bound = error_in_file(solution.figure, all[i].distance, scene.size(),
                                            scene.unit_exponent(), scene.problem().file_frame);
     if (!signs.empty() && proves_real(all[i].certificate) && solution.is_real())
-      solution.signs = proven_signs(equations, signs, solution.figure, all[i].certificate);
+      solution.signs = all[i].signs;
     solution.certified = what.empty();
     proofs.classes += solution.certified ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
@@ -141,62 +181,64 @@ void prove_listed(const SceneEquations& equations, const Scene& scene, const Pro
   count_clusters_and_images(all, proofs);
 }
 
+/// For itself, not yet among others.
+SolutionProof proof_of(const SceneEquations& equations, const SignMasks& mirror,
+                       const std::vector<StatedSign>& signs, const Figure& figure, Certificate certificate) {
+  SolutionProof proof;
+  if (certificate.is_isolated()) {
+    proof.place = place_of(certificate, equations.coordinates(figure));
+    proof.distance = equations.distance(figure, certificate);
+  }
+  if (certificate.is_isolated() && (certificate.cluster > 0 || equations.general())) {
+    const int images = meeting_images(certificate.enclosure, mirror);
+    proof.has_image = certificate.is_proven && images == 1;
+    if (certificate.cluster > 0) proof.least = (certificate.cluster + images - 1) / images;
+  }
+  if (!signs.empty() && proves_real(certificate))
+    proof.signs = proven_signs(equations, signs, figure, certificate);
+  proof.certificate = std::move(certificate);
+  proof.certificate.enclosure = {};
+  return proof;
+}
+
 }  // namespace
 
+Enclosure box_around(Point x, const ProvenPlace& place) {
+  std::vector<std::complex<double>> radius(x.size(), {place.reach, place.reach});
+  return {std::move(x), std::move(radius), place.unique};
+}
+
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
+                                           const std::vector<StatedSign>& signs,
                                            const std::vector<Figure>& figures, const ProofSetup& setup) {
   const Certifier certifier(equations.system());
-  std::vector<Certificate> all = certificates(
-      certifier, figures.size(), [&](std::size_t i) { return equations.coordinates(figures[i]); }, setup);
-  const std::vector<Coincidence> pairs = coincidences_of(all, certifier.system().mirror);
-  std::vector<SolutionProof> proofs(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    proofs[i].certificate = std::move(all[i]);
-    if (proofs[i].certificate.is_isolated())
-      proofs[i].distance = equations.distance(figures[i], proofs[i].certificate);
-  }
-  for (const Coincidence& pair : pairs) {
+  std::vector<SolutionProof> proofs(figures.size());
+  ProvenPlaces places(figures.size());
+  const auto point_of = [&](std::size_t i) { return equations.coordinates(figures[i]); };
+  certify_points(certifier, figures.size(), point_of, setup, [&](std::size_t i, Certificate certificate) {
+    proofs[i] = proof_of(equations, certifier.system().mirror, signs, figures[i], std::move(certificate));
+    if (proofs[i].certificate.is_isolated()) places[i] = proofs[i].place;
+  });
+  for (const Coincidence& pair : coincidences_among(certifier, point_of, places, setup)) {
     SolutionProof& later = proofs[static_cast<std::size_t>(pair.second)];
     if (later.is_proven_same || (later.same_as >= 0 && !pair.is_proven)) continue;
     later.same_as = pair.first;
     later.is_proven_same = pair.is_proven;
   }
-  for (SolutionProof& proof : proofs) {
-    if (!proof.certificate.is_isolated() || (proof.certificate.cluster == 0 && !equations.general()))
-      continue;
-    const int images = meeting_images(proof.certificate.enclosure, certifier.system().mirror);
-    proof.has_image = proof.certificate.is_proven && images == 1;
-    if (proof.certificate.cluster == 0) continue;
-    proof.least = (proof.certificate.cluster + images - 1) / images;
-    if (proof.same_as < 0) proof.cluster = proof.least;
-  }
+  for (SolutionProof& proof : proofs)
+    if (proof.certificate.cluster > 0 && proof.same_as < 0) proof.cluster = proof.least;
   return proofs;
 }
 
-std::size_t prove_errors(const Scene& scene, const ProofSetup& setup, std::vector<Candidate>& candidates) {
-  if (why_not_certified(scene)) return 0;
-  std::vector<Figure> figures;
-  for (const Candidate& candidate : candidates) figures.push_back(scene.in_frame(candidate.figure));
-  const std::vector<SolutionProof> proofs = prove_solutions(SceneEquations(scene), figures, setup);
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (proofs[i].certificate.is_proven)
-      candidates[i].error = std::min(candidates[i].error, proofs[i].distance);
-  return static_cast<std::size_t>(
-      std::ranges::count_if(proofs, [](const SolutionProof& proof) { return proof.counts(); }));
-}
-
-SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
-                         const Figure& figure, const Certificate& certificate) {
-  constexpr int precise_bits = 128;  // of which the enclosure's doubles keep 53
-  const SystemBuilder& elements = equations.general()->elements();
-  const auto verdict = [&](const Enclosure& enclosure) {
-    return verdict_on(signs, [&](int point) { return enclosed_point(elements.point(point), enclosure); });
-  };
-  const SignVerdict first = verdict(certificate.enclosure);
-  if (first.standing != Standing::undecided) return first;
-  const Certificate precise =
-      Certifier(equations.system()).certify(equations.coordinates(figure), precise_bits);
-  return precise.is_proven ? verdict(precise.enclosure) : first;
+ProvenErrors prove_errors(const Scene& scene, const ProofSetup& setup, const std::vector<Figure>& figures) {
+  ProvenErrors proven;
+  if (why_not_certified(scene)) return proven;
+  for (const SolutionProof& proof : prove_solutions(SceneEquations(scene), {}, figures, setup)) {
+    proven.errors.push_back(proof.certificate.is_proven ? proof.distance
+                                                        : std::numeric_limits<double>::infinity());
+    proven.different += proof.counts();
+  }
+  return proven;
 }
 
 void count_clusters_and_images(const std::vector<SolutionProof>& solutions, Proofs& proofs) {

@@ -12,9 +12,19 @@ namespace gcs {
 
 class SceneEquations;
 
+/// What is kept of an enclosure, which is twice as large as the figure it belongs to.
+struct ProvenPlace {
+  double reach = 0;   ///< no unknown of the solution is further from the figure's
+  double unique = 0;  ///< no other solution has all unknowns so near to these; may be negative
+};
+
+/// Of the solution that is proven next to the unknowns x.
+Enclosure box_around(std::vector<std::complex<double>> x, const ProvenPlace& place);
+
 /// One solution of a list and what is proven about it.
 struct SolutionProof {
-  Certificate certificate;
+  Certificate certificate;  ///< without its enclosure
+  ProvenPlace place;        ///< of an isolated one
   double distance = 0;  ///< at most so far from the figure, in the scene's unit; see SceneEquations::distance
   int same_as = -1;     ///< the first solution of the list that is not proven to be another class; −1: none
   bool is_proven_same = false;  ///< and it is proven to be the same class
@@ -22,6 +32,7 @@ struct SolutionProof {
   int cluster = 0;              ///< so many of a cluster that no earlier solution stands for
   /// It is proven, of a general scene, and none of its own images by changes of signs in the frame.
   bool has_image = false;
+  SignVerdict signs{};  ///< of one that is proven to be real
 
   /// Whether it is a solution of its own.
   bool counts() const { return certificate.is_proven && same_as < 0; }
@@ -37,19 +48,20 @@ struct SolutionProof {
 /// Adds the clusters and mirror images to `proofs`.
 void count_clusters_and_images(const std::vector<SolutionProof>& solutions, Proofs& proofs);
 
-/// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene). Stopped, some are not
-/// tried.
+/// Proofs for figures in the scene's unit and frame. Precondition: !why_not_certified(scene), and `signs` are stated in
+/// general scenes alone. Stopped, some are not tried.
 std::vector<SolutionProof> prove_solutions(const SceneEquations& equations,
+                                           const std::vector<StatedSign>& signs,
                                            const std::vector<Figure>& figures, const ProofSetup& setup);
 
-/// Sets `error` of the candidates that are proven, so that assess tells apart what doubles do not. Untried ones where stop is
-/// asked for. How many of them are proven to be different classes.
-std::size_t prove_errors(const Scene& scene, const ProofSetup& setup, std::vector<Candidate>& candidates);
+struct ProvenErrors {
+  std::vector<double> errors;  ///< as of candidates: infinite where nothing is proven
+  std::size_t different = 0;   ///< so many are proven to be different classes
+};
 
-/// What signs say of the real solution that is proven next to a figure: of its enclosure or, where that is too wide, of
-/// one in a higher precision. Preconditions: the scene is general, the certificate is the figure's and proves it real.
-SignVerdict proven_signs(const SceneEquations& equations, const std::vector<StatedSign>& signs,
-                         const Figure& figure, const Certificate& certificate);
+/// Of figures in the scene's unit and frame, so that assess tells apart what doubles do not. Nothing where certificates do
+/// not reach the scene; untried ones where stop is asked for.
+ProvenErrors prove_errors(const Scene& scene, const ProofSetup& setup, const std::vector<Figure>& figures);
 
 /// Sets proofs.at_infinity, of Assessment::escaping.
 void prove_escaping(const Scene& scene, const std::vector<Figure>& escaping, const ProofSetup& setup,

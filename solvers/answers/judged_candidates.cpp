@@ -44,11 +44,11 @@ std::vector<Figure> take_representatives(std::vector<Judged>& judged) {
   return figures;
 }
 
-std::vector<int> classify(const Scene& scene, const std::vector<Judged>& judged,
-                          const std::vector<Figure>& figures) {
+ReflectionClasses classify(const Scene& scene, const std::vector<Judged>& judged,
+                           const std::vector<Figure>& figures) {
   std::vector<SolutionAccuracy> accuracies;
   for (const Judged& candidate : judged) accuracies.push_back({candidate.condition, candidate.error});
-  return solution_classes(scene, figures, accuracies).class_of;
+  return solution_classes(scene, figures, accuracies);
 }
 
 /// How two figures with as many elements stand to each other by their coordinates in units of `grain` of the scene's
@@ -113,11 +113,27 @@ bool comes_first(double size, const Figure& a, const SignVerdict& signs_of_a, co
 }
 
 /// Of a real figure, whose coordinates are as good as merging takes them to be, or as is proven.
-SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, const Judged& judged) {
-  if (signs.empty() || !judged.representative.is_real()) return {};
-  const double reach = std::max(scene.size(), extent(judged.representative));
+SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, const Judged& judged,
+                     const Figure& representative) {
+  if (signs.empty() || !representative.is_real()) return {};
+  const double reach = std::max(scene.size(), extent(representative));
   const double error = std::min(judged.error, merging_tolerance(judged.condition) * reach);
-  return verdict_on(signs, judged.representative, error);
+  return verdict_on(signs, representative, error);
+}
+
+/// By proven errors where their condition numbers alone take some for the same.
+std::vector<int> classes_told_apart(const Scene& scene, const std::vector<Figure>& figures,
+                                    const ErrorsOf& errors_of, std::vector<Judged>& judged) {
+  ReflectionClasses classes = classify(scene, judged, figures);
+  if (classes.count() == static_cast<int>(judged.size()) || !errors_of) return classes.class_of;
+  const std::vector<double> errors = errors_of(figures);
+  if (errors.empty()) return classes.class_of;
+  const std::vector<StatedSign> signs = stated_signs(scene.problem());
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    judged[i].error = std::min(judged[i].error, errors[i]);
+    judged[i].signs = signs_of(scene, signs, judged[i], figures[i]);
+  }
+  return classify(scene, judged, figures).class_of;
 }
 
 /// Judges some candidates at a time, on any thread.
@@ -143,7 +159,7 @@ class CandidateJudge {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (!places[i]) continue;
       settle(*places[i], candidates[i].figure);
-      places[i]->signs = signs_of(scene_, signs_, *places[i]);
+      places[i]->signs = signs_of(scene_, signs_, *places[i], places[i]->representative);
     }
   }
 
@@ -179,37 +195,37 @@ class CandidateJudge {
 };
 
 /// Multiplicity of a class: the largest that was reported for a member.
-AssessedSolution solution_of_class(const FigureJudge& judge, const Judged& first, Figure representative,
-                                   int multiplicity, const std::shared_ptr<const FileTerms>& terms) {
-  AssessedSolution solution;
-  solution.terms = terms;
+void set_class(const FigureJudge& judge, const Judged& first, Figure representative, int multiplicity,
+               AssessedSolution& solution) {
   solution.figure = std::move(representative);
   solution.multiplicity = multiplicity;
   solution.residual = judge.residual(solution.figure);
   solution.condition = first.condition;
   solution.signs = first.signs;
-  return solution;
 }
 
 }  // namespace
 
 std::vector<std::optional<Judged>> judged_candidates(const Scene& scene, const FigureJudge& judge,
-                                                     const std::vector<Candidate>& candidates, int threads) {
+                                                     std::vector<Candidate>& candidates, bool takes_figures,
+                                                     int threads) {
   const CandidateJudge of_candidates(scene, judge);
   std::vector<std::optional<Judged>> judged(candidates.size());
   constexpr std::size_t at_once = 64;  // as many as fill the lanes, and far fewer than threads share
   share_on_threads((candidates.size() + at_once - 1) / at_once, threads, [&](std::size_t block) {
     const std::size_t first = block * at_once, some = std::min(at_once, candidates.size() - first);
-    of_candidates.judge(std::span(candidates).subspan(first, some), first,
-                        std::span(judged).subspan(first, some));
+    const std::span<Candidate> some_of_them = std::span(candidates).subspan(first, some);
+    of_candidates.judge(some_of_them, first, std::span(judged).subspan(first, some));
+    if (takes_figures)
+      for (Candidate& candidate : some_of_them) candidate.figure = Figure();
   });
   return judged;
 }
 
 ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge, std::vector<Judged>& judged,
-                               int threads) {
+                               const ErrorsOf& errors_of, int threads) {
   std::vector<Figure> figures = take_representatives(judged);
-  const std::vector<int> class_of = classify(scene, judged, figures);
+  const std::vector<int> class_of = classes_told_apart(scene, figures, errors_of, judged);
   std::vector<int> order;                           // the first candidate of each class
   std::vector<int> multiplicity(judged.size(), 0);  // by class
   for (int i = 0; i < static_cast<int>(judged.size()); ++i) {
@@ -220,13 +236,12 @@ ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge, std
     return comes_first(scene.size(), figures[a], judged[a].signs, figures[b], judged[b].signs);
   });
 
-  const auto terms = file_terms(scene);
-  ListedSolutions listed;
-  listed.solutions.resize(order.size());
+  AssessedSolution blank;
+  blank.terms = file_terms(scene);
+  ListedSolutions listed{std::vector<AssessedSolution>(order.size(), blank), {}};
   share_on_threads(order.size(), threads, [&](std::size_t i) {
     const int of = order[i];
-    listed.solutions[i] =
-        solution_of_class(judge, judged[of], std::move(figures[of]), multiplicity[class_of[of]], terms);
+    set_class(judge, judged[of], std::move(figures[of]), multiplicity[class_of[of]], listed.solutions[i]);
   });
   std::vector<int> solution_of_class_index(judged.size(), -1);
   for (std::size_t i = 0; i < order.size(); ++i)

@@ -2,6 +2,7 @@
 /// The candidates of a report, each judged for itself, and the list of the solutions that they are.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,10 +25,14 @@ struct Judged {
   SignVerdict signs{};
 };
 
+/// Proven errors of figures in the scene's unit and frame, as of candidates; no number at all where none are to be proven.
+using ErrorsOf = std::function<std::vector<double>(const std::vector<Figure>&)>;
+
 /// `judge`: of the scene. One for each candidate; nothing for what lacks an entity, is not finite or has no multiplicity.
-/// The same for any number of threads ≥ 1.
+/// The same for any number of threads ≥ 1. `takes_figures`: candidates are left without, as long lists are large.
 std::vector<std::optional<Judged>> judged_candidates(const Scene& scene, const FigureJudge& judge,
-                                                     const std::vector<Candidate>& candidates, int threads);
+                                                     std::vector<Candidate>& candidates, bool takes_figures,
+                                                     int threads);
 
 struct ListedSolutions {
   std::vector<AssessedSolution> solutions;  ///< one for each class, in their order
@@ -36,7 +41,8 @@ struct ListedSolutions {
 
 /// Real solutions first, those as stated before the others; with the largest multiplicity that was reported for a member
 /// of the class. Takes the representatives of `judged`, as long lists are large. The same for any number of threads ≥ 1.
+/// `errors_of`: asked where some candidates are taken for the same class; may be empty.
 ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge, std::vector<Judged>& judged,
-                               int threads);
+                               const ErrorsOf& errors_of, int threads);
 
 }  // namespace gcs

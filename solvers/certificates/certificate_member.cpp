@@ -1,7 +1,6 @@
 #include "solvers/certificates/certificate_member.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <mutex>
 #include <string_view>
@@ -67,8 +66,6 @@ QuadraticSystem read_system(MessageReader& read) {
   return system;
 }
 
-using PointOf = std::function<Point(std::size_t)>;
-
 std::string to_message(std::size_t first, std::size_t last, const PointOf& point_of) {
   MessageWriter write;
   write(last - first);
@@ -92,7 +89,6 @@ std::string to_message(const std::vector<Certificate>& certificates) {
 /// Reports from any thread how much is certified.
 class CertificateProgress {
  public:
-  CertificateProgress() = default;
   CertificateProgress(Monitor* monitor, std::size_t all) : monitor_(monitor), all_(all) {}
 
   void one_more() {
@@ -106,70 +102,67 @@ class CertificateProgress {
   }
 
  private:
-  Monitor* monitor_ = nullptr;
-  std::size_t all_ = 0;
+  Monitor* monitor_;
+  std::size_t all_;
   std::size_t done_ = 0;
   std::mutex mutex_;
 };
 
-std::vector<Certificate> certificates_here(const Certifier& certifier, std::size_t points,
-                                           const PointOf& point_of, int least_bits, int threads,
-                                           const std::stop_token& stop, CertificateProgress& progress) {
-  std::vector<Certificate> results(points);
+void certify_here(const Certifier& certifier, std::size_t points, const PointOf& point_of, int least_bits,
+                  int threads, const std::stop_token& stop, const TakeCertificate& take) {
   share_on_threads(points, threads, [&](std::size_t i) {
-    if (stop.stop_requested()) return;
-    results[i] = certifier.certify(point_of(i), least_bits);
-    progress.one_more();
+    if (!stop.stop_requested()) take(i, certifier.certify(point_of(i), least_bits));
   });
-  return results;
 }
 
 /// What becomes of an item.
 std::string certified(const Certifier& certifier, const std::string& item, int least_bits, int threads,
                       const std::stop_token& stop) {
   const std::vector<Point> points = read_points(item);
-  CertificateProgress unheard;
-  const auto point_of = [&](std::size_t i) { return points[i]; };
-  return to_message(
-      certificates_here(certifier, points.size(), point_of, least_bits, threads, stop, unheard));
+  std::vector<Certificate> certificates(points.size());
+  certify_here(
+      certifier, points.size(), [&](std::size_t i) { return points[i]; }, least_bits, threads, stop,
+      [&](std::size_t i, Certificate certificate) { certificates[i] = std::move(certificate); });
+  return to_message(certificates);
 }
 
-std::vector<Certificate> certificates_by_crew(const Certifier& certifier, std::size_t points,
-                                              const PointOf& point_of, const ProofSetup& setup,
-                                              int least_bits) {
+void certify_by_crew(const Certifier& certifier, std::size_t points, const PointOf& point_of,
+                     const ProofSetup& setup, const TakeCertificate& take, int least_bits) {
   const std::size_t batch = batch_for_a_thread(least_bits) * static_cast<std::size_t>(setup.threads);
-  const auto end_of = [&](std::size_t item) { return std::min((item + 1) * batch, points); };
-  std::vector<std::string> items;
-  for (std::size_t i = 0; i * batch < points; ++i)
-    items.push_back(to_message(i * batch, end_of(i), point_of));
-  CertificateProgress handed_out(setup.monitor, items.size());
+  const std::size_t items = (points + batch - 1) / batch;
+  const auto item_of = [&](std::size_t item) {
+    return to_message(item * batch, std::min((item + 1) * batch, points), point_of);
+  };
+  const CertificateProgress handed_out(setup.monitor, items);
   OneByOne here([&](const NumberedItem& item) {
     handed_out.reach(item.number);
     return certified(certifier, item.bytes, least_bits, setup.threads, setup.stop);
   });
-  const std::vector<std::string> results =
-      setup.crew->results(to_task(certifier.system(), setup.threads, least_bits), std::move(items), here,
-                          [&] { return setup.stop.stop_requested(); });
-  std::vector<Certificate> all;
-  for (std::size_t i = 0; i < results.size(); ++i) {
+  const auto take_result = [&](const NumberedItem& result) {
     std::vector<Certificate> some;
-    MessageReader read(results[i]);
-    if (!results[i].empty())
-      visit_each(read, some, [](auto& v, auto& certificate) { visit_certificate(v, certificate); });
-    some.resize(end_of(i) - i * batch);
-    std::move(some.begin(), some.end(), std::back_inserter(all));
-  }
-  return all;
+    MessageReader read(result.bytes);
+    visit_each(read, some, [](auto& v, auto& certificate) { visit_certificate(v, certificate); });
+    std::size_t number = result.number * batch;
+    for (Certificate& certificate : some)
+      if (const std::size_t i = number++; certificate.is_tried()) take(i, std::move(certificate));
+  };
+  setup.crew->each_result(
+      to_task(certifier.system(), setup.threads, least_bits), items, item_of, here,
+      [&] { return setup.stop.stop_requested(); }, take_result);
 }
 
 }  // namespace
 
-std::vector<Certificate> certificates(const Certifier& certifier, std::size_t points, const PointOf& point_of,
-                                      const ProofSetup& setup, int least_bits) {
+void certify_points(const Certifier& certifier, std::size_t points, const PointOf& point_of,
+                    const ProofSetup& setup, const TakeCertificate& take, int least_bits) {
   if (setup.crew != nullptr && points > batch_for_a_thread(least_bits))
-    return certificates_by_crew(certifier, points, point_of, setup, least_bits);
+    return certify_by_crew(certifier, points, point_of, setup, take, least_bits);
   CertificateProgress progress(setup.monitor, points);
-  return certificates_here(certifier, points, point_of, least_bits, setup.threads, setup.stop, progress);
+  certify_here(certifier, points, point_of, least_bits, setup.threads, setup.stop,
+               [&](std::size_t i, Certificate certificate) {
+                 take(i, std::move(certificate));
+                 progress.one_more();
+               });
 }
 
 std::unique_ptr<ItemWork> begin_certificates(const std::string& task) {

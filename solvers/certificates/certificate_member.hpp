@@ -13,12 +13,14 @@
 
 namespace gcs {
 
-/// Those of Certifier::certify of so many points, on threads and, where there is one, by the crew. Untried ones where stop
-/// is asked for. `point_of`: called from any thread.
-std::vector<Certificate> certificates(
-    const Certifier& certifier, std::size_t points,
-    const std::function<std::vector<std::complex<double>>(std::size_t)>& point_of, const ProofSetup& setup,
-    int least_bits = bits_of_doubles);
+using PointOf = std::function<std::vector<std::complex<double>>(std::size_t)>;
+using TakeCertificate = std::function<void(std::size_t, Certificate)>;
+
+/// Hands what Certifier::certify says of each of so many points to `take`: certificates of long lists need more memory
+/// than the lists. On threads and, where there is one, by the crew; where stop is asked for, some are left out. Both
+/// functions are called from any thread.
+void certify_points(const Certifier& certifier, std::size_t points, const PointOf& point_of,
+                    const ProofSetup& setup, const TakeCertificate& take, int least_bits = bits_of_doubles);
 
 /// The other side. Null where the task is none of certificates; throws std::invalid_argument for bytes that are none.
 std::unique_ptr<ItemWork> begin_certificates(const std::string& task);

@@ -77,11 +77,13 @@ bool is_within_unique(const Enclosure& x, const Enclosure& y, std::size_t i, dou
 
 }  // namespace
 
-std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions, const SignMasks& mirror) {
+std::vector<Coincidence> coincidences(std::size_t solutions,
+                                      const std::function<Enclosure(std::size_t)>& box_of,
+                                      const SignMasks& mirror) {
   const Invariant invariant(mirror);
   std::vector<Interval> keys;
-  for (const Enclosure& solution : solutions) keys.push_back(invariant.of(solution));
-  std::vector<int> order(solutions.size());
+  for (std::size_t i = 0; i < solutions; ++i) keys.push_back(invariant.of(box_of(i)));
+  std::vector<int> order(solutions);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return keys[a].low < keys[b].low; });
 
@@ -89,8 +91,8 @@ std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions, c
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size() && !(keys[order[j]].low > keys[order[i]].high); ++j) {
       const auto [first, second] = std::minmax(order[i], order[j]);
-      const Enclosure &x = solutions[static_cast<std::size_t>(first)],
-                      &y = solutions[static_cast<std::size_t>(second)];
+      const Enclosure x = box_of(static_cast<std::size_t>(first)),
+                      y = box_of(static_cast<std::size_t>(second));
       const auto agree = [&](std::size_t k, double sign) { return may_agree(x, y, k, sign); };
       const auto same = [&](std::size_t k, double sign) { return is_within_unique(x, y, k, sign); };
       if (!some_signs_fit(mirror, agree)) continue;
@@ -100,6 +102,11 @@ std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions, c
     return std::tie(a.first, a.second) < std::tie(b.first, b.second);
   });
   return found;
+}
+
+std::vector<Coincidence> coincidences(const std::vector<Enclosure>& solutions, const SignMasks& mirror) {
+  return coincidences(
+      solutions.size(), [&](std::size_t i) { return solutions[i]; }, mirror);
 }
 
 int meeting_images(const Enclosure& box, const SignMasks& mirror) {

@@ -66,11 +66,13 @@ std::vector<std::optional<Candidate>> proven_next_to(const Scene& scene,
   const SceneEquations equations(scene);
   if (equations.system().unknowns > most_unknowns_in_balls) return proven;
   const auto point_of = [&](std::size_t i) { return equations.coordinates(*figures[i]); };
-  const std::vector<Certificate> found =
-      certificates(Certifier(equations.system()), figures.size(), point_of,
-                   {means.threads, nullptr, means.stop, means.crew}, precise_bits);
-  for (std::size_t i = 0; i < figures.size(); ++i)
-    proven[i] = solution_next_to(scene, equations, point_of(i), found[i]);
+  certify_points(
+      Certifier(equations.system()), figures.size(), point_of,
+      {means.threads, nullptr, means.stop, means.crew},
+      [&](std::size_t i, const Certificate& certificate) {
+        proven[i] = solution_next_to(scene, equations, point_of(i), certificate);
+      },
+      precise_bits);
   return proven;
 }
 

@@ -4,14 +4,21 @@
 
 namespace gcs {
 
-std::vector<std::string> Crew::results(const std::string& task, std::vector<std::string> items,
-                                       ItemWork& here, const std::function<bool()>& stopped) {
-  std::vector<std::string> results(items.size());
+void Crew::each_result(const std::string& task, std::size_t count,
+                       const std::function<std::string(std::size_t)>& item_of, ItemWork& here,
+                       const std::function<bool()>& stopped, const std::function<void(NumberedItem)>& take) {
   const std::unique_ptr<ItemWork> all = share(task, here);
-  for (std::size_t i = 0; i < items.size(); ++i) all->add({i, std::move(items[i])});
-  while (!all->is_idle() && !stopped())
-    for (NumberedItem& result : all->advance()) results.at(result.number) = std::move(result.bytes);
-  return results;
+  // As many as all members may have, and as many again that wait for them.
+  const std::size_t most = 2 * static_cast<std::size_t>(members()) * (all->reserve() + 1);
+  std::size_t next = 0, under_way = 0;
+  while (true) {
+    for (; next < count && under_way < most; ++next, ++under_way) all->add({next, item_of(next)});
+    if (all->is_idle() || stopped()) return;
+    for (NumberedItem& result : all->advance()) {
+      --under_way;
+      take(std::move(result));
+    }
+  }
 }
 
 }  // namespace gcs

@@ -63,9 +63,12 @@ class Crew {
   /// may then have items left. Of one crew only one at a time; `here` outlives it.
   virtual std::unique_ptr<ItemWork> share(const std::string& task, ItemWork& here) = 0;
 
-  /// The results of all items in their order, whoever did which, by share(). Empty where `stopped()` came first.
-  std::vector<std::string> results(const std::string& task, std::vector<std::string> items, ItemWork& here,
-                                   const std::function<bool()>& stopped);
+  /// Hands the results of items 0 to count − 1 to `take`, whoever did which and in any order, by share(). `item_of` makes an
+  /// item shortly before somebody needs it, so that few of many are there at once. What is left where `stopped()` comes
+  /// first has no result.
+  void each_result(const std::string& task, std::size_t count,
+                   const std::function<std::string(std::size_t)>& item_of, ItemWork& here,
+                   const std::function<bool()>& stopped, const std::function<void(NumberedItem)>& take);
 };
 
 }  // namespace gcs

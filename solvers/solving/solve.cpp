@@ -57,11 +57,10 @@ class Solve {
     SolveReport report = ask(*strategy, request);
     strategy.reset();  // with what it prepared, which may be as large as its report
     enter(SolveStage::assessing);
-    take(report);
+    const std::optional<GenericMember> generic = std::move(report.generic_member);
     const std::size_t candidates = report.candidates.size();
-    report.candidates = std::vector<Candidate>();
-    report.paths = std::vector<PathRecord>();
-    if (settings_.checks_counts || settings_.certify) hold_against_counts(report);
+    take(std::move(report));
+    if (settings_.checks_counts || settings_.certify) hold_against_counts(generic);
     enter(SolveStage::listing);
     list(candidates);
     if (settings_.digits > 0) refine();
@@ -147,35 +146,37 @@ class Solve {
     }
   }
 
-  void take(SolveReport& report) {
+  /// Candidates of complete lists that doubles take for the same are told apart by proven errors.
+  void take(SolveReport report) {
     set_status(report);
     answer_.claim = report.claim;
-    static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
-    if (lists_fewer(report)) tell_apart(report);
     answer_.work = report.work;
     answer_.particulars = std::move(report.particulars);
-  }
-
-  /// Whether some of the candidates of a complete list are taken for the same, by their condition numbers.
-  bool lists_fewer(const SolveReport& report) const {
-    const bool claims_all = report.claim == Claim::all_real || report.claim == Claim::all_complex;
-    return answer_.status == RunStatus::complete && claims_all &&
-           answer_.solutions.size() < report.candidates.size();
-  }
-
-  /// By proven errors; those that are proven to be different and have the same doubles are missing in the list. Where
-  /// certificates are not asked for, long lists are not proven, and may lack some.
-  void tell_apart(SolveReport& report) {
-    constexpr std::size_t most_proven = 1000;  // a second or so
-    if (!settings_.certify && report.candidates.size() > most_proven)
-      return set_unlisted(Natural(report.candidates.size()),
-                          "doubles do not tell all apart, certificates may");
-    const std::size_t different = prove_errors(
-        scene_, {.threads = settings_.threads, .stop = surroundings_.stop, .crew = surroundings_.crew},
-        report.candidates);
-    static_cast<Assessment&>(answer_) = assess(scene_, report, settings_.threads);
-    if (!report.totals && different > answer_.solutions.size())
+    const std::size_t candidates = report.candidates.size();
+    const bool is_product = report.totals.has_value();
+    const bool lists_all = answer_.status == RunStatus::complete &&
+                           (report.claim == Claim::all_real || report.claim == Claim::all_complex);
+    std::size_t different = 0;
+    const auto errors_of = [&](const std::vector<Figure>& figures) {
+      if (!lists_all || !may_be_proven(candidates)) return std::vector<double>();
+      ProvenErrors proven = prove_errors(
+          scene_, {.threads = settings_.threads, .stop = surroundings_.stop, .crew = surroundings_.crew},
+          figures);
+      different = proven.different;
+      return std::move(proven.errors);
+    };
+    static_cast<Assessment&>(answer_) = assess(scene_, std::move(report), settings_.threads, errors_of);
+    const std::size_t listed = answer_.solutions.size();
+    if (lists_all && listed < candidates && !may_be_proven(candidates))
+      set_unlisted(Natural(candidates), "doubles do not tell all apart, certificates may");
+    else if (!is_product && different > listed)
       set_unlisted(Natural(different), "doubles do not tell all apart");
+  }
+
+  /// Where certificates are not asked for, long lists are not proven, and may lack some that doubles do not tell apart.
+  bool may_be_proven(std::size_t candidates) const {
+    constexpr std::size_t most = 1000;  // a second or so
+    return settings_.certify || candidates <= most;
   }
 
   void set_unlisted(const Natural& all, std::string_view why) {
@@ -184,10 +185,10 @@ class Solve {
         fmt::format("{} of the {} solutions are listed; {}", answer_.solutions.size(), readable(all), why);
   }
 
-  void hold_against_counts(const SolveReport& report) {
+  void hold_against_counts(const std::optional<GenericMember>& generic) {
     const TheoreticalCounts& counts = analysis_.counts();
     if (settings_.checks_counts) check_counts(counts);
-    if (settings_.certify) prove(counts, report);
+    if (settings_.certify) prove(counts, generic);
   }
 
   /// No isolated solutions are more than the theoretical count, and at generic lengths they are as many as the
@@ -212,12 +213,12 @@ class Solve {
   }
 
   /// Of a solve that was stopped, all that it found is certified, and its monitor has heard the last of it.
-  void prove(const TheoreticalCounts& counts, const SolveReport& report) {
+  void prove(const TheoreticalCounts& counts, const std::optional<GenericMember>& generic) {
     enter(SolveStage::proving);
     const bool was_stopped = is_stopped();
     const std::stop_token stop =
         was_stopped ? std::stop_token() : surroundings_.stop_proofs.value_or(surroundings_.stop);
-    certify(scene_, counts, report.generic_member,
+    certify(scene_, counts, generic,
             {.threads = settings_.threads,
              .monitor = was_stopped ? nullptr : monitor_,
              .stop = stop,

@@ -64,8 +64,11 @@ std::vector<Point> points_about(const std::vector<Point>& centres, int copies) {
 
 std::vector<Certificate> all_certificates(const Certifier& certifier, const std::vector<Point>& points,
                                           const ProofSetup& setup) {
-  return certificates(
-      certifier, points.size(), [&](std::size_t i) { return points[i]; }, setup);
+  std::vector<Certificate> certificates(points.size());
+  certify_points(
+      certifier, points.size(), [&](std::size_t i) { return points[i]; }, setup,
+      [&](std::size_t i, Certificate certificate) { certificates[i] = std::move(certificate); });
+  return certificates;
 }
 
 void check_same(const Certificate& a, const Certificate& b) {
@@ -123,8 +126,9 @@ TEST_CASE("tasks and points that end early are refused, and other tasks left to 
     }
     std::string task_, item_;
   } listener;
-  all_certificates(Certifier(circle_and_hyperbola()), points_about({{2.499, 0.1046}}, 100),
-                   {.crew = &listener});
+  CHECK_THROWS_AS(all_certificates(Certifier(circle_and_hyperbola()), points_about({{2.499, 0.1046}}, 100),
+                                   {.crew = &listener}),
+                  std::invalid_argument);
   const std::unique_ptr<ItemWork> member = begin_certificates(listener.task_);
   const auto result_of = [&](const std::string& item) {
     member->add({7, item});

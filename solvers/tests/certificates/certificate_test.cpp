@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "solvers/answers/certify.hpp"
 #include "solvers/certificates/coincidences.hpp"
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/tests/random_numbers.hpp"
@@ -266,4 +267,36 @@ TEST_CASE("solutions that differ by the side of one point are different classes"
     }
   REQUIRE(moved == 1);
   CHECK(coincidences({box, other}, equations.system().mirror).empty());
+}
+
+TEST_CASE(
+    "neighbours are told apart from figures that are further from these than they are from each other") {
+  ProblemStatement problem;
+  problem.dimension = 2;
+  problem.points = {"a", "b", "c", "d"};
+  problem.constraints = {{"a1", {0, 1}, {1, "1"}, true},
+                         {"a2", {0, 2}, {0.89, "0.89"}, true},
+                         {"a3", {1, 2}, {0.89, "0.89"}, true},
+                         {"a4", {0, 3}, {0.2500000001, "0.2500000001"}, true},
+                         {"a5", {1, 3}, {0.2500000001, "0.2500000001"}, true}};
+  problem.reference = Reference{0, 1, -1, -1, -1};
+  const Scene scene = Scene::unchecked(std::move(problem));
+  constexpr double height = 1e-5, off = 1e-3;
+  std::vector<Figure> figures;
+  for (const double d : {height, -height, height}) {
+    Figure figure;
+    figure.points.resize(3, 4);
+    figure.points.transpose() << 0, 0, 0, 1, 0, 0, 0.5 + off, 0.8, 0, 0.5, d, 0;
+    figures.push_back(scene.in_scene_unit(figure));
+  }
+  const std::vector<SolutionProof> proofs = prove_solutions(SceneEquations(scene), {}, figures, {});
+  REQUIRE(proofs.size() == 3);
+  for (const SolutionProof& proof : proofs) {
+    CHECK(proof.certificate.is_proven);
+    CHECK(std::ldexp(proof.place.reach, scene.unit_exponent()) > 2 * height);
+  }
+  CHECK(proofs[0].counts());
+  CHECK(proofs[1].counts());
+  CHECK(proofs[2].same_as == 0);
+  CHECK(proofs[2].is_proven_same);
 }

@@ -102,19 +102,17 @@ class ComplexReporter {
 
   SolveReport run(const std::vector<PathEnd>& ends, const WorkCounters& work, std::mt19937_64& random) {
     report_.work = work;
-    const DistinctEnds distinct(ends, mirror_axes(scene_, system_), random);
+    std::optional<DistinctEnds> distinct(std::in_place, ends, mirror_axes(scene_, system_), random);
     MotionFinder finder(scene_, system_, random);
-    missing_.jumps = distinct.jumps();
-    std::vector<EndFacts> facts(static_cast<std::size_t>(distinct.size()));
-    on_threads(facts.size(),
-               [&](std::size_t i) { facts[i] = facts_of(distinct, static_cast<int>(i), finder); });
-    for (int i = 0; i < distinct.size() && !means_.stop.stop_requested(); ++i)
-      add_end(distinct, i, finder, facts[static_cast<std::size_t>(i)]);
+    missing_.jumps = distinct->jumps();
+    add_ends(*distinct, finder);
+    distinct.reset();  // long lists are large
     const bool is_stopped = means_.stop.stop_requested() || is_any_stopped(ends);
     if (loose_end_ && !is_stopped) finder.look_for_apparent_motion(*loose_end_);
     report_.motions = finder.motions();
     prove_regular_ones();
     prove_neighbours();
+    report_.paths.reserve(ends.size());
     for (const PathEnd& end : ends) add_path(end);
     conclude(is_stopped, in_words(scene_.problem(), report_.motions), shortcomings_in_words(), report_);
     return std::move(report_);
@@ -131,6 +129,19 @@ class ComplexReporter {
   EndFacts facts_of(const DistinctEnds& distinct, int i, const MotionFinder& finder) const {
     return {distinct.is_singular(i) ? Figure{} : figure_of(distinct[i], next_to_real),
             !distinct.has_conjugate(i), finder.loose_at(distinct[i], singular_uncertainty).has_value()};
+  }
+
+  /// What threads find out of so many at a time; of all at once it would be as large as the report.
+  void add_ends(const DistinctEnds& distinct, MotionFinder& finder) {
+    constexpr int at_once = 4096;
+    report_.candidates.reserve(static_cast<std::size_t>(distinct.size()));
+    for (int first = 0; first < distinct.size(); first += at_once) {
+      std::vector<EndFacts> facts(static_cast<std::size_t>(std::min(at_once, distinct.size() - first)));
+      on_threads(facts.size(),
+                 [&](std::size_t k) { facts[k] = facts_of(distinct, first + static_cast<int>(k), finder); });
+      for (std::size_t k = 0; k < facts.size() && !means_.stop.stop_requested(); ++k)
+        add_end(distinct, first + static_cast<int>(k), finder, facts[k]);
+    }
   }
 
   void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder, EndFacts& facts) {
@@ -247,6 +258,8 @@ class ComplexReporter {
   void prove_neighbours() {
     std::vector<Candidate*> complex;
     std::vector<Figure> figures;
+    complex.reserve(report_.candidates.size());
+    figures.reserve(report_.candidates.size());
     for (Candidate& candidate : report_.candidates)
       if (!candidate.figure.is_real() && candidate.multiplicity == 1 && !std::isfinite(candidate.error)) {
         complex.push_back(&candidate);

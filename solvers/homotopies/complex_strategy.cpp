@@ -205,6 +205,7 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
       determine_ends(request.scene, start.squares(), squares, before, ends, request.stop))
     report = make_report();
   conclude_stopped(request.stop, report);
+  ends = std::vector<PathEnd>();  // they may be as large as the start, which the report may need again
   add_start(start, report);
   return report;
 }

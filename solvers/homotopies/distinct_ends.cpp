@@ -15,13 +15,17 @@ ComplexVectorX conjugate(ComplexVectorX x) {
 }
 
 DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, std::mt19937_64& random)
-    : set_(std::move(signs), random) {
-  for (const PathEnd& end : ends) {
+    : ends_(ends), index_(std::move(signs), random) {
+  for (std::size_t path = 0; path < ends.size(); ++path) {
+    const PathEnd& end = ends[path];
     const bool is_singular = end.kind == PathEnd::Kind::singular;
     if (!is_singular && end.kind != PathEnd::Kind::regular) continue;
     const RelativeTo size = end.is_precise ? RelativeTo::each : RelativeTo::largest;
-    const int number = set_.insert(end.x, uncertainty(is_singular), size);
-    if (number == static_cast<int>(paths_.size())) {
+    const int known = find(end.x, uncertainty(is_singular), size);
+    const int number = known < 0 ? this->size() : known;
+    if (known < 0) {
+      index_.add(end.x, uncertainty(is_singular), size);
+      first_.push_back(path);
       paths_.push_back(0);
       singular_.push_back(false);
       size_.push_back(size);
@@ -31,8 +35,12 @@ DistinctEnds::DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, st
   }
 }
 
+int DistinctEnds::find(const ComplexVectorX& x, double uncertainty, RelativeTo size) const {
+  return index_.find(x, uncertainty, size, [this](int i) -> const ComplexVectorX& { return (*this)[i]; });
+}
+
 bool DistinctEnds::has_conjugate(int i) const {
-  return set_.find(conjugate(set_[i]), uncertainty(singular_[i]), size_[i]) >= 0;
+  return find(conjugate((*this)[i]), uncertainty(singular_[i]), size_[i]) >= 0;
 }
 
 int DistinctEnds::jumps() const {

@@ -1,6 +1,7 @@
 #pragma once
 /// The finite ends of paths, each once.
 
+#include <cstddef>
 #include <random>
 #include <vector>
 
@@ -16,13 +17,15 @@ inline constexpr double singular_uncertainty = 1e-7;
 /// Of every entry.
 ComplexVectorX conjugate(ComplexVectorX x);
 
-/// The finite ends, distinct up to signs, with the number of paths that end at each.
+/// The finite ends, distinct up to signs, with the number of paths that end at each. Refers to the ends, which stay where
+/// they are.
 class DistinctEnds {
  public:
   DistinctEnds(const std::vector<PathEnd>& ends, SignMasks signs, std::mt19937_64& random);
+  DistinctEnds(std::vector<PathEnd>&& ends, SignMasks signs, std::mt19937_64& random) = delete;
 
-  int size() const { return set_.size(); }
-  const ComplexVectorX& operator[](int i) const { return set_[i]; }
+  int size() const { return index_.size(); }
+  const ComplexVectorX& operator[](int i) const { return ends_[first_[i]].x; }
   int paths(int i) const { return paths_[i]; }
   /// Whether a path took end i for a singular one.
   bool is_singular(int i) const { return singular_[i]; }
@@ -33,7 +36,11 @@ class DistinctEnds {
   int jumps() const;
 
  private:
-  SolutionSet set_;
+  int find(const ComplexVectorX& x, double uncertainty, RelativeTo size) const;
+
+  const std::vector<PathEnd>& ends_;
+  SolutionIndex index_;
+  std::vector<std::size_t> first_;  ///< that ended there
   std::vector<int> paths_;
   std::vector<bool> singular_;
   std::vector<RelativeTo> size_;  ///< of each end's uncertainty

@@ -62,6 +62,7 @@ class GeneralReporter {
     const DistinctEnds distinct(ends, equations_.signs, random);
     missing_.jumps = distinct.jumps();
     add_ends(distinct, random);
+    report_.paths.reserve(ends.size());
     for (const PathEnd& end : ends) add_path(end);
     if (without_angle_ > 0) report_.particulars.push_back({"segments_of_length_0", without_angle_});
     const bool is_stopped = stop_.stop_requested() || is_any_stopped(ends);
@@ -86,6 +87,7 @@ class GeneralReporter {
   void add_ends(const DistinctEnds& distinct, std::mt19937_64& random) {
     SolutionSet middles(equations_.signs, random);
     std::vector<Place> places;
+    report_.candidates.reserve(static_cast<std::size_t>(distinct.size()));
     for (int i = 0; i < distinct.size() && !stop_.stop_requested(); ++i) {
       Figure figure = figure_of(distinct[i], distinct.is_singular(i));
       if (has_segment_of_length_0(scene_.problem(), figure)) {

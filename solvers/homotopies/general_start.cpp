@@ -82,6 +82,7 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const G
       determine([&](const Figure& figure) { return loses_distances(request.scene, figure); }))
     report = make_report();
   conclude_stopped(request.stop, report);
+  ends = std::vector<PathEnd>();  // they may be as large as the start, which the report may need again
   report.particulars.insert(report.particulars.begin(), particulars.begin(), particulars.end());
   // Certificates are of these equations in general scenes alone, not in those of points and several lines.
   if (request.scene.problem().is_general() && !is_stopped && !solutions.empty())

@@ -33,14 +33,14 @@ int image_count(const std::vector<int>& axes) {
   return count;
 }
 
-SolutionSet::SolutionSet(SignMasks signs, std::mt19937_64& random)
+SolutionIndex::SolutionIndex(SignMasks signs, std::mt19937_64& random)
     : signs_(std::move(signs)), kind_(signs_.kind_numbers()), kinds_(signs_.kinds().size()) {
   std::normal_distribution<double> normal;
   for (std::size_t i = 0; i < signs_.size(); ++i) weights_.push_back(normal(random));
 }
 
 /// Of the weighted sums over the unknowns of one mask the square is the same for all signs.
-SolutionSet::Key SolutionSet::key_of(const ComplexVectorX& x, double uncertainty) const {
+SolutionIndex::Key SolutionIndex::key_of(const ComplexVectorX& x, double uncertainty) const {
   std::vector<std::complex<double>> sums(kinds_);
   double size = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -59,7 +59,7 @@ SolutionSet::Key SolutionSet::key_of(const ComplexVectorX& x, double uncertainty
   return key;
 }
 
-bool SolutionSet::equal(const ComplexVectorX& x, const ComplexVectorX& y, const Accuracy& accuracy) const {
+bool SolutionIndex::equal(const ComplexVectorX& x, const ComplexVectorX& y, const Accuracy& accuracy) const {
   const double most = 1 + std::max(largest(x), largest(y)), relative = equality + accuracy.uncertainty;
   const auto tolerance = [&](std::size_t i) {
     if (accuracy.size == RelativeTo::largest) return relative * most;
@@ -70,26 +70,34 @@ bool SolutionSet::equal(const ComplexVectorX& x, const ComplexVectorX& y, const 
 }
 
 /// Both have to be known by each entry where that decides.
-int SolutionSet::find(const ComplexVectorX& x, double uncertainty, RelativeTo size) const {
-  // The set's own uncertainties are within the factor 2 of the window, or told apart by `equal`.
+int SolutionIndex::find(const ComplexVectorX& x, double uncertainty, RelativeTo size,
+                        const SolutionAt& at) const {
+  // The index's own uncertainties are within the factor 2 of the window, or told apart by `equal`.
   const Key key = key_of(x, 2 * uncertainty);
   const auto end = by_key_.upper_bound(key.value + key.window);
   for (auto entry = by_key_.lower_bound(key.value - key.window); entry != end; ++entry) {
     const Accuracy& known = accuracies_[entry->second];
     const bool is_of_each = size == RelativeTo::each && known.size == RelativeTo::each;
     const Accuracy both{uncertainty + known.uncertainty, is_of_each ? RelativeTo::each : RelativeTo::largest};
-    if (equal(x, solutions_[entry->second], both)) return entry->second;
+    if (equal(x, at(entry->second), both)) return entry->second;
   }
   return -1;
 }
 
+void SolutionIndex::add(const ComplexVectorX& x, double uncertainty, RelativeTo size) {
+  by_key_.emplace(key_of(x, uncertainty).value, this->size());
+  accuracies_.push_back({uncertainty, size});
+}
+
+int SolutionSet::find(const ComplexVectorX& x, double uncertainty, RelativeTo size) const {
+  return index_.find(x, uncertainty, size, [this](int i) -> const ComplexVectorX& { return solutions_[i]; });
+}
+
 int SolutionSet::insert(const ComplexVectorX& x, double uncertainty, RelativeTo size) {
   if (const int known = find(x, uncertainty, size); known >= 0) return known;
-  const int number = this->size();
+  index_.add(x, uncertainty, size);
   solutions_.push_back(x);
-  accuracies_.push_back({uncertainty, size});
-  by_key_.emplace(key_of(x, uncertainty).value, number);
-  return number;
+  return this->size() - 1;
 }
 
 std::vector<ComplexVectorX> one_of_each_class(const std::vector<ComplexVectorX>& solutions,

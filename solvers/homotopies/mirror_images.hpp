@@ -1,8 +1,10 @@
 #pragma once
 /// Solutions that differ by a change of signs, such as a reflection in a coordinate plane of the frame, are one class.
 
+#include <functional>
 #include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "solvers/lanes/square_system.hpp"
@@ -19,19 +21,20 @@ int image_count(const std::vector<int>& axes);
 /// What the uncertainty of a solution x is relative to: 1 + the largest |x_i|, or for every entry |x_i| itself.
 enum class RelativeTo { largest, each };
 
-/// Distinct solutions of one system, up to changes of signs.
-class SolutionSet {
+/// Finds solutions of one system again, up to changes of signs, in a list that somebody else keeps.
+class SolutionIndex {
  public:
-  SolutionSet(SignMasks signs, std::mt19937_64& random);
+  /// Of the list, by number.
+  using SolutionAt = std::function<const ComplexVectorX&(int)>;
+
+  SolutionIndex(SignMasks signs, std::mt19937_64& random);
 
   /// The number of the solution that equals x up to signs, or −1.
-  int find(const ComplexVectorX& x, double uncertainty, RelativeTo size = RelativeTo::largest) const;
-  /// The number of x, which is a new one where `find` knows none.
-  int insert(const ComplexVectorX& x, double uncertainty, RelativeTo size = RelativeTo::largest);
+  int find(const ComplexVectorX& x, double uncertainty, RelativeTo size, const SolutionAt& at) const;
+  /// Of the next one in the list.
+  void add(const ComplexVectorX& x, double uncertainty, RelativeTo size);
 
-  int size() const { return static_cast<int>(solutions_.size()); }
-  const ComplexVectorX& operator[](int i) const { return solutions_[i]; }
-  const std::vector<ComplexVectorX>& solutions() const { return solutions_; }
+  int size() const { return static_cast<int>(accuracies_.size()); }
 
  private:
   struct Key {
@@ -52,9 +55,27 @@ class SolutionSet {
       kind_;  ///< of each unknown: which of the different masks it has, 0: its sign stays
   std::size_t kinds_;
   std::vector<double> weights_;
-  std::vector<ComplexVectorX> solutions_;
   std::vector<Accuracy> accuracies_;
   std::multimap<double, int> by_key_;
+};
+
+/// Distinct solutions of one system, up to changes of signs.
+class SolutionSet {
+ public:
+  SolutionSet(SignMasks signs, std::mt19937_64& random) : index_(std::move(signs), random) {}
+
+  /// The number of the solution that equals x up to signs, or −1.
+  int find(const ComplexVectorX& x, double uncertainty, RelativeTo size = RelativeTo::largest) const;
+  /// The number of x, which is a new one where `find` knows none.
+  int insert(const ComplexVectorX& x, double uncertainty, RelativeTo size = RelativeTo::largest);
+
+  int size() const { return index_.size(); }
+  const ComplexVectorX& operator[](int i) const { return solutions_[i]; }
+  const std::vector<ComplexVectorX>& solutions() const { return solutions_; }
+
+ private:
+  SolutionIndex index_;
+  std::vector<ComplexVectorX> solutions_;
 };
 
 /// The first of each class, of solutions that are regular.

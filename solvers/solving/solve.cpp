@@ -12,9 +12,18 @@
 #include "solvers/counting/scene_analysis.hpp"
 #include "solvers/reading/nearest_name.hpp"
 #include "solvers/running/errors.hpp"
+#include "solvers/solving/unoriented_scene.hpp"
 
 namespace gcs {
 namespace {
+
+std::optional<std::string> why_not_as_it_is(const StrategyEntry& entry, const Strategy& strategy,
+                                            const SolveRequest& request) {
+  if (auto reason = strategy.why_unsupported(request)) return reason;
+  if (entry.needs_sketch && !request.scene.sketch())
+    return "it starts at a sketch, and the instance gives none";
+  return std::nullopt;
+}
 
 /// Hands progress on to a function.
 class ProgressCall final : public Monitor {
@@ -54,7 +63,10 @@ class Solve {
       answer_.reason = std::move(*reason);
       return std::move(answer_);
     }
-    SolveReport report = ask(*strategy, request);
+    const std::optional<Scene> plain =
+        why_not_as_it_is(entry, *strategy, request) ? unoriented(scene_) : std::nullopt;
+    SolveReport report = ask(*strategy, plain ? request.on(*plain) : request);
+    if (plain) report = with_mirror_images(std::move(report), *plain, scene_);
     strategy.reset();  // with what it prepared, which may be as large as its report
     enter(SolveStage::assessing);
     const std::optional<GenericMember> generic = std::move(report.generic_member);
@@ -304,10 +316,10 @@ const StrategyEntry& named(std::string_view name) {
 
 std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy,
                                    const SolveRequest& request) {
-  if (auto reason = strategy.why_unsupported(request)) return reason;
-  if (entry.needs_sketch && !request.scene.sketch())
-    return "it starts at a sketch, and the instance gives none";
-  return std::nullopt;
+  auto reason = why_not_as_it_is(entry, strategy, request);
+  if (!reason) return std::nullopt;
+  const std::optional<Scene> plain = unoriented(request.scene);
+  return plain && !why_not_as_it_is(entry, strategy, request.on(*plain)) ? std::nullopt : reason;
 }
 
 Answer solve(const Scene& scene, const StrategyEntry& entry, const OptionMap& given,

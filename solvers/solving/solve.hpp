@@ -54,7 +54,8 @@ struct SolveSurroundings {
   StartStore* starts = nullptr;
 };
 
-/// Why `strategy`, made from `entry`, cannot do the scene: its own reason, or no sketch; nullopt when it can.
+/// Why `strategy`, made from `entry`, cannot do the scene: its own reason, or no sketch; nullopt when it can, be it without
+/// the orientations of the scene (unoriented_scene.hpp).
 std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy,
                                    const SolveRequest& request);
 

@@ -268,3 +268,57 @@ TEST_CASE("an instance is read from a file and solved") {
   CHECK(answer.counts.generic == Natural(8));  // the Laman number of K33 is 16 with mirror images
   CHECK_THROWS_AS(read_instance("/no/such/file.json"), InputError);
 }
+
+namespace {
+
+/// The distances of a figure of six points in space, all but three that share no point.
+Problem octahedron_of_points() {
+  const double points[6][3] = {{0, 0, 0},       {1.5, 0.2, 0.1},  {0.4, 1.3, -0.2},
+                               {1.1, 0.6, 1.4}, {-0.3, 0.9, 0.8}, {0.2, -0.8, 1.2}};
+  const char* names[6] = {"a", "b", "c", "d", "e", "f"};
+  Problem problem(3);
+  problem.points("a", "b", "c", "d", "e", "f");
+  for (int i = 0; i < 6; ++i)
+    for (int j = i + 1; j < 6; ++j) {
+      if (j - i == 3) continue;
+      double square = 0;
+      for (int axis = 0; axis < 3; ++axis) square += std::pow(points[i][axis] - points[j][axis], 2);
+      problem.distance(names[i], names[j], std::sqrt(square));
+    }
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("strategies that know distances alone solve scenes with an orientation, and their mirror images") {
+  for (const int sign : {1, -1}) {
+    Problem space = octahedron_of_points(), plane = two_triangles_across();
+    space.orientation({"a", "b", "c", "d"}, sign);
+    plane.orientation({"a", "b", "d"}, sign);
+    const Answer eliminated = solve(space, CayleyMenger{.certify = true}),
+                 followed = solve(space, Monodromy{.certify = true});
+    CHECK(eliminated.status == RunStatus::complete);
+    CHECK(eliminated.failed_checks.empty());
+    CHECK(eliminated.counts.complex_up_to_reflection == followed.counts.complex_up_to_reflection);
+    CHECK(eliminated.counts.certified == eliminated.solutions.size());
+    const std::optional<std::uint64_t> others = followed.counts.not_as_stated;
+    REQUIRE(others.value_or(0) > 0);  // each the mirror image of one that is as stated
+    CHECK(eliminated.counts.real_up_to_reflection == Natural(*others));
+    CHECK(eliminated.counts.not_as_stated == others);
+    const Answer boxed = solve(plane, BoxSubdivision{.certify = true}),
+                 all = solve(plane, Monodromy{.certify = true});
+    CHECK(boxed.status == RunStatus::complete);
+    CHECK(boxed.failed_checks.empty());
+    CHECK(boxed.counts.real_up_to_reflection == all.counts.real_up_to_reflection);
+    CHECK(boxed.counts.not_as_stated == all.counts.not_as_stated);
+    CHECK(boxed.counts.certified == boxed.solutions.size());
+  }
+}
+
+TEST_CASE("an orientation that nothing else leaves a choice of is no reason to do what a strategy cannot") {
+  Problem problem = triangle();
+  problem.orientation({"a", "b", "c"}, 1);
+  const Answer answer = solve(problem, CayleyMenger{});
+  CHECK(answer.status == RunStatus::unsupported);
+  CHECK_THAT(answer.reason, Catch::Contains("octahedra"));
+}

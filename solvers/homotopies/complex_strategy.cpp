@@ -3,8 +3,10 @@
 #include <limits>
 #include <utility>
 
+#include "solvers/certificates/proven_error.hpp"
 #include "solvers/counting/scene_analysis.hpp"
 #include "solvers/elements/given_elements.hpp"
+#include "solvers/figures/complex_distances.hpp"
 #include "solvers/homotopies/complex_report.hpp"
 #include "solvers/homotopies/conjugate_ends.hpp"
 #include "solvers/homotopies/precise_ends.hpp"
@@ -86,6 +88,14 @@ bool differs_from_images(const GeneralStart& start) {
   for (std::size_t i = 0; i < x.size(); ++i)
     if (std::abs(x[i]) > nothing * size) changed.push_back(start.family.signs[i]);
   return SignMasks(std::move(changed)).rank() == start.family.signs.rank();
+}
+
+/// Whether a solution that is not real is proven next to x, where doubles cannot tell the Jacobian's rank.
+bool is_proven_complex(const SolveRequest& request, const DistanceSystem& coordinates,
+                       const ComplexVectorX& x) {
+  const Figure figure =
+      complex_figure(coordinates, Eigen::Map<const Eigen::VectorXcd>(x.data(), coordinates.unknowns()));
+  return proven_next_to(request.scene, {&figure}, request).front().has_value();
 }
 
 bool is_released(const Scene& scene) { return scene.has_lines() && scene.is_anchored(); }
@@ -187,9 +197,11 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
     continue_ends(request.scene, start.squares(), squares, ends, request.stop);
   std::mt19937_64 random(request.seed);
   const auto make_report = [&] {
+    const auto is_isolated = [&](const ComplexVectorX& x) {
+      return keeps_rank(jacobian_at(start.system, x)) || is_proven_complex(request, start.coordinates, x);
+    };
     std::vector<LostPath> lost =
-        end_at_conjugates([&](const ComplexVectorX& x) { return jacobian_at(start.system, x); },
-                          mirror_axes(request.scene, start.coordinates), random, ends);
+        end_at_conjugates(is_isolated, mirror_axes(request.scene, start.coordinates), random, ends);
     SolveReport made = complex_report(request.scene, start.coordinates, ends, work, random, request);
     restore(std::move(lost), ends);
     return made;

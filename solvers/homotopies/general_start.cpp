@@ -51,7 +51,7 @@ SolveReport GeneralStart::carried_to_values(const SolveRequest& request, const G
   std::mt19937_64 keys(request.seed);
   const auto make_report = [&] {
     std::vector<LostPath> lost = end_at_conjugates(
-        [&](const ComplexVectorX& x) { return jacobian_at(given.system, given.coefficients, x); },
+        [&](const ComplexVectorX& x) { return keeps_rank(jacobian_at(given.system, given.coefficients, x)); },
         given.signs, keys, ends);
     SolveReport made = general_report(scene.system, given, ends, all_work, keys, request.stop);
     restore(std::move(lost), ends);

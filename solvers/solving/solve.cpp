@@ -25,6 +25,21 @@ std::optional<std::string> why_not_as_it_is(const StrategyEntry& entry, const St
   return std::nullopt;
 }
 
+/// How a strategy can do a scene, if it can.
+struct Suitability {
+  std::optional<std::string> why_not;
+  std::optional<Scene> unoriented;  ///< in the place of the scene, where that is not what it can do
+};
+
+Suitability suitability(const StrategyEntry& entry, const Strategy& strategy, const SolveRequest& request) {
+  Suitability found{why_not_as_it_is(entry, strategy, request), {}};
+  if (!found.why_not) return found;
+  found.unoriented = unoriented(request.scene);
+  if (found.unoriented && !why_not_as_it_is(entry, strategy, request.on(*found.unoriented)))
+    found.why_not.reset();
+  return found;
+}
+
 /// Hands progress on to a function.
 class ProgressCall final : public Monitor {
  public:
@@ -58,13 +73,13 @@ class Solve {
     answer_.threads = settings_.threads;
     auto strategy = entry.make(answer_.options);
     const SolveRequest request = asked();
-    if (auto reason = why_not(entry, *strategy, request)) {
+    Suitability suitable = suitability(entry, *strategy, request);
+    if (suitable.why_not) {
       answer_.status = RunStatus::unsupported;
-      answer_.reason = std::move(*reason);
+      answer_.reason = *std::move(suitable.why_not);
       return std::move(answer_);
     }
-    const std::optional<Scene> plain =
-        why_not_as_it_is(entry, *strategy, request) ? unoriented(scene_) : std::nullopt;
+    const std::optional<Scene>& plain = suitable.unoriented;
     SolveReport report = ask(*strategy, plain ? request.on(*plain) : request);
     if (plain) report = with_mirror_images(std::move(report), *plain, scene_);
     strategy.reset();  // with what it prepared, which may be as large as its report
@@ -316,10 +331,7 @@ const StrategyEntry& named(std::string_view name) {
 
 std::optional<std::string> why_not(const StrategyEntry& entry, const Strategy& strategy,
                                    const SolveRequest& request) {
-  auto reason = why_not_as_it_is(entry, strategy, request);
-  if (!reason) return std::nullopt;
-  const std::optional<Scene> plain = unoriented(request.scene);
-  return plain && !why_not_as_it_is(entry, strategy, request.on(*plain)) ? std::nullopt : reason;
+  return suitability(entry, strategy, request).why_not;
 }
 
 Answer solve(const Scene& scene, const StrategyEntry& entry, const OptionMap& given,

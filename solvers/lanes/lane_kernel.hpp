@@ -93,10 +93,15 @@ class KernelTracker final : public LaneTracker {
     double shortest_step = 0;  ///< of the leg
   };
 
+  /// Where the step ends. Its length is the way to there: rounded, s and h would disagree on short ones.
+  static double target(const Path& path) {
+    return path.phase == Phase::moving ? path.state.s + path.h : path.state.s;
+  }
+
   Real step_lengths() const {
     Real h;
     for (int lane = 0; lane < Real::count; ++lane)
-      h.set_lane(lane, paths_[lane].phase == Phase::moving ? paths_[lane].h : 0);
+      h.set_lane(lane, target(paths_[lane]) - paths_[lane].state.s);
     return h;
   }
 
@@ -117,10 +122,9 @@ class KernelTracker final : public LaneTracker {
   void factorise() {
     Real s, arriving;
     for (int lane = 0; lane < Real::count; ++lane) {
-      const Path& path = paths_[lane];
-      const double target = path.phase == Phase::moving ? path.state.s + path.h : path.state.s;
-      s.set_lane(lane, target);
-      arriving.set_lane(lane, target == 1 ? 1 : 0);
+      const double s_of_lane = target(paths_[lane]);
+      s.set_lane(lane, s_of_lane);
+      arriving.set_lane(lane, s_of_lane == 1 ? 1 : 0);
     }
     equations_.evaluate(predicted_, s, arriving, factors_.cleared_entries());
     factors_.factorise();

@@ -155,6 +155,31 @@ Route random_route(const MonomialSystem& system, const ComplexVectorX& start, st
   return route;
 }
 
+/// p2 passes p1, `beside` it by so much; near it p3 goes far away, and its distance is lost between the squares of its
+/// coordinates; before, p3 nearly meets its mirror image.
+struct Passing {
+  SquareSystem system =
+      system_of(samples::problem_of(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {2, std::sqrt(2), std::sqrt(1.5)}));
+  ComplexVectorX start{2, 1.125, std::sqrt(2 - 1.125 * 1.125)};
+  Route route;
+
+  explicit Passing(double beside) {
+    route.coefficients = {ComplexVectorX{4, 2, 1.5}, ComplexVectorX{{-8, beside}, 0, 0}, ComplexVectorX(3),
+                          ComplexVectorX(3)};
+    route.end = {{-4, beside}, 2, 1.5};
+  }
+  Leg leg() const { return {start.data(), &route}; }
+};
+
+/// By one lane of a tracker.
+LegResult follow_alone(LaneTracker& tracker, const Leg& leg, int unknowns) {
+  tracker.load(0, leg);
+  while (tracker.is_busy(0)) tracker.step();
+  LegResult result{tracker.state(0), ComplexVectorX(static_cast<std::size_t>(unknowns))};
+  tracker.read(0, result.x.data());
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE("legs of equations that share monomials end where many small steps end, though coefficients rest") {
@@ -284,7 +309,7 @@ TEST_CASE("the bits of a leg depend on no instruction set, thread or neighbour")
   }
 }
 
-TEST_CASE("a path that doubles cannot follow is followed in twice the precision") {
+TEST_CASE("a path that nearly meets another one ends where many small steps end") {
   // p3 comes to within 1e-7 of the line through p1 and p2, where the Jacobian is nearly singular, and leaves.
   const SquareSystem system = system_of(samples::problem_of(2, 3, {{0, 1}, {0, 2}, {1, 2}}, {2, 1, 1}));
   std::mt19937_64 random(14);
@@ -301,6 +326,22 @@ TEST_CASE("a path that doubles cannot follow is followed in twice the precision"
   REQUIRE(result.state.end == LegEnd::arrived);
   const Eigen::VectorXcd slow = follow_slowly(system, start, route);
   CHECK(std::abs(result.x[2] - slow[2]) <= 1e-9);
+}
+
+TEST_CASE("a path is followed where its steps are hardly longer than the rounding of s") {
+  std::mt19937_64 random(20);
+  // No branch point lies between the routes, whose ends differ by 0.05.
+  const Passing wide_berth(0.05);
+  const Eigen::VectorXcd slow = follow_slowly(wide_berth.system, wide_berth.start, wide_berth.route);
+  for (const double beside : {1e-9, 1e-11, 1e-13}) {
+    const Passing near(beside);
+    const Elimination elimination = order_elimination(near.system, random);
+    const auto tracker = make_wide_tracker(InstructionSet::portable, near.system, elimination, wide({}));
+    const LegResult result = follow_alone(*tracker, near.leg(), 3);
+    REQUIRE(result.state.end == LegEnd::arrived);
+    const Eigen::Map<const Eigen::VectorXcd> end(result.x.data(), 3);
+    CHECK((end - slow).cwiseAbs().maxCoeff() <= 0.1);
+  }
 }
 
 TEST_CASE("results of legs survive as a block of a journal") {

@@ -16,10 +16,8 @@ bool is_lost(const LegResult& result) {
   return result.state.end == LegEnd::too_small || result.state.end == LegEnd::too_many;
 }
 
-/// The last correction of an end that Newton's method in doubles settles: its next one would be its square.
 bool is_unsettled(const LegResult& result) {
-  constexpr double settled = 1e-10;
-  return result.state.end == LegEnd::arrived && result.state.last_correction > settled;
+  return result.state.end == LegEnd::arrived && !result.state.is_settled();
 }
 
 /// The parameters stay where the route ends.

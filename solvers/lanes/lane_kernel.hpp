@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "solvers/lanes/complex_lanes.hpp"
@@ -91,6 +92,7 @@ class KernelTracker final : public LaneTracker {
     double reach = 0;  ///< ℓ at the point where the series was taken
     int rejected_in_a_row = 0;
     double shortest_step = 0;  ///< of the leg
+    bool is_repeated = false;  ///< the last correction
   };
 
   /// Where the step ends. Its length is the way to there: rounded, s and h would disagree on short ones.
@@ -174,7 +176,7 @@ class KernelTracker final : public LaneTracker {
         return decide_step(path, correction, scale);
       case Phase::arriving:
         if (!(correction <= furthest_start * scale)) return finish(path, LegEnd::too_small);
-        finish(path, LegEnd::arrived);
+        if (path.state.is_settled() || std::exchange(path.is_repeated, true)) finish(path, LegEnd::arrived);
         return true;
     }
     return false;

@@ -53,6 +53,9 @@ struct LegState {
   int rejected = 0;
   /// Of Newton's method, the largest component's, relative to 1 + the largest |x_i|.
   double last_correction = 0;
+
+  /// The next correction would be rounding: about the square of the last one.
+  bool is_settled() const { return last_correction <= 1e-10; }
 };
 
 class LaneTracker {

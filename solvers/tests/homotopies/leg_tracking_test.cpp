@@ -344,6 +344,19 @@ TEST_CASE("a path is followed where its steps are hardly longer than the roundin
   }
 }
 
+TEST_CASE("ends that Newton's method settles are settled in doubles") {
+  std::mt19937_64 random(19);
+  const SquareSystem system = system_of(samples::octahedron());
+  const Elimination elimination = order_elimination(system, random);
+  const Task task(system, 40, random);
+  const auto tracker = make_lane_tracker(InstructionSet::portable, system, elimination, {});
+  for (const Leg& leg : task.legs()) {
+    const LegResult end = follow_alone(*tracker, leg, system.unknowns);
+    REQUIRE(end.state.end == LegEnd::arrived);
+    CHECK(end.state.is_settled());
+  }
+}
+
 TEST_CASE("results of legs survive as a block of a journal") {
   std::mt19937_64 random(16);
   const SquareSystem system = system_of(samples::octahedron());

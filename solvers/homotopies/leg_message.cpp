@@ -31,8 +31,7 @@ void visit_route(auto& visit, SomeRoute& route) {
 
 }  // namespace
 
-SentLegs::SentLegs(std::span<const Leg> legs, int unknowns, LegArithmetic legs_arithmetic)
-    : arithmetic(legs_arithmetic) {
+SentLegs::SentLegs(std::span<const Leg> legs, int unknowns) {
   const Route* last = nullptr;
   for (const Leg& leg : legs) {
     // One route serves many legs in a row.
@@ -78,10 +77,9 @@ LegTask read_task(std::string_view message) {
   return task;
 }
 
-std::string to_message(std::span<const Leg> legs, int unknowns, LegArithmetic arithmetic) {
-  const SentLegs sent(legs, unknowns, arithmetic);
+std::string to_message(std::span<const Leg> legs, int unknowns) {
+  const SentLegs sent(legs, unknowns);
   MessageWriter write;
-  write(sent.arithmetic);
   write(sent.routes.size());
   for (const Route& route : sent.routes) visit_route(write, route);
   write(sent.route_of);
@@ -94,7 +92,7 @@ SentLegs read_legs(std::string_view message) {
   MessageReader read(message);
   SentLegs sent;
   std::size_t routes = 0;
-  visit_all(read, sent.arithmetic, routes);
+  read(routes);
   while (sent.routes.size() < routes) visit_route(read, sent.routes.emplace_back());
   read(sent.route_of);
   for (std::size_t i = 0; i < sent.route_of.size(); ++i)

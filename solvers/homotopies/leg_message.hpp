@@ -22,18 +22,11 @@ struct LegTask {
   bool all_wide = false;
 };
 
-/// In which arithmetic legs are followed.
-enum class LegArithmetic {
-  doubles,
-  wide  ///< of about 106 bits
-};
-
 /// Legs with what they refer to.
 struct SentLegs {
   SentLegs() = default;
-  SentLegs(std::span<const Leg> legs, int unknowns, LegArithmetic arithmetic);
+  SentLegs(std::span<const Leg> legs, int unknowns);
 
-  LegArithmetic arithmetic = LegArithmetic::doubles;
   std::vector<Route> routes;
   std::vector<ComplexVectorX> starts;
   std::vector<int> route_of;
@@ -44,7 +37,7 @@ struct SentLegs {
 };
 
 std::string to_message(const LegTask& task);
-std::string to_message(std::span<const Leg> legs, int unknowns, LegArithmetic arithmetic);
+std::string to_message(std::span<const Leg> legs, int unknowns);
 std::string to_message(const FollowedLegs& followed);
 
 // Each throws std::invalid_argument for bytes that are none of these.

@@ -1,6 +1,7 @@
 #pragma once
 /// Keeps the lanes of trackers full with the legs of one list after another: lanes that the last legs of a list leave empty
-/// take the first ones of the next.
+/// take the first ones of the next. What doubles lose, or arrive at without settling it, goes on from there in arithmetic of
+/// twice the precision; where its place there does not tell the path, it is followed there from its start.
 
 #include <atomic>
 #include <condition_variable>
@@ -37,8 +38,8 @@ class LegStream {
   LegStream(const LegStream&) = delete;
   LegStream& operator=(const LegStream&) = delete;
 
-  /// What `legs` refer to stays until they are followed or given up.
-  void add(std::uint64_t number, std::vector<Leg> legs, LegArithmetic arithmetic);
+  /// What `legs`, which begin at s = 0, refer to stays until they are followed or given up.
+  void add(std::uint64_t number, std::vector<Leg> legs);
   bool is_idle() const { return lists_.empty(); }
   /// A few steps of the caller's trackers, or a short wait for the others where these have no legs; the lists that are done
   /// then.
@@ -47,12 +48,16 @@ class LegStream {
   std::vector<FollowedList> give_up();
 
  private:
+  /// How a leg is followed.
+  enum class Way { doubles, wide_from_there, wide_from_start, done };
   struct List {
+    List(std::uint64_t its_number, std::vector<Leg> its_legs);
+
     std::uint64_t number = 0;
-    LegArithmetic arithmetic = LegArithmetic::doubles;
     std::vector<Leg> legs;
     std::vector<LegResult> results;
-    std::size_t next = 0;  ///< leg to follow
+    std::vector<Way> ways;
+    LegWork work;
     std::size_t open = 0;  ///< legs
   };
   /// A leg in a lane; none where the list is null.
@@ -65,27 +70,35 @@ class LegStream {
     std::vector<Place> places;
 
     explicit Lanes(std::unique_ptr<LaneTracker> made);
+    bool is_busy() const;
   };
   /// What one thread has.
   struct Feeder {
     Lanes doubles, wide;
     bool is_at_work = false;  ///< in the background
   };
+  /// Legs that are in no lane.
+  struct Waiting {
+    std::deque<Place> places;
+    std::atomic<std::size_t> count = 0;  ///< of them, for a look without a lock
+  };
 
   void call_others();
   void work(Feeder& feeder);
-  bool step(Feeder& feeder);
-  bool refill(Lanes& lanes, LegArithmetic arithmetic);
-  Place next_leg(LegArithmetic arithmetic);
+  int step(Feeder& feeder);
+  bool refill(Lanes& lanes, Waiting& waiting);
+  Place next_leg(Waiting& waiting);
   void step(Lanes& lanes);
   void take_result(Lanes& lanes, int lane);
-  std::atomic<std::size_t>& waiting(LegArithmetic arithmetic);
+  void put(Waiting& waiting, Place place);
+  static Way next_way(Way way, const LegResult& result);
+  static Leg leg_of(Place place);
   std::vector<FollowedList> done_lists();
 
   int unknowns_;
   std::vector<Feeder> feeders_;
-  std::atomic<std::size_t> waiting_ = 0, waiting_wide_ = 0;  // legs that are in no lane
-  std::atomic<std::size_t> done_ = 0;                        // lists
+  Waiting waiting_, waiting_wide_;
+  std::atomic<std::size_t> done_ = 0;  // lists
   std::atomic<bool> gives_up_ = false;
   std::mutex mutex_;  // of the lists and what they say of their legs, and of who is at work
   std::condition_variable list_done_;

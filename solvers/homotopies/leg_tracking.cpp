@@ -12,20 +12,6 @@ namespace {
 /// What is lost at most when a run is killed, and far more than all threads have in hand at once.
 constexpr std::size_t legs_per_block = 4096;
 
-bool is_lost(const LegResult& result) {
-  return result.state.end == LegEnd::too_small || result.state.end == LegEnd::too_many;
-}
-
-bool is_unsettled(const LegResult& result) {
-  return result.state.end == LegEnd::arrived && !result.state.is_settled();
-}
-
-/// The parameters stay where the route ends.
-Route standing(const Route& route) {
-  const ComplexVectorX zero(route.end.size());
-  return {{route.end, zero, zero, zero}, route.end};
-}
-
 }  // namespace
 
 TrackingOptions wide(TrackingOptions options) {
@@ -40,9 +26,10 @@ void LegTracking::add(std::span<const Leg> legs) {
   blocks_.push_back(std::make_unique<Block>());
   Block& block = *blocks_.back();
   block.last_piece = ++last_block_ << 32U;
-  block.sent = SentLegs(legs, unknowns_, LegArithmetic::doubles);
+  block.sent = SentLegs(legs, unknowns_);
   block.legs = block.sent.legs();
   block.followed.results.resize(legs.size());
+  block.open = legs.size();
 }
 
 std::vector<LegResult> LegTracking::take(const Stopped& stopped, WorkCounters& work) {
@@ -94,62 +81,28 @@ void LegTracking::recall_or_follow(Block& block, const Stopped& stopped) {
 /// The first one, and others in lanes that it leaves empty.
 void LegTracking::follow(Block& block, const Stopped& stopped) {
   for (const std::unique_ptr<Block>& one : blocks_)
-    if (one->phase == Block::Phase::added && !stopped()) begin_next_phase(*one);
-  while (block.phase != Block::Phase::done && !stopped()) {
-    for (FollowedList& list : advance()) {
-      Block& its_block = sort_in(std::move(list));
-      if (its_block.open == 0) begin_next_phase(its_block);
-    }
-  }
-  if (block.phase != Block::Phase::done) leave();
+    if (!one->is_handed_in && !stopped()) hand_in(*one);
+  while (block.open > 0 && !stopped())
+    for (FollowedList& list : advance()) sort_in(std::move(list));
+  if (block.open > 0) leave();
 }
 
-/// That has legs.
-void LegTracking::begin_next_phase(Block& block) {
-  using Phase = Block::Phase;
-  while (block.open == 0 && block.phase != Phase::done) {
-    block.phase = static_cast<Phase>(static_cast<int>(block.phase) + 1);
-    if (block.phase != Phase::done)
-      hand_in(block, legs_of_phase(block),
-              block.phase == Phase::doubles ? LegArithmetic::doubles : LegArithmetic::wide);
-  }
-}
-
-std::vector<Leg> LegTracking::legs_of_phase(Block& block) {
-  const std::vector<LegResult>& results = block.followed.results;
-  const auto is_wanted = [&](const LegResult& result) {
-    return block.phase == Block::Phase::doubles ||
-           (block.phase == Block::Phase::lost ? is_lost(result) : is_unsettled(result));
-  };
-  block.places.clear();
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (is_wanted(results[i])) block.places.push_back(i);
-  const bool are_ends = block.phase == Block::Phase::ends;
-  block.standing.reserve(are_ends ? block.places.size() : 0);
-  std::vector<Leg> legs;
-  for (const std::size_t place : block.places) {
-    const Leg& leg = block.legs[place];
-    if (are_ends) block.standing.push_back(standing(*leg.route));
-    legs.push_back(are_ends ? Leg{results[place].x.data(), &block.standing.back()} : leg);
-  }
-  return legs;
-}
-
-void LegTracking::hand_in(Block& block, const std::vector<Leg>& legs, LegArithmetic arithmetic) {
+void LegTracking::hand_in(Block& block) {
   if (crew_ != nullptr && shared_ == nullptr) {
     items_ = std::make_unique<LegItems>(stream_);
     shared_ = crew_->share(task_, *items_);
   }
-  block.open = legs.size();
-  const std::size_t most = legs_of_piece(arithmetic);
+  block.is_handed_in = true;
+  const std::span<const Leg> legs = block.legs;
+  const std::size_t most = legs_of_piece();
   for (std::size_t first = 0; first < legs.size(); first += most) {
-    const std::span<const Leg> some = std::span(legs).subspan(first, std::min(most, legs.size() - first));
+    const std::span<const Leg> some = legs.subspan(first, std::min(most, legs.size() - first));
     const std::uint64_t number = ++block.last_piece;
     pieces_[number] = {&block, first};
     if (shared_ != nullptr)
-      shared_->add({number, to_message(some, unknowns_, arithmetic)});
+      shared_->add({number, to_message(some, unknowns_)});
     else
-      stream_->add(number, {some.begin(), some.end()}, arithmetic);
+      stream_->add(number, {some.begin(), some.end()});
   }
 }
 
@@ -162,32 +115,23 @@ std::vector<FollowedList> LegTracking::advance() {
 }
 
 /// Into its block.
-LegTracking::Block& LegTracking::sort_in(FollowedList list) {
-  const auto piece = pieces_.extract(list.number).mapped();
+void LegTracking::sort_in(FollowedList list) {
+  const Piece piece = pieces_.extract(list.number).mapped();
   Block& block = *piece.block;
   block.followed.work += list.legs.work;
   block.open -= list.legs.results.size();
-  for (std::size_t i = 0; i < list.legs.results.size(); ++i) {
-    LegResult &result = block.followed.results[block.places[piece.first + i]], &now = list.legs.results[i];
-    if (block.phase == Block::Phase::ends) {
-      now.state.steps += result.state.steps;
-      now.state.rejected += result.state.rejected;
-    }
-    result = std::move(now);
-  }
-  return block;
+  std::ranges::move(list.legs.results,
+                    block.followed.results.begin() + static_cast<std::ptrdiff_t>(piece.first));
 }
 
-/// All blocks as they are; ends that are not settled are none.
+/// All blocks as they are.
 void LegTracking::leave() {
   rest();
   for (FollowedList& list : stream_->give_up()) sort_in(std::move(list));
   pieces_.clear();
   for (const std::unique_ptr<Block>& block : blocks_) {
-    if (block->phase != Block::Phase::done)
-      for (LegResult& result : block->followed.results)
-        if (is_unsettled(result)) result = {};
-    block->phase = Block::Phase::done;
+    block->is_handed_in = true;
+    block->open = 0;
   }
 }
 
@@ -196,10 +140,9 @@ void LegTracking::rest() {
   items_.reset();
 }
 
-/// Twice what fills the lanes of a member of this many threads. Wide ones take ten times as long.
-std::size_t LegTracking::legs_of_piece(LegArithmetic arithmetic) const {
-  if (crew_ == nullptr) return std::numeric_limits<std::size_t>::max();
-  return (arithmetic == LegArithmetic::wide ? 8 : 16) * static_cast<std::size_t>(threads_);
+/// Twice what fills the lanes of a member of this many threads.
+std::size_t LegTracking::legs_of_piece() const {
+  return crew_ == nullptr ? std::numeric_limits<std::size_t>::max() : 16 * static_cast<std::size_t>(threads_);
 }
 
 }  // namespace gcs

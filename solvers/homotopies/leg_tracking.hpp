@@ -63,10 +63,9 @@ class LegTracking {
 
   /// Legs whose results take() returns. They are copied, and followed beside those that were added before and after.
   void add(std::span<const Leg> legs);
-  /// One result for every leg of those that were added first, in their order. What doubles cannot follow is followed again,
-  /// from its start, in arithmetic of twice the precision, and ends that doubles cannot settle are settled there. Once
-  /// `stopped()` says so, all that was added is left where it is; legs that were not followed then end as LegEnd::too_many
-  /// at s = 0. Adds to `work`. Precondition: some were added.
+  /// One result for every leg of those that were added first, in their order. Once `stopped()` says so, all that
+  /// was added is left where it is; legs that were not followed then end as LegEnd::too_many at s = 0. Adds to `work`.
+  /// Precondition: some were added.
   std::vector<LegResult> take(const std::function<bool()>& stopped, WorkCounters& work);
   /// Leaves what was added and not taken.
   void give_up();
@@ -77,19 +76,16 @@ class LegTracking {
  private:
   using Stopped = std::function<bool()>;
 
-  /// Legs that were added together, and which of them are followed in which way at present.
+  /// Legs that were added together.
   struct Block {
-    enum class Phase { added, doubles, lost, ends, done };
     std::uint64_t last_piece = 0;  ///< pieces of older blocks have smaller numbers
     SentLegs sent;
     std::vector<Leg> legs;
     FollowedLegs followed;
-    Phase phase = Phase::added;
-    std::vector<std::size_t> places;  ///< of those that are followed
-    std::size_t open = 0;             ///< of them
-    std::vector<Route> standing;      ///< of ends that are settled
+    bool is_handed_in = false;
+    std::size_t open = 0;  ///< legs that are not followed
   };
-  /// A block's places from this one on.
+  /// A block's legs from this one on.
   struct Piece {
     Block* block = nullptr;
     std::size_t first = 0;
@@ -97,14 +93,12 @@ class LegTracking {
 
   void recall_or_follow(Block& block, const Stopped& stopped);
   void follow(Block& block, const Stopped& stopped);
-  void begin_next_phase(Block& block);
-  std::vector<Leg> legs_of_phase(Block& block);
-  void hand_in(Block& block, const std::vector<Leg>& legs, LegArithmetic arithmetic);
+  void hand_in(Block& block);
   std::vector<FollowedList> advance();
-  Block& sort_in(FollowedList list);
+  void sort_in(FollowedList list);
   void leave();
   void rest();
-  std::size_t legs_of_piece(LegArithmetic arithmetic) const;
+  std::size_t legs_of_piece() const;
 
   int unknowns_;
   int threads_;

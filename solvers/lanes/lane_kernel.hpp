@@ -59,7 +59,8 @@ class KernelTracker final : public LaneTracker {
     }
     equations_.load(lane, *leg.route);
     paths_[lane] = Path{};
-    paths_[lane].phase = Phase::starting;
+    paths_[lane].phase = leg.from > 0 ? Phase::resuming : Phase::starting;
+    paths_[lane].state.s = leg.from;
     paths_[lane].shortest_step = leg.shortest_step;
   }
 
@@ -83,13 +84,14 @@ class KernelTracker final : public LaneTracker {
   static constexpr double furthest_start = 1e-6;  ///< a start point's or end point's distance from its zero
   static constexpr double almost_one = 1 - 1e-14;
 
-  enum class Phase { idle, starting, moving, renewing, arriving };
+  enum class Phase { idle, starting, resuming, moving, renewing, arriving };
 
   struct Path {
     Phase phase = Phase::idle;
     LegState state{};
     double h = 0;      ///< the step to try
     double reach = 0;  ///< ℓ at the point where the series was taken
+    double scale = 0;  ///< 1 + the largest |x_i|
     int rejected_in_a_row = 0;
     double shortest_step = 0;  ///< of the leg
     bool is_repeated = false;  ///< the last correction
@@ -151,7 +153,8 @@ class KernelTracker final : public LaneTracker {
     for (int lane = 0; lane < Real::count; ++lane) {
       const bool finite = std::isfinite(extent.lane(lane));
       const double size = finite ? correction.lane(lane) : std::numeric_limits<double>::infinity();
-      accepted.set_lane(lane, decide(paths_[lane], size, 1 + largest.lane(lane)) ? 1 : 0);
+      paths_[lane].scale = 1 + largest.lane(lane);
+      accepted.set_lane(lane, decide(paths_[lane], size) ? 1 : 0);
     }
     for (int k = 0; k < n_; ++k) {
       const int i = elimination_.unknown[k];
@@ -160,33 +163,39 @@ class KernelTracker final : public LaneTracker {
     return accepted;
   }
 
-  bool decide(Path& path, double correction, double scale) {
-    path.state.last_correction = correction / scale;
+  bool decide(Path& path, double correction) const {
+    path.state.last_correction = correction / path.scale;
     switch (path.phase) {
       case Phase::idle:
         return false;
       case Phase::starting:
-        if (!(correction <= furthest_start * scale)) return finish(path, LegEnd::too_small);
+        if (!(correction <= furthest_start * path.scale)) return finish(path, LegEnd::too_small);
         path.phase = Phase::moving;
         return true;
+      case Phase::resuming:  // a series is to say how near it must be
+        return std::isfinite(correction) || finish(path, LegEnd::too_small);
       case Phase::renewing:
         path.phase = Phase::moving;
         return std::isfinite(correction);
       case Phase::moving:
-        return decide_step(path, correction, scale);
+        return decide_step(path, correction);
       case Phase::arriving:
-        if (!(correction <= furthest_start * scale)) return finish(path, LegEnd::too_small);
+        if (!(correction <= furthest_start * path.scale)) return finish(path, LegEnd::too_small);
         if (path.state.is_settled() || std::exchange(path.is_repeated, true)) finish(path, LegEnd::arrived);
         return true;
     }
     return false;
   }
 
-  bool decide_step(Path& path, double correction, double scale) {
+  /// Of a point as near to the path as that part of how far it goes until its series diverges.
+  static double largest_correction(const Path& path, double part) {
+    return allowance * std::max(rounding * path.scale, part * std::min(path.reach, path.scale));
+  }
+
+  bool decide_step(Path& path, double correction) const {
     ++path.state.steps;
     if (path.state.steps > options_.most_steps) return finish(path, LegEnd::too_many);
-    const double error = std::max(rounding * scale, options_.tolerance * std::min(path.reach, scale));
-    if (!(correction <= allowance * error)) {
+    if (!(correction <= largest_correction(path, options_.tolerance))) {
       ++path.state.rejected;
       reject(path);
       return false;
@@ -194,6 +203,13 @@ class KernelTracker final : public LaneTracker {
     path.rejected_in_a_row = 0;
     path.state.s += path.h;
     if (path.state.s == 1) path.phase = Phase::arriving;
+    return true;
+  }
+
+  static bool resume(Path& path) {
+    if (!(path.state.last_correction * path.scale <= largest_correction(path, furthest_start)))
+      return finish(path, LegEnd::too_small);
+    path.phase = path.state.s == 1 ? Phase::arriving : Phase::moving;
     return true;
   }
 
@@ -253,7 +269,7 @@ class KernelTracker final : public LaneTracker {
 
   void choose_step(int lane, Real first, const std::array<Real, sizes_kept>& last) {
     Path& path = paths_[lane];
-    if (path.phase != Phase::moving) return;
+    if (path.phase != Phase::moving && path.phase != Phase::resuming) return;
     double radius = std::numeric_limits<double>::infinity();
     for (int i = 0; i < sizes_kept; ++i) {
       const int k = order_ - sizes_kept + 1 + i;
@@ -261,6 +277,7 @@ class KernelTracker final : public LaneTracker {
     }
     // A path that stands still has no radius; its whole leg is one step.
     path.reach = first.lane(lane) > 0 ? radius * first.lane(lane) : std::numeric_limits<double>::max();
+    if (path.phase == Phase::resuming && (!resume(path) || path.phase == Phase::arriving)) return;
     const double h = first.lane(lane) > 0 ? longest_step(lane, radius, path.reach) : 1;
     path.h = std::min(h, 1 - path.state.s);
     if (path.state.s + path.h > almost_one) path.h = 1 - path.state.s;

@@ -43,6 +43,7 @@ struct Leg {
   const std::complex<double>* start = nullptr;  ///< `unknowns` numbers
   const Route* route = nullptr;
   double shortest_step = 0;  ///< the leg is given up where it would take a shorter one; 0: never
+  double from = 0;           ///< s at its start; on the way this is as near to the path as a step must end
 };
 
 /// Where a path was left and what it took.

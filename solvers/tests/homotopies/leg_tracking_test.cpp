@@ -344,6 +344,61 @@ TEST_CASE("a path is followed where its steps are hardly longer than the roundin
   }
 }
 
+TEST_CASE("a path that doubles lose goes on from there in twice the precision") {
+  const Passing passing(1e-13);
+  std::mt19937_64 random(14);
+  const Elimination elimination = order_elimination(passing.system, random);
+  const Leg leg = passing.leg();
+  WorkCounters work;
+  LegTracking tracking(passing.system, elimination, {{}, widest_instruction_set(), 1});
+  const LegResult result = tracking.follow(std::span(&leg, 1), never, work).front();
+  REQUIRE(result.state.end == LegEnd::arrived);
+
+  const auto doubles = make_lane_tracker(InstructionSet::portable, passing.system, elimination, {});
+  const auto wider = make_wide_tracker(InstructionSet::portable, passing.system, elimination, wide({}));
+  const LegResult lost = follow_alone(*doubles, leg, 3), whole = follow_alone(*wider, leg, 3);
+  REQUIRE(lost.state.end == LegEnd::too_small);
+  const LegResult rest = follow_alone(*wider, {lost.x.data(), leg.route, 0, lost.state.s}, 3);
+  CHECK(rest.x == result.x);
+  CHECK(distance(result.x, whole.x) <= 1e-12);
+  CHECK(rest.state.steps < whole.state.steps / 2);
+  CHECK(result.state.steps == lost.state.steps + rest.state.steps);
+  CHECK(work.iterations + work.rejected_steps == result.state.steps);
+}
+
+TEST_CASE("a leg begins on its way where its start tells its path") {
+  std::mt19937_64 random(18);
+  const SquareSystem system = system_of(samples::k33());
+  const Elimination elimination = order_elimination(system, random);
+  const Task task(system, 10, random);
+  const auto tracker = make_lane_tracker(InstructionSet::portable, system, elimination, {});
+  for (std::size_t i = 0; i < task.starts.size(); ++i) {
+    const Leg whole{task.starts[i].data(), &task.routes[i]};
+    const LegResult end = follow_alone(*tracker, whole, system.unknowns);
+    REQUIRE(end.state.end == LegEnd::arrived);
+    // Backwards from its end to the half of its way.
+    Route half = reversed(task.routes[i]);
+    for (int k = 1; k <= Route::degree; ++k)
+      for (std::complex<double>& coefficient : half.coefficients[k]) coefficient *= std::pow(0.5, k);
+    for (std::size_t e = 0; e < half.end.size(); ++e) {
+      half.end[e] = 0;
+      for (const ComplexVectorX& coefficients : half.coefficients) half.end[e] += coefficients[e];
+    }
+    const LegResult middle = follow_alone(*tracker, {end.x.data(), &half}, system.unknowns);
+    REQUIRE(middle.state.end == LegEnd::arrived);
+    ComplexVectorX near = middle.x, astray = middle.x;
+    near[0] += 1e-9;
+    astray[0] += 0.1;
+    const LegResult rest = follow_alone(*tracker, {near.data(), whole.route, 0, 0.5}, system.unknowns);
+    REQUIRE(rest.state.end == LegEnd::arrived);
+    CHECK(distance(rest.x, end.x) <= 1e-9);
+    const LegResult refused = follow_alone(*tracker, {astray.data(), whole.route, 0, 0.5}, system.unknowns);
+    CHECK(refused.state.end == LegEnd::too_small);
+    CHECK(refused.state.s == 0.5);
+    CHECK(refused.state.steps == 0);
+  }
+}
+
 TEST_CASE("ends that Newton's method settles are settled in doubles") {
   std::mt19937_64 random(19);
   const SquareSystem system = system_of(samples::octahedron());

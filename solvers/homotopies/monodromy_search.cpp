@@ -133,7 +133,7 @@ class Search {
   /// The more are known, the more, so that threads and processes seldom wait for each other's last legs: but those that are
   /// handed out when the last solution is found are followed in vain, and those before know less of what is new.
   std::size_t legs_at_once() const {
-    constexpr std::size_t fewest = 16;  // two blocks that fill the lanes of one thread
+    constexpr std::size_t fewest = 8;  // the lanes of one thread
     return std::max<std::size_t>(size() / 32, fewest) / blocks_at_once;
   }
 

@@ -89,7 +89,7 @@ std::vector<FollowedList> LegStream::advance() {
     taken += steps;
   }
   std::unique_lock lock(mutex_);
-  if (waiting_wide_.count > 0) call_others();
+  if (waiting_wide_.count > 0) call_others();  // who may be at rest
   if (!has_legs && !lists_.empty())
     list_done_.wait_for(lock, longest_wait, [&] { return done_ > 0 || failure_ != nullptr; });
   if (failure_ != nullptr) std::rethrow_exception(failure_);
@@ -134,7 +134,7 @@ std::vector<FollowedList> LegStream::give_up() {
 /// Of its lanes with legs. How long it took, in steps of doubles; 0 where none has one.
 int LegStream::step(Feeder& feeder) {
   const bool has_doubles = refill(feeder.doubles, waiting_);
-  // It takes as long for a single lane as for all.
+  // A wide step takes as long for a single leg as for all lanes.
   const bool are_enough = feeder.wide.is_busy() || 2 * waiting_wide_.count >= feeder.wide.places.size();
   const bool has_wide = (are_enough || !has_doubles) && refill(feeder.wide, waiting_wide_);
   if (has_doubles) step(feeder.doubles);

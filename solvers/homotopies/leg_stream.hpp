@@ -48,7 +48,7 @@ class LegStream {
   std::vector<FollowedList> give_up();
 
  private:
-  /// How a leg is followed.
+  /// How a leg is followed next; a leg takes the ways in this order, and may leave out the last ones.
   enum class Way { doubles, wide_from_there, wide_from_start, done };
   struct List {
     List(std::uint64_t its_number, std::vector<Leg> its_legs);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -301,6 +302,31 @@ class Search {
   GenericSolutions found_;  ///< but for the lengths, solutions and arcs
 };
 
+/// Of points at random, real but for their coordinates along the first axis of a frame in space, which are imaginary.
+FamilyMember member_of_real_squares(const SquareSystem& system, const SignMasks& signs,
+                                    std::mt19937_64& random) {
+  constexpr SignMask first_axis = 1;
+  const bool is_in_space = signs.rank() == 3;
+  ComplexVectorX x = random_complex_vector(system.unknowns, random);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = is_in_space && signs[i] == first_axis ? std::complex<double>(0, x[i].real()) : x[i].real();
+  ComplexVectorX squares = squares_at(system, x);
+  return {std::move(x), std::move(squares)};
+}
+
+/// Solutions next to lengths that are nearly 0 are nearly double.
+constexpr int draws_of_real_squares = 16;
+
+/// The smallest of some squares over the largest.
+double smallest_share(const ComplexVectorX& squares) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const std::complex<double>& square : squares) {
+    least = std::min(least, std::abs(square));
+    most = std::max(most, std::abs(square));
+  }
+  return least / most;
+}
+
 }  // namespace
 
 HomotopyFamily square_family(const SquareSystem& system, SignMasks signs, std::vector<bool> is_free,
@@ -318,11 +344,13 @@ HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs) {
       system, std::move(signs), std::vector<bool>(system.given.size(), true),
       [n = system.unknowns](std::mt19937_64& random) { return random_complex_vector(n, random); });
   if (!family.is_homogeneous) return family;
-  family.real_member = [&system](std::mt19937_64& random) {
-    ComplexVectorX x = random_complex_vector(system.unknowns, random);
-    for (std::complex<double>& value : x) value = value.real();
-    ComplexVectorX squares = squares_at(system, x);
-    return FamilyMember{std::move(x), std::move(squares)};
+  family.real_member = [&system, signs = family.signs](std::mt19937_64& random) {
+    FamilyMember member = member_of_real_squares(system, signs, random);
+    for (int draw = 1; draw < draws_of_real_squares; ++draw) {
+      FamilyMember other = member_of_real_squares(system, signs, random);
+      if (smallest_share(other.parameters) > smallest_share(member.parameters)) member = std::move(other);
+    }
+    return member;
   };
   return family;
 }

@@ -15,10 +15,12 @@
 /// (1 − s)B + sC with two random ones: large ones go out in one direction and come back in another, so that solutions
 /// that are far larger than the others meet branch points too.
 ///
-/// Where distances are all there is, A_0 is that of a real placement, so that the conjugate of each solution is known with it:
-/// two arcs then reach nearly all, along two legs for each. A_1 stays complex, since the arcs between two real ones keep the
-/// signs of many square roots. What is returned is turned by a random γ: the way to other real lengths must not be real, nor
-/// nearly so.
+/// Where distances are all there is, A_0 is real, so that the conjugate of each solution is known with it: two arcs then reach
+/// nearly all, along two legs for each. In the plane it is that of a real placement; in space one coordinate of each point
+/// is imaginary. Real lengths there have many closed walks ±a ± b …, some nearly 0 by chance, next to whose zeros solutions are
+/// far away; of real and imaginary ones hardly any is, and fewer square roots keep their signs along all arcs. A_1 stays complex,
+/// since the arcs between two real ones keep the signs of many square roots. What is returned is turned by a random γ: the
+/// way to other real lengths must not be real, nor nearly so.
 
 #include <cstdint>
 #include <functional>

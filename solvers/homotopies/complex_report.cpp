@@ -13,6 +13,7 @@
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/figures/complex_distances.hpp"
 #include "solvers/figures/fold_solutions.hpp"
+#include "solvers/figures/point_conditions.hpp"
 #include "solvers/figures/reflection_classes.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/homotopies/close_pair.hpp"
@@ -124,6 +125,7 @@ class ComplexReporter {
     Figure figure{};  ///< of a regular end
     bool is_lonely = false;
     bool is_loose = false;
+    double condition = std::numeric_limits<double>::infinity();  ///< of a regular end's Jacobian
   };
 
   EndFacts facts_of(const DistinctEnds& distinct, int i, const MotionFinder& finder) const {
@@ -139,9 +141,26 @@ class ComplexReporter {
       std::vector<EndFacts> facts(static_cast<std::size_t>(std::min(at_once, distinct.size() - first)));
       on_threads(facts.size(),
                  [&](std::size_t k) { facts[k] = facts_of(distinct, first + static_cast<int>(k), finder); });
+      find_conditions(facts);
       for (std::size_t k = 0; k < facts.size() && !means_.stop.stop_requested(); ++k)
         add_end(distinct, first + static_cast<int>(k), finder, facts[k]);
     }
+  }
+
+  void find_conditions(std::vector<EndFacts>& facts) const {
+    constexpr std::size_t at_once = 64;  // as many as fill the lanes, and far fewer than threads share
+    on_threads((facts.size() + at_once - 1) / at_once, [&](std::size_t block) {
+      std::vector<EndFacts*> ends;
+      std::vector<const Figure*> figures;
+      for (std::size_t k = block * at_once; k < std::min(facts.size(), (block + 1) * at_once); ++k)
+        if (facts[k].figure.points.cols() > 0) {
+          ends.push_back(&facts[k]);
+          figures.push_back(&facts[k].figure);
+        }
+      const std::vector<double> conditions = points_ ? points_->conditions(figures) : std::vector<double>();
+      for (std::size_t k = 0; k < ends.size(); ++k)
+        ends[k]->condition = points_ ? conditions[k] : jacobian_condition(scene_, *figures[k]);
+    });
   }
 
   void add_end(const DistinctEnds& distinct, int i, MotionFinder& finder, EndFacts& facts) {
@@ -154,11 +173,12 @@ class ComplexReporter {
     const Figure figure = is_singular ? singular_figure(distinct[i]) : std::move(facts.figure);
     const std::optional<Collapse> loose =
         facts.is_loose ? finder.loose_at(distinct[i], singular_uncertainty) : std::nullopt;
-    const bool may_move = loose && (is_singular || jacobian_condition(scene_, figure) >= rank_lost);
+    const bool may_move = loose && (is_singular || facts.condition >= rank_lost);
     if (may_move && finder.lies_on_motion(*loose, distinct[i])) return;
     const bool is_isolated =
-        is_singular ? can_be_isolated(scene_, complex_figure(system_, distinct[i]), distinct.paths(i))
-                    : !(is_lonely && jacobian_condition(scene_, figure) >= rank_lost);
+        is_singular
+            ? can_be_isolated(scene_, complex_figure(system_, distinct[i]), distinct.paths(i))
+            : facts.condition < rank_lost || (!is_lonely && is_isolated_in_more_bits(distinct[i], figure));
     missing_.too_far += is_singular && loses_distances(scene_, figure);
     missing_.lonely += is_lonely && is_isolated;
     missing_.not_isolated += !is_isolated;
@@ -169,6 +189,16 @@ class ComplexReporter {
       add_meeting(distinct[i], distinct.paths(i), figure);
     else
       add_multiple(figure, distinct.paths(i));
+  }
+
+  /// Whether an end where doubles do not tell the Jacobian's rank is a proven solution, or next to a few at most, and on no
+  /// curve. From real lengths the ends on a curve come in conjugates as isolated ones do. One that
+  /// doubles do not hold tells nothing, and is taken for isolated.
+  bool is_isolated_in_more_bits(const ComplexVectorX& x, const Figure& figure) const {
+    constexpr int few = 4;
+    return relative_residual(scene_, figure) > rounded_lengths ||
+           proven_next_to(scene_, {&figure}, means_).front().has_value() ||
+           can_be_isolated(scene_, complex_figure(system_, x), few);
   }
 
   std::string shortcomings_in_words() const {
@@ -358,6 +388,7 @@ class ComplexReporter {
   const DistanceSystem& system_;
   const SolveMeans& means_;
   const std::vector<DoubleDouble> squares_ = target_squares(scene_);
+  const std::optional<PointConditions> points_ = PointConditions::of(scene_);
   Shortcomings missing_;
   std::optional<ComplexVectorX> loose_end_;  ///< the first one that is not isolated
   std::vector<std::size_t> regular_;         ///< candidates to be proven

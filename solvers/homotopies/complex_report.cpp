@@ -124,13 +124,12 @@ class ComplexReporter {
   struct EndFacts {
     Figure figure{};  ///< of a regular end
     bool is_lonely = false;
-    bool is_loose = false;
     double condition = std::numeric_limits<double>::infinity();  ///< of a regular end's Jacobian
   };
 
-  EndFacts facts_of(const DistinctEnds& distinct, int i, const MotionFinder& finder) const {
+  EndFacts facts_of(const DistinctEnds& distinct, int i) const {
     return {distinct.is_singular(i) ? Figure{} : figure_of(distinct[i], next_to_real),
-            !distinct.has_conjugate(i), finder.loose_at(distinct[i], singular_uncertainty).has_value()};
+            !distinct.has_conjugate(i)};
   }
 
   /// What threads find out of so many at a time; of all at once it would be as large as the report.
@@ -140,7 +139,7 @@ class ComplexReporter {
     for (int first = 0; first < distinct.size(); first += at_once) {
       std::vector<EndFacts> facts(static_cast<std::size_t>(std::min(at_once, distinct.size() - first)));
       on_threads(facts.size(),
-                 [&](std::size_t k) { facts[k] = facts_of(distinct, first + static_cast<int>(k), finder); });
+                 [&](std::size_t k) { facts[k] = facts_of(distinct, first + static_cast<int>(k)); });
       find_conditions(facts);
       for (std::size_t k = 0; k < facts.size() && !means_.stop.stop_requested(); ++k)
         add_end(distinct, first + static_cast<int>(k), finder, facts[k]);
@@ -171,10 +170,10 @@ class ComplexReporter {
         return add_simple(near->simple);
       }
     const Figure figure = is_singular ? singular_figure(distinct[i]) : std::move(facts.figure);
-    const std::optional<Collapse> loose =
-        facts.is_loose ? finder.loose_at(distinct[i], singular_uncertainty) : std::nullopt;
-    const bool may_move = loose && (is_singular || facts.condition >= rank_lost);
-    if (may_move && finder.lies_on_motion(*loose, distinct[i])) return;
+    if (is_singular || facts.condition >= rank_lost) {
+      const std::optional<Collapse> loose = finder.loose_at(distinct[i], singular_uncertainty);
+      if (loose && finder.lies_on_motion(*loose, distinct[i])) return;
+    }
     const bool is_isolated =
         is_singular
             ? can_be_isolated(scene_, complex_figure(system_, distinct[i]), distinct.paths(i))

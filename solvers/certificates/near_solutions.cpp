@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "solvers/certificates/ball_cluster.hpp"
 #include "solvers/certificates/coincidences.hpp"
 
 namespace gcs {
@@ -86,6 +87,7 @@ class Search {
 
   /// Adds what is next to a point, up to `wanted` solutions; nothing when stopped.
   void visit(const NearlySingular& point, int wanted, NearSolutions& settled) const {
+    if (auto meeting = meeting_at(point)) return add(*std::move(meeting), settled.multiple);
     std::vector<Certificate> found;
     std::optional<MultipleSolution> multiple;
     int multiple_ends = 0;
@@ -106,6 +108,16 @@ class Search {
   }
 
  private:
+  /// Where more than two meet: Newton's method from around them would go astray.
+  std::optional<MultipleSolution> meeting_at(const NearlySingular& point) const {
+    if (point.solutions <= 2 || stop_.stop_requested()) return std::nullopt;
+    const auto x = meeting_point(system_, point.x, point.solutions);
+    if (!x || !(distance(middle_of(*x), point.x) <= furthest * size_of(point.x))) return std::nullopt;
+    std::optional<MultipleSolution> multiple = multiple_at(*x);
+    if (multiple) multiple->multiplicity = point.solutions;
+    return multiple;
+  }
+
   Visit visit_from(const Point& start) const {
     BallKrawczyk::Newton newton = system_.refined(BallKrawczyk::vector(start));
     for (int round = 1; round < most_rounds && !newton.converged && !newton.is_singular; ++round)

@@ -5,8 +5,8 @@
 /// Newton's method from the point, and from others at 1e-9 to 1e-4 of the unknowns' size around it, each
 /// together with the opposite one: of two solutions either is nearer to one of these. In balls of 256 bits it
 /// reaches simple solutions down to some 1e-30 of each other, which Krawczyk's test then proves to exist and
-/// to be different. Towards a multiple one it goes on by half of the way a step or less, and the residuals
-/// fall to nothing.
+/// to be different. Towards a double one it goes on by half of the way a step, and the residuals
+/// fall to nothing; one of a higher multiplicity is found along the curve of ball_cluster.hpp, if it can be.
 
 #include <complex>
 #include <optional>

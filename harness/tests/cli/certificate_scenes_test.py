@@ -36,6 +36,17 @@ def on_triangle(name, *constraints, points=(), **elements):
                  points=["p", "q", "r", *points], **elements)
 
 
+def osculating(contact):
+    """Bars from a to p and from b to q move a triangle pqs. Where it stands here s goes along a circle about c to the order
+    `contact` of points in common: the derivatives of its squared distance from c along the motion begin with that order."""
+    c, p, q, s, b = {3: ((1, -1), (0, 1), (3, -2), (1, 1), (3, 0)), 4: ((4, -3), (0, -1), (-4, 3), (-2, 3), (2, 0))}[contact]
+    places = {"a": (0, 0), "b": b, "c": c, "p": p, "q": q, "s": s}
+    return {"format": "gcsbench-instance/1", "id": f"osculating-{contact}", "dimension": 2, "points": list(places),
+            "constraints": [{"type": "distance", "between": [u, v],
+                             "squared": sum((x - y) ** 2 for x, y in zip(places[u], places[v]))}
+                            for u, v in ("ab", "bc", "ca", "ap", "bq", "cs", "pq", "qs", "sp")]}
+
+
 # A plane by distances of three points, or of two and an angle, has two places, as n·n = 1 is all that is not linear.
 E_ON_P = [stated("on", "p", "E"), *distances(("q", "E", 1.1), ("r", "E", -0.4))]
 # A line through p at distances from q and r: on two cones, four.
@@ -267,20 +278,31 @@ class CertifiedScenes(CertificateTest):
 
     def test_clusters(self):
         """Four spheres of one radius at the corners of a regular tetrahedron touch three lines, each of multiplicity four, where
-        it is half of an edge over √2 (Macdonald, Pach, Theobald 2001). Circles that touch meet twice in a point."""
-        circles = {**scene("circles", distances(("a", "c", 2), ("b", "c", 3)), 2, points=["a", "b", "c"]),
-                   "fixed": {"a": [0, 0], "b": [3, 4]}}
-        for given, count in (("tangents-fourfold", 12), (self.write(circles, "circles.json"), 2)):
+        it is half of an edge over √2 (Macdonald, Pach, Theobald 2001). Circles that touch meet twice in a point, several pairs of
+        them 2^k times; a coupler point meets a circle three times where that has its path's curvature, four times where this is stationary
+        (`osculating`)."""
+        def circles(*points):
+            edges = [edge for k, c in enumerate(points) for edge in (("a", c, 2 + k / 2), ("b", c, 3 - k / 2))]
+            return {**scene(f"circles-{len(points)}", distances(*edges), 2, points=["a", "b", *points]),
+                    "fixed": {"a": [0, 0], "b": [3, 4]}}
+        for given, count, in_clusters in (("tangents-fourfold", 12, 12), (circles("c"), 2, 2), (circles("c", "d"), 4, 4),
+                                          (circles("c", "d", "e"), 8, 8), (osculating(3), 12, 3), (osculating(4), 12, 4)):
+            if isinstance(given, dict):
+                given = self.write(given, f"{given['id']}.json")
             certificate = self.certificate(given, strategy="monodromy", codes=(DONE, CHECK_FAILED))
             name = certificate["instance"]["id"]
-            self.assertEqual(verdict(certificate), f"{name}: exactly {count} isolated complex solutions, {count} of them, with "
-                                                   "multiplicities, in clusters, 0 of the others real: proven.")
-            for multiplicity in {1, 2, 4} - {certificate["solutions"][0]["multiplicity"]}:
-                other = with_value(certificate, ["solutions", 0, "multiplicity"], multiplicity)
-                other["complex"] += multiplicity - certificate["solutions"][0]["multiplicity"]
+            real, up_to = sum(solution["real"] for solution in certificate["solutions"]), " up to reflection" * name.startswith("osculating")
+            self.assertEqual(verdict(certificate), f"{name}: exactly {count} isolated complex solutions{up_to}, {in_clusters} of them, "
+                                                   f"with multiplicities, in clusters, {real} of the others real: proven.")
+            number, multiplicity = max(((k, solution.get("multiplicity", 1)) for k, solution in enumerate(certificate["solutions"])),
+                                       key=lambda pair: pair[1])
+            for wrong in {1, 2, 3, 4, 5} - {multiplicity}:
+                other = with_value(certificate, ["solutions", number, "multiplicity"], wrong)
+                other["complex"] += wrong - multiplicity
                 self.assertIsNone(verdict(other))
-            self.assertIsNone(verdict(with_value(certificate, ["solutions", 0, "real"], True)))
-        self.assert_changes_are_harmless("circles", certificate)
+            self.assertIsNone(verdict(with_value(certificate, ["solutions", number, "real"], True)))
+            if name in ("circles-1", "osculating-3"):
+                self.assert_changes_are_harmless(name, certificate)
 
     def test_changes_are_refused_or_change_nothing(self):
         for given in (*map(NAMED.get, ("planes", "meeting", "inclined", "parallel", "beside", "cylinder", "table", "tripod")), CARRIED,

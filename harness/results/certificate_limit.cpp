@@ -12,6 +12,7 @@
 #include "solvers/counting/general_bound.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
 #include "solvers/counting/three_lines_bound.hpp"
+#include "solvers/counting/wheel_bound.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/stated_signs.hpp"
 #include "solvers/structure/decomposition.hpp"
@@ -85,6 +86,8 @@ class UndividedPart {
     if (problem_.dimension == 2)
       if (const auto counts = theoretical_counts(problem_); counts.exact)
         return value("realisation count", counts.exact->fixed_frame, {});
+    if (const auto of_wheel = is_free_and_beside_line() ? wheel_bound(graph_) : std::nullopt)
+      return value("wheel beside a line", *of_wheel / 2U, {});  // see below
     const std::vector<std::vector<int>> frames =
         given.empty() ? free_frames() : std::vector<std::vector<int>>{given};
     for (const std::vector<int>& frame : frames) {
@@ -100,6 +103,13 @@ class UndividedPart {
   }
 
  private:
+  /// All lengths are above 0.
+  bool is_free_and_beside_line() const {
+    return line_ >= 0 && later_.empty() && !problem_.is_anchored() &&
+           std::ranges::all_of(problem_.constraints,
+                               [](const DistanceConstraint& c) { return c.given.value > 0; });
+  }
+
   void add_edge(int a, int b) {
     if (a > b) std::swap(a, b);
     if (!problem_.is_line(b))

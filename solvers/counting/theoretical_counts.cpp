@@ -11,6 +11,7 @@
 #include "solvers/counting/general_bound.hpp"
 #include "solvers/counting/realisation_count.hpp"
 #include "solvers/counting/ring_bound.hpp"
+#include "solvers/counting/wheel_bound.hpp"
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/elements/stated_signs.hpp"
 #include "solvers/structure/core_reduction.hpp"
@@ -210,6 +211,12 @@ void bound_points_and_line(const ProblemStatement& problem, TheoreticalCounts& c
     }
   if (whole.references.empty()) {
     counts.why_no_bound = "No point has a given distance above 0 from the line to make a frame with it.";
+    return;
+  }
+  const bool are_beside = whole.references.size() == problem.points.size();
+  if (const auto of_wheel = are_beside ? wheel_bound(whole) : std::nullopt) {
+    counts.bound = CountBound{count_in_frame(problem, *of_wheel), {}, {}};
+    counts.bound->theorem = "points in a wheel beside a line: 4ⁿ/2 − (1 + √3)ⁿ − (1 − √3)ⁿ for n spokes";
     return;
   }
   const auto smallest = smallest_bezout_bound(whole);

@@ -45,10 +45,16 @@ class Count(unittest.TestCase):
     def test_conventions(self):
         self.assertEqual(self.counts("dodecagon")["exact"],
                          {"fixed_frame": 6180, "up_to_reflection": 3090, "all_signs": 12360})
+        conventions = ["fixed_frame", "up_to_reflection", "all_signs"]
         bound = self.counts("hoffmann-yuan")["bound"]
-        self.assertEqual([bound[name] for name in ["fixed_frame", "up_to_reflection", "all_signs"]],
-                         [512, 128, 1024])
-        self.assertEqual(bound["reference"], ["L", "p5"])
+        self.assertEqual([bound[name] for name in conventions], [288, 72, 576])
+        self.assertIn("wheel", bound["theorem"])
+        # A triangle in the place of the wheel, on which the fourth point hangs.
+        scene = json.loads((SOURCE / "instances" / "hoffmann-yuan.json").read_text())
+        next(c for c in scene["constraints"] if c["id"] == "a10").update(between=["p1", "p3"])
+        bound = self.counts("-", json.dumps(scene))["bound"]
+        self.assertEqual([bound[name] for name in conventions], [512, 128, 1024])
+        self.assertEqual(bound["reference"], ["L", "p1"])  # the first of those that serve as well
 
     def test_a_bound_says_what_it_is_of(self):
         bodies = ["p1 p2 p3", "p1 p2 p7 p8", "p2 p3 p4", "p3 p4 p5 p6", "p5 p6 p7", "p6 p7 p8"]

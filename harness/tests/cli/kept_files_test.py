@@ -15,7 +15,7 @@ from command_line import BAD_INPUT, INTERRUPTED, NOT_SOLVED, SOURCE, argv, run
 
 
 class Journal(command_line.CommandLine):
-    SOLVE = ["solve", "hoffmann-yuan", "--strategy", "monodromy", "--out", "-"]
+    SOLVE = ["solve", "dodecagon", "--strategy", "monodromy", "--out", "-"]
 
     def interrupted(self, journal, sent):
         """Starts to solve and sends the signal once some results are in the journal."""

@@ -24,8 +24,8 @@ namespace {
 /// By the exact number of a part or its bound; nothing where there is none, or it is not of the part as a whole.
 std::optional<JsonMembers> part_argument(const ProblemStatement& part) {
   const TheoreticalCounts counts = theoretical_counts(part);
-  if (part.dimension == 2 && counts.exact)
-    return JsonMembers{{"argument", json_text("realisation count")},
+  if (counts.exact)
+    return JsonMembers{{"argument", json_text(part.dimension == 2 ? "realisation count" : "cone")},
                        {"at_most", json_count(counts.exact->fixed_frame)}};
   if (!counts.bound || counts.bound->parts != 1) return std::nullopt;
   const CountBound& bound = *counts.bound;

@@ -71,9 +71,7 @@ Table most_table(const RunFile& run, const Publication& published) {
       "Grasegger and "
       "Schicho 2020. found: by monodromy, with its defaults. certified: so many are proven to exist.",
       "A graph on the sphere is solved as a cone in space: all its points at the distance 1 from a further "
-      "one. No "
-      "exact number of solutions in space is known to the program, so that those found there are found "
-      "without it."};
+      "one."};
   return table;
 }
 

@@ -122,21 +122,36 @@ void bound_points(const ProblemStatement& problem, const PointGraph& graph, Theo
   fixed_frame = Natural::power_of_two(hanging) * fixed_frame;
 }
 
+/// Without a point that is joined to all others. Nothing where there is none.
+std::optional<GraphEdges> base_of_cone(const PointGraph& graph) {
+  for (int apex = 0; apex < static_cast<int>(graph.points.size()); ++apex) {
+    GraphEdges base = graph.edges;
+    std::erase_if(base, [apex](const Edge& edge) { return edge[0] == apex || edge[1] == apex; });
+    if (base.size() + graph.points.size() == graph.edges.size() + 1) return base;
+  }
+  return std::nullopt;
+}
+
+/// In space the other points of a cone are seen from its apex on a sphere, as generic there as their distances are.
 void count_exactly(const ProblemStatement& problem, const CoreReduction& reduction, const PointGraph& core,
                    const RecursionLimits& limits, TheoreticalCounts& counts) {
-  if (problem.dimension == 3 && !reduction.core_is_trivial) {
+  const bool is_planar = problem.dimension == 2;
+  std::optional<Natural> of_core;
+  if (reduction.core_is_trivial)
+    of_core = Natural(1);
+  else if (is_planar)
+    of_core = count_in_plane(core.edges, limits);
+  else if (const auto base = base_of_cone(core))
+    of_core = count_on_sphere(*base, limits);
+  else
     counts.why_no_exact =
-        "In space no method gives the exact number unless the points can be placed one by "
-        "one.";
-    return;
-  }
-  const auto of_core = reduction.core_is_trivial ? Natural(1) : count_in_plane(core.edges, limits);
-  if (!of_core) {
-    counts.why_no_exact = why_given_up("bigraphs", core.points.size(), limits);
-    return;
-  }
-  const int hanging = static_cast<int>(reduction.placed.size());
-  counts.exact = count_in_frame(problem, Natural::power_of_two(hanging) * *of_core);
+        "In space no method gives the exact number unless the points can be placed one by one, or one is "
+        "joined to all others.";
+  if (of_core)
+    counts.exact =
+        count_in_frame(problem, Natural::power_of_two(static_cast<int>(reduction.placed.size())) * *of_core);
+  else if (counts.why_no_exact.empty())
+    counts.why_no_exact = why_given_up(is_planar ? "bigraphs" : "cross ratios", core.points.size(), limits);
 }
 
 /// In the core, or, when it has no triangle, with the points that hang on it.

@@ -55,11 +55,11 @@ TEST_CASE("monodromy finds the dodecagon's solutions from nothing, and again fro
 }
 
 TEST_CASE("where the bound is not met a trace test completes the list") {
-  // 16 solutions with a fixed frame against a bound of 32, as many as polyhedral finds (g16a).
-  const SolveRun run = solved("g16a");
+  // 16 solutions with a fixed frame against a bound of 32, as many as polyhedral finds.
+  const SolveRun run = solved("g16b");
   CHECK(run.status == RunStatus::complete);
   CHECK(run.counts.complex_up_to_reflection == 8);
-  CHECK(solved("g16a", {{"trace", "off"}}).status == RunStatus::partial);
+  CHECK(solved("g16b", {{"trace", "off"}}).status == RunStatus::partial);
 }
 
 /// Some of its hundreds of points have branch points far from the others', or are 1e11 away.

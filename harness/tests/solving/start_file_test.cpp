@@ -93,8 +93,8 @@ TEST_CASE("a stored start serves other lengths") {
 TEST_CASE("a stored start is no more complete than the search that found it") {
   const TestFolder folder;
   const std::string file = (folder / "start.json").string();
-  REQUIRE(solved(problem_of("g16a"), {{"save_start", file}, {"trace", "off"}}).status == RunStatus::partial);
-  const SolveRun again = solved(problem_of("g16a"), {{"start", file}});
+  REQUIRE(solved(problem_of("g16b"), {{"save_start", file}, {"trace", "off"}}).status == RunStatus::partial);
+  const SolveRun again = solved(problem_of("g16b"), {{"start", file}});
   CHECK(again.status == RunStatus::partial);
   CHECK_FALSE(again.counts.generic);
   CHECK_THAT(again.reason,

@@ -247,3 +247,20 @@ TEST_CASE("figures around given points are counted") {
   CHECK(bound(flat) >= Natural(12));
   CHECK(bound(theoretical_counts(given_platform(3))) == Natural(16));
 }
+
+TEST_CASE("cones in space have as many realisations as their bases on the sphere") {
+  // The prism 32, K3,3 16 on the sphere: Gallet, Grasegger, Schicho 2020; in space, 32 and 16 for these cones:
+  // Bartzos, Emiris, Legerský, Tsigaridas 2021.
+  const auto cone = [](Edges edges, int points) {
+    for (int point = 0; point < points; ++point) edges.push_back({point, points});
+    return graph(3, points + 1, edges);
+  };
+  const Edges prism{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}};
+  CHECK(exact(theoretical_counts(cone(prism, 6))) == Natural(32));
+  const ProblemStatement k33 = cone(complete_bipartite(3, 3), 6);
+  CHECK(exact(theoretical_counts(k33)) == Natural(16));
+  CHECK(exact(theoretical_counts(with_hanging_point(k33, {0, 1, 3}))) == Natural(32));
+  // The octahedron has no apex, the tetrahedron four.
+  CHECK_FALSE(theoretical_counts(samples::octahedron()).exact);
+  CHECK(exact(theoretical_counts(cone({{0, 1}, {1, 2}, {2, 0}}, 3))) == Natural(2));
+}

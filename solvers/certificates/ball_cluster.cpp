@@ -53,11 +53,16 @@ BallMatrix product(const BallMatrix& a, const BallMatrix& b, slong bits) {
   return result;
 }
 
-/// A bound in doubles as one of real numbers: more than what rounding takes from a sum of a few hundred products, and what
-/// falls below the least of them.
+/// A bound in doubles as one of real numbers: more than what 4000 roundings, one after the other, take from a sum of products,
+/// and what falls below the least of them.
 template <class Bound>
 Eigen::VectorXd rounded_up(const Bound& bound) {
   return ((bound * (1 + 0x1p-40)).array() + std::numeric_limits<double>::min()).matrix();
+}
+
+/// At least β^k, also where that is below the least double.
+double upper_power(double beta, std::size_t k) {
+  return std::max(std::pow(beta, static_cast<double>(k)), std::numeric_limits<double>::min());
 }
 
 /// Of the coordinates b.
@@ -125,21 +130,21 @@ class Expansion {
     // What b alone leaves of f₁, and as much again for a itself; that of the forms where it is nothing.
     const Eigen::VectorXd size = 2 * rounded_up(of_b).head(regular_).cwiseMax(leading);
     Eigen::VectorXd with_a = Eigen::VectorXd::Zero(unknowns_);
-    for (std::size_t k = 0; k < with_a_.size(); ++k)
-      with_a += std::pow(beta, static_cast<double>(k)) * (with_a_[k] * size);
+    for (std::size_t k = 0; k < with_a_.size(); ++k) with_a += upper_power(beta, k) * (with_a_[k] * size);
     for (Eigen::Index j = 0; j < regular_; ++j)
       with_a += size[j] * (squares_[static_cast<std::size_t>(j)] * size);
     if (!(rounded_up(of_b + with_a).head(regular_).array() < size.array()).all()) return std::nullopt;
     Eigen::VectorXd left = (of_b + with_a).tail(corank_);
     for (slong power = 0; power < own_.columns(); ++power)
       for (slong k = 0; k < corank_ && power != degree; ++k)
-        left[k] += std::pow(beta, static_cast<double>(power)) * magnitude(own_(k, power));
+        left[k] += upper_power(beta, static_cast<std::size_t>(power)) * magnitude(own_(k, power));
     left = rounded_up(left);
     for (slong k = 0; k < corank_; ++k)
       if (!(left[k] / leading * (1 + 0x1p-40) < least_magnitude(own_(k, degree)))) return std::nullopt;
     Eigen::VectorXd reach = sum(curve_sizes_, beta);
     reach.head(regular_) += size;
     reach = rounded_up(directions_in_doubles_.cwiseAbs() * reach);
+    if (!reach.allFinite()) return std::nullopt;
     const auto solutions = static_cast<int>(std::lround(std::pow(degree, corank_)));
     return BallCluster{solutions, {reach.begin(), reach.end()}};
   }
@@ -273,8 +278,7 @@ class Expansion {
   /// Σ terms[k] β^k
   static Eigen::VectorXd sum(const std::vector<Eigen::VectorXd>& terms, double beta) {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(terms.front().size());
-    for (std::size_t k = 0; k < terms.size(); ++k)
-      result += std::pow(beta, static_cast<double>(k)) * terms[k];
+    for (std::size_t k = 0; k < terms.size(); ++k) result += upper_power(beta, k) * terms[k];
     return result;
   }
 

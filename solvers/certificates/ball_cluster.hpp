@@ -5,6 +5,8 @@
 /// to zero and polynomials A, and combine the equations so that f = (f₁, f₂) with f₁ ≈ a: A follows the zeros of f₁ as a series.
 /// What is left of f₂ there begins nearly with c_k b_k^d, one power of one coordinate in each.
 ///
+/// As these changes are invertible, a and b are coordinates, and multiplicities of zeros stay.
+///
 /// Theorem. Let |a_i| ≤ α_i, |b_k| ≤ β be a polydisc on which |f₁ − a|_i < α_i for all i, and where |b_k| = β let
 /// |f₂,k − c_k b_k^d| < |c_k| β^d, for each k. Then it holds exactly d^r solutions, counted
 /// with multiplicities. Proof: (a, c_k b_k^d) + t·(f − (a, c_k b_k^d)) has no zero on its boundary for 0 ≤ t ≤ 1, so
@@ -30,12 +32,12 @@ struct BallCluster {
   std::vector<double> radius;
 };
 
-/// The smallest cluster about x that the theorem proves.
+/// The cluster about x of the smallest β and r that the theorem proves.
 std::optional<BallCluster> prove_cluster(const BallKrawczyk& system,
                                          const std::vector<std::complex<double>>& x);
 
-/// The point next to x, 2 ≤ solutions ≤ 8, about which so many are proven to lie within 2^(−200/solutions), where the Jacobian
-/// loses one from its rank. Newton's method along the curve finds it, which does not settle there otherwise. Precondition:
+/// The point next to x, 2 ≤ solutions ≤ 8, about which so many are proven to lie in a polydisc with β = 2^(−200/solutions), where
+/// the Jacobian loses one from its rank. Newton's method along the curve finds it, which does not settle there otherwise. Precondition:
 /// balls of 256 bits at least.
 std::optional<BallMatrix> meeting_point(const BallKrawczyk& system,
                                         const std::vector<std::complex<double>>& x, int solutions);

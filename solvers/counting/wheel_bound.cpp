@@ -54,9 +54,12 @@ std::optional<Natural> wheel_bound(const BoundProblem& problem) {
   const std::size_t spokes = points - 1;
   if (problem.dimension != 3 || points < 4 || spokes > most_spokes || problem.edges.size() != 2 * spokes)
     return std::nullopt;
+  if (!std::all_of(problem.on_line.begin(), problem.on_line.begin() + static_cast<std::ptrdiff_t>(points),
+                   [](bool is_beside) { return is_beside; }))
+    return std::nullopt;
   Neighbours neighbours(points);
   for (const auto& [a, b] : problem.edges) {
-    if (std::max(a, b) >= static_cast<int>(points)) return std::nullopt;
+    if (std::max(a, b) >= static_cast<int>(points) || a == b) return std::nullopt;
     neighbours[static_cast<std::size_t>(a)].insert(b);
     neighbours[static_cast<std::size_t>(b)].insert(a);
   }

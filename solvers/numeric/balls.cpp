@@ -1,5 +1,6 @@
 #include "solvers/numeric/balls.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -47,7 +48,8 @@ double least_magnitude(acb_srcptr ball) {
   acb_get_mag_lower(bound, ball);
   const double value = mag_get_d(bound);
   mag_clear(bound);
-  return value * (1 - std::numeric_limits<double>::epsilon());
+  constexpr double least = 0x1p-1000, most = 0x1p1000;  // mag_get_d rounds up beyond
+  return value <= least ? 0 : std::min(value, most) * (1 - std::numeric_limits<double>::epsilon());
 }
 
 }  // namespace gcs

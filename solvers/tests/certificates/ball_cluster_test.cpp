@@ -157,6 +157,17 @@ TEST_CASE("a double and a simple solution are a cluster of three where they are 
   }
 }
 
+TEST_CASE("numbers that doubles do not hold are bounded from either side") {
+  Ball ball;
+  acb_one(ball);
+  for (const slong exponent : {-100000, -1100, -1000, 0, 1000, 1100, 100000}) {
+    acb_mul_2exp_si(ball, ball, exponent);
+    CHECK(least_magnitude(ball) <= std::pow(2.0, static_cast<double>(exponent)));
+    CHECK(magnitude(ball) >= std::pow(2.0, static_cast<double>(exponent)));
+    acb_mul_2exp_si(ball, ball, -exponent);
+  }
+}
+
 TEST_CASE("no cluster is proven at a simple solution, off all of them, or where forms have a common zero") {
   CHECK_FALSE(prove_cluster(chord("0.6"), {{0.8, 0}, {0.6, 0}}));
   CHECK_FALSE(prove_cluster(chord("1"), {{0.2, 0}, {0.9, 0}}));

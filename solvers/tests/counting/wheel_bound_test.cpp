@@ -56,6 +56,8 @@ TEST_CASE("what is no wheel beside a line has no such bound") {
   BoundProblem beside_three = wheel(4, 1);
   beside_three.on_line[2] = false;
   CHECK_FALSE(wheel_bound(beside_three));
+  beside_three.on_line[5] = true;  // in its place one without distances from the others
+  CHECK_FALSE(wheel_bound(beside_three));
   // Two triangles about a hub; a triangle with a point that hangs on it.
   for (const std::vector<std::array<int, 2>>& rim :
        {std::vector<std::array<int, 2>>{{1, 2}, {2, 3}, {3, 1}, {4, 5}, {5, 6}, {6, 4}},

@@ -196,8 +196,8 @@ class Expansion {
 
   /// (A(b), b): by A f₁ vanishes up to the highest degree, to twice the digits of doubles.
   void find_curve(int highest) {
-    constexpr int passes =
-        2;  // what is left of f₁ is that of the pass before times what is left of the unit matrix
+    // What is left of f₁ is that of the pass before times what is left of the unit matrix.
+    constexpr int passes = 2;
     for (int degree = 0; degree <= highest; ++degree)
       for (const Exponents& monomial : monomials_of(degree, corank_)) {
         BallMatrix z(unknowns_, 1);

@@ -241,7 +241,7 @@ class Expansion {
   /// What the quadratic part of f makes of `z` and another vector is its product with that.
   BallMatrix slope_along(const BallMatrix& z) const {
     BallMatrix bend = system_.jacobian(product(directions_, z, bits_));
-    acb_mat_sub(bend.get(), bend.get(), system_.jacobian(BallMatrix(unknowns_, 1)).get(), bits_);
+    acb_mat_sub(bend.get(), bend.get(), at_zero_.get(), bits_);
     acb_mat_scalar_mul_2exp_si(bend.get(), bend.get(), -1);
     return product(combine_, product(bend, directions_, bits_), bits_);
   }
@@ -285,6 +285,7 @@ class Expansion {
   const BallKrawczyk& system_;
   Eigen::Index unknowns_, corank_, regular_;
   slong bits_;
+  BallMatrix at_zero_ = system_.jacobian(BallMatrix(unknowns_, 1));  ///< the Jacobian
   Eigen::MatrixXcd directions_in_doubles_, combine_in_doubles_;
   BallMatrix directions_{unknowns_, unknowns_}, combine_{unknowns_, unknowns_};
   BallMatrix constant_{unknowns_, 1}, linear_{unknowns_, unknowns_};

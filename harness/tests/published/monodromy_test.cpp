@@ -62,6 +62,15 @@ TEST_CASE("where the bound is not met a trace test completes the list") {
   CHECK(solved("g16b", {{"trace", "off"}}).status == RunStatus::partial);
 }
 
+TEST_CASE("where an exact number or a bound is met no trace test is needed") {
+  // Of K3,3 on the sphere Gallet, Grasegger, Schicho 2020 have 16, which a cone over it has in space (g16a); of the pyramid
+  // Hoffmann and Yuan 2000 have 24 real ones in their frame, 6 up to reflection.
+  const SolveRun run = solved("g16a", {{"trace", "off"}});
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.counts.complex_up_to_reflection == 8);
+  CHECK(solved("hoffmann-yuan").counts.real_up_to_reflection == 6);
+}
+
 /// Some of its hundreds of points have branch points far from the others', or are 1e11 away.
 TEST_CASE("a trace test reaches points that are nearly separate from the others") {
   const ProblemStatement problem = load_instance("hoffmann-yuan").problem;

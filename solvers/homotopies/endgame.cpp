@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -293,36 +294,64 @@ class Endgame {
     remove_ended(paths);
   }
 
-  /// Rounds of σ = radius·e^(iφ) until every steady path is back at its start.
+  /// Paths on rounds of σ = radius·e^(iφ): so many sides of them are done.
+  struct Walkers {
+    std::vector<ActivePath*> paths;
+    int sides = 0;
+  };
+
+  /// Rounds until every steady path is back at its start. While the legs of one half are awaited, those of the other are
+  /// followed.
   void walk(Paths& paths, double radius) {
-    std::vector<ActivePath*> open;
+    std::vector<ActivePath*> steady;
     for (ActivePath& path : paths) {
       path.samples.clear();
       path.is_closed = false;
-      if (path.is_steady) open.push_back(&path);
+      if (path.is_steady) steady.push_back(&path);
     }
-    const auto place = [radius](int corner) {
-      return corner % corners == 0 ? radius : std::polar(radius, 2 * std::numbers::pi * corner / corners);
-    };
     std::vector<ComplexVectorX> starts;
     for (const ActivePath& path : paths) starts.push_back(path.x);
-    for (int round = 0; round < most_rounds && !open.empty() && !stopped_(); ++round) {
-      for (int corner = 0; corner < corners; ++corner) {
-        for (ActivePath* path : open) path->samples.push_back(path->x);
-        const std::vector<LegResult> results = follow(open, place(corner), place(corner + 1));
-        for (std::size_t i = 0; i < open.size(); ++i) {
-          open[i]->x = results[i].x;
-          open[i]->is_lost = open[i]->is_lost || results[i].state.end != LegEnd::arrived;
-        }
-        std::erase_if(open, [](const ActivePath* path) { return path->is_lost; });
-      }
-      for (ActivePath* path : open)
-        path->is_closed = distance(path->x, path->samples.front()) <= closed * largest(path->x);
-      std::erase_if(open, [](const ActivePath* path) { return path->is_closed; });
+    const auto middle = steady.begin() + std::ssize(steady) / 2;
+    std::deque<Walkers> walking;
+    for (Walkers half : {Walkers{{steady.begin(), middle}}, Walkers{{middle, steady.end()}}})
+      go_on(std::move(half), radius, walking);
+    while (!walking.empty()) {
+      Walkers first = std::move(walking.front());
+      walking.pop_front();
+      take_side(first);
+      go_on(std::move(first), radius, walking);
     }
     // A walk that did not close goes on from where it began.
     for (std::size_t i = 0; i < paths.size(); ++i) paths[i].x = starts[i];
     if (!stopped_()) remove_lost(paths, "its steps became too small around the end");
+  }
+
+  /// Along the next side, unless all have ended.
+  void go_on(Walkers walkers, double radius, std::deque<Walkers>& walking) {
+    if (walkers.paths.empty() || walkers.sides == corners * most_rounds || stopped_()) return;
+    const auto place = [radius](int corner) {
+      return corner % corners == 0 ? radius : std::polar(radius, 2 * std::numbers::pi * corner / corners);
+    };
+    const int corner = walkers.sides % corners;
+    for (ActivePath* path : walkers.paths) path->samples.push_back(path->x);
+    const Route side = segment(from_, to_, place(corner), place(corner + 1));
+    tracking_.add(legs_of(walkers.paths, side, 0));
+    walking.push_back(std::move(walkers));
+  }
+
+  /// Of the half that was added first.
+  void take_side(Walkers& walkers) {
+    std::vector<ActivePath*>& paths = walkers.paths;
+    const std::vector<LegResult> results = tracking_.take(stopped_, work_);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      paths[i]->x = results[i].x;
+      paths[i]->is_lost = results[i].state.end != LegEnd::arrived;
+    }
+    std::erase_if(paths, [](const ActivePath* path) { return path->is_lost; });
+    if (++walkers.sides % corners != 0) return;
+    for (ActivePath* path : paths)
+      path->is_closed = distance(path->x, path->samples.front()) <= closed * largest(path->x);
+    std::erase_if(paths, [](const ActivePath* path) { return path->is_closed; });
   }
 
   void decide(Paths& paths, double radius) {

@@ -117,8 +117,8 @@ class LegItems final : public ItemWork {
   LegItems& operator=(const LegItems&) = delete;
 
   void add(NumberedItem item) override;
-  /// Lanes that the last legs of an item leave empty have others before the next look for messages.
-  std::size_t reserve() const override { return 2; }
+  /// As long as the process that hands them out sorts in what came back, and looks for no messages: tens of milliseconds.
+  std::size_t reserve() const override { return 64; }
   bool is_idle() const override { return stream_->is_idle(); }
   std::vector<NumberedItem> advance() override;
 

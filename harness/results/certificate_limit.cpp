@@ -30,14 +30,15 @@ std::optional<JsonMembers> part_argument(const ProblemStatement& part) {
   if (!counts.bound || counts.bound->parts != 1) return std::nullopt;
   const CountBound& bound = *counts.bound;
   const JsonValue at_most = json_count(bound.count.fixed_frame);
-  if (bound.ring.empty())
-    return JsonMembers{{"argument", json_text("m-Bézout bound")},
+  const auto names = [&](const std::vector<int>& points) { return names_value(part, points); };
+  if (!bound.ring.empty())
+    return JsonMembers{{"argument", json_text("ring of bodies")},
                        {"at_most", at_most},
-                       {"held", names_value(part, bound.reference)}};
-  const auto body_value = [&](const std::vector<int>& body) { return names_value(part, body); };
-  return JsonMembers{{"argument", json_text("ring of bodies")},
+                       {"bodies", json_array_of(bound.ring, names)}};
+  return JsonMembers{{"argument", json_text("m-Bézout bound")},
                      {"at_most", at_most},
-                     {"bodies", json_array_of(bound.ring, body_value)}};
+                     {"held", names(bound.reference)},
+                     {"at_infinity", json_array_of(bound.at_infinity, names)}};
 }
 
 /// Of points with distances between them: each part while those before it are held. Nothing where a part has no limit.
@@ -70,7 +71,8 @@ class UndividedPart {
   UndividedPart(const Scene& scene, const std::vector<bool>& is_left)
       : problem_(scene.problem()),
         line_(scene.reference().line < 0 ? -1 : problem_.line_entity(scene.reference().line)),
-        graph_{problem_.dimension, {}, std::vector<bool>(is_left.size(), false), {}} {
+        graph_{
+            problem_.dimension, {}, std::vector<bool>(is_left.size(), false), {}, problem_.planes.empty()} {
     for (int entity = 0; entity < problem_.entity_count(); ++entity)
       (is_left[static_cast<std::size_t>(entity)] ? part_ : later_).push_back(entity);
     for (const DistanceConstraint& c : problem_.constraints) add_edge(c.between[0], c.between[1]);
@@ -99,7 +101,10 @@ class UndividedPart {
     const std::vector<int>& held = frames[bound->reference];
     // A line and a point leave two reflections, d points one.
     return value("m-Bézout bound", bound->fixed_frame / (held.front() == line_ ? 2U : 1U),
-                 {{"held", names_value(problem_, held)}});
+                 {{"held", names_value(problem_, held)},
+                  {"at_infinity", json_array_of(bound->at_infinity, [&](const std::vector<int>& points) {
+                     return names_value(problem_, points);
+                   })}});
   }
 
  private:

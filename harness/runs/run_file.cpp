@@ -120,6 +120,7 @@ void visit_fields(RecordOf<RecordedLimit> auto& limit, const auto& visit) {
   visit("parts", limit.bound.parts);
   visit.later("ring", limit.bound.ring);
   visit.later("theorem", limit.bound.theorem);
+  visit.later("at_infinity", limit.bound.at_infinity);
 }
 
 void visit_fields(RecordOf<InstanceSummary> auto& instance, const auto& visit) {

@@ -44,12 +44,20 @@ JsonValue bound_value(const ProblemStatement& problem, const CountBound& bound) 
   JsonMembers members = convention_members(problem, bound.count);
   const BoundNames names = names_of(problem, bound);
   members.emplace_back("reference", json_texts(names.reference));
-  std::vector<JsonValue> bodies;
-  for (const std::vector<std::string>& body : names.ring) bodies.push_back(json_texts(body));
-  members.emplace_back("ring", json_array(std::move(bodies)));
+  const auto texts = [](const std::vector<std::string>& some) { return json_texts(some); };
+  members.emplace_back("ring", json_array_of(names.ring, texts));
   members.emplace_back("parts", json_number(bound.parts));
   if (!bound.theorem.empty()) members.emplace_back("theorem", json_text(bound.theorem));
+  if (!names.at_infinity.empty())
+    members.emplace_back("at_infinity", json_array_of(names.at_infinity, texts));
   return json_object(std::move(members));
+}
+
+std::string list_of(const std::vector<std::vector<std::string>>& sets, const char* separator) {
+  std::vector<std::string> texts;
+  for (const std::vector<std::string>& names : sets)
+    texts.push_back(fmt::format("{}", fmt::join(names, " ")));
+  return fmt::format("{}", fmt::join(texts, separator));
 }
 
 JsonValue reason_value(const std::string& reason) { return reason.empty() ? json_null() : json_text(reason); }
@@ -84,6 +92,7 @@ BoundNames names_of(const ProblemStatement& problem, const CountBound& bound) {
   };
   BoundNames all{names(bound.reference), {}, bound.parts, bound.theorem};
   for (const std::vector<int>& body : bound.ring) all.ring.push_back(names(body));
+  for (const std::vector<int>& points : bound.at_infinity) all.at_infinity.push_back(names(points));
   return all;
 }
 
@@ -92,12 +101,12 @@ std::string bound_origin(const BoundNames& names) {
   if (!names.theorem.empty()) return names.theorem;
   if (names.ring.empty() && names.reference.empty())
     return "Bézout bound of a cubic and a quartic in the line's direction";
-  if (names.ring.empty())
-    return fmt::format("m-Bézout bound with {} held fixed", fmt::join(names.reference, ", "));
-  std::vector<std::string> bodies;
-  for (const std::vector<std::string>& body : names.ring)
-    bodies.push_back(fmt::format("{}", fmt::join(body, " ")));
-  return fmt::format("ring of {} hinged bodies: {}", bodies.size(), fmt::join(bodies, ", "));
+  if (!names.ring.empty())
+    return fmt::format("ring of {} hinged bodies: {}", names.ring.size(), list_of(names.ring, ", "));
+  const std::string all = fmt::format("m-Bézout bound with {} held fixed", fmt::join(names.reference, ", "));
+  if (names.at_infinity.empty()) return all;
+  return fmt::format("{}, less solutions with {} at infinity at all lengths", all,
+                     list_of(names.at_infinity, " or "));
 }
 
 }  // namespace gcs

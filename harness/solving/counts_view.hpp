@@ -18,7 +18,8 @@ std::string row(std::string_view label, const std::string& text);
 std::string counts_text(const ProblemStatement& problem, const TheoreticalCounts& counts);
 
 /// The members `exact` and `bound`, objects by convention or null, and `why_no_exact` and `why_no_bound`,
-/// sentences or null. A bound has its `reference` and, empty unless it is of one, the bodies of its `ring`.
+/// sentences or null. A bound has its `reference` and, empty unless it is of one, the bodies of its `ring`, and, if
+/// there are such, the points `at_infinity` of solutions that it is less.
 JsonValue counts_value(const ProblemStatement& problem, const TheoreticalCounts& counts);
 
 /// The entities of a bound by name.
@@ -26,7 +27,8 @@ struct BoundNames {
   std::vector<std::string> reference;
   std::vector<std::vector<std::string>> ring;
   int parts = 1;
-  std::string theorem{};  ///< that gives the bound; empty: none
+  std::string theorem{};                                ///< that gives the bound; empty: none
+  std::vector<std::vector<std::string>> at_infinity{};  ///< see CountBound
 };
 
 BoundNames names_of(const ProblemStatement& problem, const CountBound& bound);

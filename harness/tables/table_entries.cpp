@@ -82,12 +82,12 @@ std::optional<double> finite_path_ends(const CellRecord* cell) {
 
 std::string limit_origin(const RecordedLimit& limit) {
   if (limit.is_exact) return "Exact at generic lengths: recursion over bigraphs, Capco et al. 2018.";
-  const auto& [reference, ring, parts, theorem] = limit.bound;
-  const std::string_view source = parts > 1 || !theorem.empty() ? "."
-                                  : !ring.empty()               ? "; given shapes close in at most 16 ways."
-                                  : !reference.empty()          ? ", Bartzos, Emiris, Schicho 2020."
-                                                                : ", Macdonald, Pach, Theobald 2001.";
-  return bound_origin(limit.bound) + std::string(source);
+  const BoundNames& bound = limit.bound;
+  const std::string_view source = bound.parts > 1 || !bound.theorem.empty() ? "."
+                                  : !bound.ring.empty()      ? "; given shapes close in at most 16 ways."
+                                  : !bound.reference.empty() ? ", Bartzos, Emiris, Schicho 2020."
+                                                             : ", Macdonald, Pach, Theobald 2001.";
+  return bound_origin(bound) + std::string(source);
 }
 
 TableCell printed_entry(Table& table, const PrintedFigure* figure) {

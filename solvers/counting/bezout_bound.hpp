@@ -12,20 +12,23 @@
 
 namespace gcs {
 
-/// Points by numbers from 0, and perhaps one line, which is the x-axis.
+/// Points by numbers from 0, or planes in their place, and perhaps one line, which is the x-axis.
 struct BoundProblem {
   int dimension = 3;
   std::vector<std::array<int, 2>> edges;     ///< given distances of two points
   std::vector<bool> on_line;                 ///< one per point: whether its distance from the line is given
   std::vector<std::vector<int>> references;  ///< points that may be held fixed together to make a frame
+  bool are_points = true;                    ///< none of them is a plane
 };
 
 struct BezoutBound {
   Natural fixed_frame;
   std::size_t reference = 0;  ///< which of the references gives it
+  /// Points that in some of the solutions counted are at infinity, at all lengths: the bound is less these solutions.
+  std::vector<std::vector<int>> at_infinity{};
 };
 
-/// The smallest bound over the references; of equal ones the first. References that would take too long are
+/// The smallest bound, less the solutions of infinite_solutions.hpp, over the references; of equal ones the first. References that would take too long are
 /// left out: nothing when that is all of them, or there are none. Precondition: well posed with each
 /// reference held fixed.
 /// Every free point has the unknowns x ∈ C^d and s = x·x, a group of its own. s = x·x is of degree 2 in it,

@@ -32,6 +32,8 @@ struct CountBound {
   /// Of figures, of which the frame tells mirror images apart: so many at most, those that are their own image once. `count`
   /// is of classes, and may be no smaller where nothing says that images differ.
   std::optional<Natural> figures{};
+  /// Of the m-Bézout bound: points that are at infinity in solutions at all lengths, which it is less (infinite_solutions.hpp).
+  std::vector<std::vector<int>> at_infinity{};
 };
 
 struct TheoreticalCounts {

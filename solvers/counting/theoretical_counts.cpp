@@ -87,8 +87,11 @@ std::optional<CountBound> bezout_bound_of_points(const ProblemStatement& problem
                           references};
   const auto smallest = smallest_bezout_bound(part);
   if (!smallest) return std::nullopt;
-  return CountBound{
+  CountBound bound{
       count_in_frame(problem, smallest->fixed_frame), points_of(graph, references[smallest->reference]), {}};
+  for (const std::vector<int>& points : smallest->at_infinity)
+    bound.at_infinity.push_back(points_of(graph, points));
+  return bound;
 }
 
 std::optional<CountBound> ring_bound_of_points(const ProblemStatement& problem, const PointGraph& graph,
@@ -101,6 +104,12 @@ std::optional<CountBound> ring_bound_of_points(const ProblemStatement& problem, 
   return bound;
 }
 
+/// Of equal bounds the m-Bézout bound, unless it is less solutions at infinity.
+bool is_preferred(const CountBound& of_ring, const CountBound& bezout) {
+  const auto order = of_ring.count.fixed_frame <=> bezout.count.fixed_frame;
+  return order < 0 || (order == 0 && !bezout.at_infinity.empty());
+}
+
 /// Of a problem of points, by the simplices of the given part of it; the rest hangs on this part.
 void bound_points(const ProblemStatement& problem, const PointGraph& graph, TheoreticalCounts& counts) {
   const auto references = reference_simplices(graph, problem.dimension);
@@ -111,8 +120,7 @@ void bound_points(const ProblemStatement& problem, const PointGraph& graph, Theo
   }
   counts.bound = bezout_bound_of_points(problem, graph, references);
   const auto of_ring = ring_bound_of_points(problem, graph, references);
-  if (of_ring && (!counts.bound || of_ring->count.fixed_frame < counts.bound->count.fixed_frame))
-    counts.bound = of_ring;
+  if (of_ring && (!counts.bound || is_preferred(*of_ring, *counts.bound))) counts.bound = of_ring;
   if (!counts.bound) {
     counts.why_no_bound = bound_takes_too_long;
     return;

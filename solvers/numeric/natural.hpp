@@ -37,6 +37,12 @@ class Natural {
     fmpz_add(value_, value_, other.value_);
     return *this;
   }
+  /// Precondition: a ≥ b.
+  friend Natural operator-(const Natural& a, const Natural& b) {
+    Natural difference;
+    fmpz_sub(difference.value_, a.value_, b.value_);
+    return difference;
+  }
   friend Natural operator*(const Natural& a, const Natural& b) {
     Natural product;
     fmpz_mul(product.value_, a.value_, b.value_);

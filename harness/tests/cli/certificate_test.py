@@ -5,6 +5,7 @@ Usage: certificate_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 
 import copy
+import itertools
 import json
 import math
 import random
@@ -289,6 +290,35 @@ class Certificates(CertificateTest):
         bodies = ring["limit"][0]["bodies"]
         self.assertEqual(verdict(with_value(ring, ["limit", 0, "bodies"], bodies[2:] + bodies[:2])),
                          sentence("disulfide", *KNOWN["disulfide"]))
+
+    def test_points_at_infinity_at_all_lengths(self):
+        """As many real ones as Bartzos, Emiris, Legerský and Tsigaridas have, and no more: 16 and 24 in the frame."""
+        for name, found in (("g16b", 8), ("g24", 12)):
+            certificate = self.certificate(name)
+            self.assertEqual(verdict(certificate), sentence(name, found, found))
+            [part] = certificate["limit"]
+            [gone] = part["at_infinity"]
+            held, others = part["held"], [point for point in part["points"] if point not in part["held"]]
+            wrong = [[gone, gone], [[]], [gone[:1]], [held[:1]], [[*gone, held[0]]], [["nobody"]], gone, None,
+                     *([list(some)] for count in range(1, 5) for some in itertools.combinations(others, count)
+                       if set(some) != set(gone))]
+            for other in wrong:
+                with self.subTest(name=name, other=other):
+                    self.assertIsNone(verdict(with_value(certificate, ["limit", 0, "at_infinity"], other)))
+            without_them = without(part, ["at_infinity"])
+            self.assertIsNone(verdict(with_value(certificate, ["limit", 0], without_them)))
+            self.assertEqual(verdict(with_value(certificate, ["limit", 0], without(without_them, ["at_most"]))),
+                             some_of(name, found, found, 16))
+        # A part that stands on nothing may be anywhere, and all of it held says nothing.
+        certificate = self.certificate("g16b")
+        certificate.update(complex=1, real=1, solutions=certificate["solutions"][:1])
+        held = [["p1", "p2", "p3"], ["p4", "p6", "p7"], ["p1", "p2", "p3", "p4", "p6", "p7"], ["p5", "p4"]]
+        parts = [{"argument": "m-Bézout bound", "points": points, "held": points} for points in held]
+        parts.insert(3, {"argument": "hung point", "points": ["p5", "p1", "p2", "p3"]})
+        self.assertIsNone(verdict({**certificate, "limit": parts}))
+        # Of planes nothing of the kind is known.
+        planes = self.certificate("octahedral-5p1h")
+        self.assertIsNone(verdict(with_value(planes, ["limit", 0, "at_infinity"], [planes["instance"]["points"][3:4]])))
 
     def test_codes_and_messages(self):
         certificate = self.certificate("k33")

@@ -65,7 +65,11 @@ class Count(unittest.TestCase):
         for body in bodies:
             self.assertIn(body, text)
         self.assertEqual(self.counts("octahedron")["bound"]["ring"], [])
-        self.assertIn("m-Bézout bound with p1, p2, p3 held fixed", run("count", "octahedron").stdout)
+        self.assertIn("m-Bézout bound with p1, p2, p3 held fixed\n", run("count", "octahedron").stdout)
+        self.assertNotIn("at_infinity", self.counts("octahedron")["bound"])
+        bound = self.counts("g16b")["bound"]
+        self.assertEqual((bound["fixed_frame"], bound["at_infinity"]), (16, [["p6", "p7"]]))
+        self.assertIn("held fixed, less solutions with p6 p7 at infinity at all lengths\n", run("count", "g16b").stdout)
 
     def test_a_number_or_the_reason_why_there_is_none(self):
         for one in json.loads(run("list", "instances", "--json").stdout)["instances"]:

@@ -9,6 +9,7 @@
 
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/results/strategy_choice.hpp"
+#include "harness/tests/braced_k44.hpp"
 #include "solvers/answers/assess.hpp"
 #include "solvers/homotopies/leg_block.hpp"
 
@@ -166,7 +167,7 @@ TEST_CASE("paths lost on the way from mixed cells cost nothing where the count i
 
 TEST_CASE("paths lost in a search without a count leave open whether its list is complete") {
   // The trace test needs every path of its fibre, of more than a hundred points.
-  Lossy lossy(problem_of("g16b"), {{"arcs", "3"}});
+  Lossy lossy(braced_k44(), {{"arcs", "3"}});
   lossy.journal.lose(100, 0, all);
   lossy.strategy->prepare(lossy.request);
   lossy.journal.lose(100, all, 0);

@@ -73,14 +73,17 @@ TEST_CASE("particulars, solutions, curves and whether positions are given read b
   CHECK(again.tables[0].instances == record.tables[0].instances);
 }
 
-TEST_CASE("the ring of a bound reads back, and a run from before rings has none") {
-  RunFile record = toy::run_record();
-  std::vector<std::vector<std::string>>& ring = record.instances.front().limit->bound.ring;
-  ring = {{"p1", "p2", "p3"}, {"p2", "p3", "p4", "p5"}};
-  nlohmann::json json = nlohmann::json::parse(to_json_text(record));
-  CHECK(parse_run_file(json.dump(), "run.json").instances.front().limit->bound.ring == ring);
-  json["instances"][0]["complex_limit"].erase("ring");
-  CHECK(parse_run_file(json.dump(), "run.json").instances.front().limit->bound.ring.empty());
+TEST_CASE("the points of a bound read back, and a run from before has none") {
+  const std::vector<std::vector<std::string>> points{{"p1", "p2", "p3"}, {"p2", "p3", "p4", "p5"}};
+  for (const auto& [name, member] :
+       {std::pair("ring", &BoundNames::ring), {"at_infinity", &BoundNames::at_infinity}}) {
+    RunFile record = toy::run_record();
+    record.instances.front().limit->bound.*member = points;
+    nlohmann::json json = nlohmann::json::parse(to_json_text(record));
+    CHECK(parse_run_file(json.dump(), "run.json").instances.front().limit->bound.*member == points);
+    json["instances"][0]["complex_limit"].erase(name);
+    CHECK((parse_run_file(json.dump(), "run.json").instances.front().limit->bound.*member).empty());
+  }
 }
 
 TEST_CASE("whether S is proven reads back, and a run from before says of none that it is") {

@@ -86,9 +86,10 @@ double relative_residual(const SparseEquations& equations, const ComplexVectorX&
   return worst;
 }
 
-/// With the problem's own reference held fixed.
+/// With the problem's own reference held fixed, and with what is at infinity at all lengths, as mixed volumes have it.
 Natural bezout_bound(const ProblemStatement& problem) {
   BoundProblem bound{problem.dimension, {}, std::vector<bool>(problem.points.size(), false), {}};
+  bound.are_points = false;
   for (const DistanceConstraint& constraint : problem.constraints) bound.edges.push_back(constraint.between);
   std::vector<int>& reference = bound.references.emplace_back();
   for (const int point : {problem.reference->origin, problem.reference->axis, problem.reference->plane})

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "solvers/running/run_on_threads.hpp"
@@ -300,8 +301,8 @@ class Endgame {
     int sides = 0;
   };
 
-  /// Rounds until every steady path is back at its start. While the legs of one half are awaited, those of the other are
-  /// followed.
+  /// Rounds until every steady path is back at its start. While the legs of one half, or of one batch, are awaited, those of
+  /// the others are followed.
   void walk(Paths& paths, double radius) {
     std::vector<ActivePath*> steady;
     for (ActivePath& path : paths) {
@@ -311,10 +312,13 @@ class Endgame {
     }
     std::vector<ComplexVectorX> starts;
     for (const ActivePath& path : paths) starts.push_back(path.x);
-    const auto middle = steady.begin() + std::ssize(steady) / 2;
+    const std::size_t at_once = std::clamp<std::size_t>((steady.size() + 1) / 2, 1, batch);
     std::deque<Walkers> walking;
-    for (Walkers half : {Walkers{{steady.begin(), middle}}, Walkers{{middle, steady.end()}}})
-      go_on(std::move(half), radius, walking);
+    for (std::size_t begun = 0; begun < steady.size(); begun += at_once) {
+      const std::span<ActivePath*> some =
+          std::span(steady).subspan(begun).first(std::min(at_once, steady.size() - begun));
+      go_on({{some.begin(), some.end()}}, radius, walking);
+    }
     while (!walking.empty()) {
       Walkers first = std::move(walking.front());
       walking.pop_front();
@@ -339,7 +343,7 @@ class Endgame {
     walking.push_back(std::move(walkers));
   }
 
-  /// Of the half that was added first.
+  /// Of those whose legs were added first.
   void take_side(Walkers& walkers) {
     std::vector<ActivePath*>& paths = walkers.paths;
     const std::vector<LegResult> results = tracking_.take(stopped_, work_);

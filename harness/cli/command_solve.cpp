@@ -240,6 +240,7 @@ void add_solve_command(CLI::App& app, Invocation& invocation) {
   add_options(*command, *arguments, invocation.ranks_here);
   command->callback([&invocation, arguments] {
     invocation.action = [&invocation, arguments] {
+      arguments->limits.threads *= invocation.ranks_here;
       return solve(*arguments, invocation.quiet, invocation.crew);
     };
   });

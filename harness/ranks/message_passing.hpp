@@ -16,6 +16,8 @@ struct MessagePassing {
   bool (*has_come)(int* from, int* tag, std::size_t* count) = nullptr;
   /// The message that has_come() told of.
   void (*receive)(int from, int tag, char* bytes, std::size_t count) = nullptr;
+  /// Binds the thread, and those that it starts from now on, to this rank's cores, or to those of all ranks of its machine.
+  void (*spread)(bool to_all) = nullptr;
   /// The last call of every rank. Waits for what is sent.
   void (*finish)() = nullptr;
   /// Ends all ranks with this exit code.

@@ -1,6 +1,7 @@
 /// Message passing by MPI. A module of its own: see message_passing.hpp.
 
 #include <mpi.h>
+#include <sched.h>
 
 #include <cstdlib>
 #include <list>
@@ -61,13 +62,27 @@ void finish() {
 
 void abort_all(int code) { MPI_Abort(MPI_COMM_WORLD, code); }
 
-int ranks_on_this_machine() {
+/// Those that this rank is bound to, and those of all ranks of its machine.
+struct Cores {
+  cpu_set_t own, all;
+};
+
+Cores& cores() {
+  static Cores both;
+  return both;
+}
+
+/// Where the system refuses, the thread stays where it is.
+void spread(bool to_all) { sched_setaffinity(0, sizeof(cpu_set_t), to_all ? &cores().all : &cores().own); }
+
+void look_around(gcs::MessagePassing& passing) {
   MPI_Comm here;
-  int size = 1;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
-  MPI_Comm_size(here, &size);
+  MPI_Comm_size(here, &passing.on_this_machine);
+  CPU_ZERO(&cores().own);
+  sched_getaffinity(0, sizeof(cpu_set_t), &cores().own);
+  MPI_Allreduce(&cores().own, &cores().all, sizeof(cpu_set_t), MPI_BYTE, MPI_BOR, here);
   MPI_Comm_free(&here);
-  return size;
 }
 
 }  // namespace
@@ -81,10 +96,11 @@ extern "C" [[gnu::visibility("default")]] const gcs::MessagePassing* gcsbench_st
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level) != MPI_SUCCESS) return nullptr;
   MPI_Comm_rank(MPI_COMM_WORLD, &passing.rank);
   MPI_Comm_size(MPI_COMM_WORLD, &passing.size);
-  passing.on_this_machine = ranks_on_this_machine();
+  look_around(passing);
   passing.send = send;
   passing.has_come = has_come;
   passing.receive = receive;
+  passing.spread = spread;
   passing.finish = finish;
   passing.abort = abort_all;
   return &passing;

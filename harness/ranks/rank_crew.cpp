@@ -77,6 +77,7 @@ std::optional<int> next_receiver(const std::vector<int>& queued, std::size_t lef
 
 RankCrew::RankCrew(const MessagePassing& passing, const std::string& build)
     : passing_(passing), told_(static_cast<std::size_t>(passing.size)) {
+  passing_.spread(true);
   for (int waiting = passing.size - 1; waiting > 0; --waiting) {
     const Message message = wait_for_message(passing_);
     if (message.bytes != build)
@@ -92,10 +93,13 @@ RankCrew::~RankCrew() {
 class RankCrew::SharedWork final : public ItemWork {
  public:
   SharedWork(RankCrew& crew, const std::string& task, ItemWork& here)
-      : crew_(crew), task_(task), here_(here), queued_(static_cast<std::size_t>(crew.members()), 0) {}
+      : crew_(crew), task_(task), here_(here), queued_(static_cast<std::size_t>(crew.members()), 0) {
+    crew_.passing_.spread(false);
+  }
   /// Nothing is left behind that the next one would take for its own.
   ~SharedWork() override {
     while (under_way_ > 0) take(wait_for_message(crew_.passing_));
+    crew_.passing_.spread(true);
   }
   SharedWork(const SharedWork&) = delete;
   SharedWork& operator=(const SharedWork&) = delete;

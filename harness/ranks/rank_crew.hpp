@@ -19,7 +19,7 @@ namespace gcs {
 /// gets one now.
 std::optional<int> next_receiver(const std::vector<int>& queued, std::size_t left, std::size_t reserve);
 
-/// Of the first rank. It works too, between messages.
+/// Of the first rank. It works too, between messages; while the others wait it has the cores of those on its machine.
 class RankCrew final : public Crew {
  public:
   /// Waits for the others. `build`: what all must have in common.
@@ -33,6 +33,7 @@ class RankCrew final : public Crew {
   const std::string& misfit() const { return misfit_; }
 
   int members() const override { return passing_.size; }
+  int members_here() const override { return passing_.on_this_machine; }
   std::unique_ptr<ItemWork> share(const std::string& task, ItemWork& here) override;
 
  private:

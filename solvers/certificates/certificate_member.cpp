@@ -128,7 +128,8 @@ std::string certified(const Certifier& certifier, const std::string& item, int l
 
 void certify_by_crew(const Certifier& certifier, std::size_t points, const PointOf& point_of,
                      const ProofSetup& setup, const TakeCertificate& take, int least_bits) {
-  const std::size_t batch = batch_for_a_thread(least_bits) * static_cast<std::size_t>(setup.threads);
+  const int threads = setup.crew->threads_of_member(setup.threads);
+  const std::size_t batch = batch_for_a_thread(least_bits) * static_cast<std::size_t>(threads);
   const std::size_t items = (points + batch - 1) / batch;
   const auto item_of = [&](std::size_t item) {
     return to_message(item * batch, std::min((item + 1) * batch, points), point_of);
@@ -136,7 +137,7 @@ void certify_by_crew(const Certifier& certifier, std::size_t points, const Point
   const CertificateProgress handed_out(setup.monitor, items);
   OneByOne here([&](const NumberedItem& item) {
     handed_out.reach(item.number);
-    return certified(certifier, item.bytes, least_bits, setup.threads, setup.stop);
+    return certified(certifier, item.bytes, least_bits, threads, setup.stop);
   });
   const auto take_result = [&](const NumberedItem& result) {
     std::vector<Certificate> some;
@@ -147,7 +148,7 @@ void certify_by_crew(const Certifier& certifier, std::size_t points, const Point
       if (const std::size_t i = number++; certificate.is_tried()) take(i, std::move(certificate));
   };
   setup.crew->each_result(
-      to_task(certifier.system(), setup.threads, least_bits), items, item_of, here,
+      to_task(certifier.system(), threads, least_bits), items, item_of, here,
       [&] { return setup.stop.stop_requested(); }, take_result);
 }
 

@@ -22,6 +22,11 @@ TrackingOptions wide(TrackingOptions options) {
   return options;
 }
 
+TrackingSetup of_member(TrackingSetup setup) {
+  if (setup.crew != nullptr) setup.threads = setup.crew->threads_of_member(setup.threads);
+  return setup;
+}
+
 void LegTracking::add(std::span<const Leg> legs) {
   blocks_.push_back(std::make_unique<Block>());
   Block& block = *blocks_.back();
@@ -35,7 +40,7 @@ void LegTracking::add(std::span<const Leg> legs) {
 std::vector<LegResult> LegTracking::take(const Stopped& stopped, WorkCounters& work) {
   Block& block = *blocks_.front();
   // Once stopped, what is asked for next is no longer what an undisturbed run asks for.
-  if (journal_ != nullptr && !stopped())
+  if (setup_.journal != nullptr && !stopped())
     recall_or_follow(block, stopped);
   else
     follow(block, stopped);
@@ -72,7 +77,7 @@ void LegTracking::recall_or_follow(Block& block, const Stopped& stopped) {
     if (stopped()) return std::nullopt;
     return to_block(block.followed);
   };
-  const auto known = journal_->result(fingerprint(block.legs, unknowns_), follow_all);
+  const auto known = setup_.journal->result(fingerprint(block.legs, unknowns_), follow_all);
   if (known) block.followed = from_block(*known);
   if (block.followed.results.size() != block.legs.size())
     throw std::invalid_argument("a journal's block has not as many paths as were to be followed");
@@ -88,9 +93,9 @@ void LegTracking::follow(Block& block, const Stopped& stopped) {
 }
 
 void LegTracking::hand_in(Block& block) {
-  if (crew_ != nullptr && shared_ == nullptr) {
+  if (setup_.crew != nullptr && shared_ == nullptr) {
     items_ = std::make_unique<LegItems>(stream_);
-    shared_ = crew_->share(task_, *items_);
+    shared_ = setup_.crew->share(task_, *items_);
   }
   block.is_handed_in = true;
   const std::span<const Leg> legs = block.legs;
@@ -142,7 +147,8 @@ void LegTracking::rest() {
 
 /// Twice what fills the lanes of a member of this many threads.
 std::size_t LegTracking::legs_of_piece() const {
-  return crew_ == nullptr ? std::numeric_limits<std::size_t>::max() : 16 * static_cast<std::size_t>(threads_);
+  return setup_.crew == nullptr ? std::numeric_limits<std::size_t>::max()
+                                : 16 * static_cast<std::size_t>(setup_.threads);
 }
 
 }  // namespace gcs

@@ -19,7 +19,7 @@
 
 namespace gcs {
 
-/// How paths are followed, and on how many threads.
+/// How paths are followed, and on how many threads of this process and those of the crew on this machine.
 struct TrackingSetup {
   TrackingOptions options;
   InstructionSet set = InstructionSet::portable;
@@ -46,6 +46,9 @@ std::unique_ptr<LegStream> make_leg_stream(const System& system, const Eliminati
   return std::make_unique<LegStream>(system.unknowns, std::move(trackers), std::move(wide_trackers));
 }
 
+/// Of a crew's member here, where there is a crew.
+TrackingSetup of_member(TrackingSetup setup);
+
 /// Follows legs of one system.
 class LegTracking {
  public:
@@ -53,12 +56,10 @@ class LegTracking {
   template <class System>
   LegTracking(const System& system, const Elimination& elimination, const TrackingSetup& setup)
       : unknowns_(system.unknowns),
-        threads_(setup.threads),
-        journal_(setup.journal),
-        crew_(setup.crew),
-        stream_(make_leg_stream(system, elimination, setup)) {
-    if (crew_ != nullptr)
-      task_ = to_message({system, elimination, setup.options, setup.set, setup.threads, setup.all_wide});
+        setup_(of_member(setup)),
+        stream_(make_leg_stream(system, elimination, setup_)) {
+    if (setup_.crew != nullptr)
+      task_ = to_message({system, elimination, setup_.options, setup_.set, setup_.threads, setup_.all_wide});
   }
 
   /// Legs whose results take() returns. They are copied, and followed beside those that were added before and after.
@@ -101,9 +102,7 @@ class LegTracking {
   std::size_t legs_of_piece() const;
 
   int unknowns_;
-  int threads_;
-  Journal* journal_;
-  Crew* crew_;
+  TrackingSetup setup_;
   std::string task_{};  ///< for the crew
   std::deque<std::unique_ptr<Block>> blocks_;
   std::map<std::uint64_t, Piece> pieces_;  ///< that are followed, by the numbers of their lists

@@ -34,7 +34,7 @@ class StartStore;     // solvers/homotopies/start_store.hpp
 /// What a strategy may use, whatever the scene.
 struct SolveMeans {
   std::uint64_t seed = 1;
-  int threads = 1;
+  int threads = 1;               ///< with a crew: of all its members here, while the others wait
   std::stop_token stop{};        ///< asked for: return what is there with SolveStatus::stopped
   Monitor* monitor = nullptr;    ///< may be null
   Journal* journal = nullptr;    ///< may be null; see StrategyEntry::keeps_journal

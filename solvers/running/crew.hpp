@@ -1,6 +1,7 @@
 #pragma once
 /// Other processes that take over parts of a solve.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -56,6 +57,10 @@ class Crew {
   virtual ~Crew() = default;
   /// The processes that work, this one among them; at least 1.
   virtual int members() const = 0;
+  /// Those on this machine, likewise. While this process works alone, the cores of the others are free.
+  virtual int members_here() const = 0;
+  /// Of the threads that work while the others wait, those of one process while none does.
+  int threads_of_member(int threads) const { return std::max(1, threads / members_here()); }
   /// The work of all as that of one: items are handed out on demand, those with smaller numbers first, and `here` does what
   /// this process does of them.
   /// `task` is what they have in common; it, items and results are bytes that travel between machines of one kind.

@@ -11,7 +11,7 @@ class Crew;
 
 /// What is proven is the same for any number of threads, and any crew, unless it is stopped.
 struct ProofSetup {
-  int threads = 1;
+  int threads = 1;  ///< with a crew: of all its members here, while the others wait
   Monitor* monitor = nullptr;
   std::stop_token stop{};
   Crew* crew = nullptr;

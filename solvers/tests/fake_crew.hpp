@@ -18,6 +18,7 @@ class FakeCrew final : public Crew {
   explicit FakeCrew(Begin begin) : begin_(std::move(begin)) {}
 
   int members() const override { return 3; }
+  int members_here() const override { return 3; }
   std::unique_ptr<ItemWork> share(const std::string& task, ItemWork& here) override {
     return std::make_unique<Shared>(*this, begin_(task), here);
   }

@@ -30,6 +30,10 @@ def mpirun(ranks, *arguments):
     return [MPIRUN, *own, "--oversubscribe", "-n", str(ranks), *argv(*arguments)]
 
 
+def threads_of(text):
+    return json.loads(text)["environment"]["threads"]
+
+
 def run_ranks(ranks, *arguments):
     """In the same folder as one process does, as files of instances are shown from there."""
     return subprocess.run(mpirun(ranks, *arguments), capture_output=True, text=True, timeout=LIMIT_S, cwd=SOURCE)
@@ -104,6 +108,18 @@ class Ranks(command_line.CommandLine):
                     done = run_ranks(ranks, *solve, "--out", "-")
                     self.assertEqual(done.returncode, DONE, done.stderr)
                     self.assertEqual(answer(done.stdout), answer(alone.stdout))
+
+    def test_the_first_rank_may_use_the_cores_of_those_that_wait(self):
+        cores = len(os.sched_getaffinity(0))
+        if cores < 2:
+            self.skipTest("needs two cores")
+        bound = mpirun(2, "solve", "octahedron", "--strategy", "monodromy", "--out", "-")
+        bound[1:1] = ["--bind-to", "core"]
+        done = subprocess.run(bound, capture_output=True, text=True, timeout=LIMIT_S, cwd=SOURCE)
+        self.assertEqual((done.returncode, threads_of(done.stdout)), (DONE, 2), done.stderr)
+        for ranks, given in [(2, 3), (3, 1)]:
+            done = run_ranks(ranks, "solve", "octahedron", "--strategy", "monodromy", "--threads", given, "--out", "-")
+            self.assertEqual((done.returncode, threads_of(done.stdout)), (DONE, ranks * given), done.stderr)
 
     def test_sweeps_have_the_cells_of_one_process(self):
         for sweep in [["stability", "flat-triangle", "near-miss", "--strategies", "full-space,rcp"],

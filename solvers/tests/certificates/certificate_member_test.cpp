@@ -117,6 +117,7 @@ TEST_CASE("tasks and points that end early are refused, and other tasks left to 
   class Listener final : public Crew {
    public:
     int members() const override { return 2; }
+    int members_here() const override { return 1; }
     std::unique_ptr<ItemWork> share(const std::string& task, ItemWork&) override {
       task_ = task;
       return std::make_unique<OneByOne>([this](const NumberedItem& item) {

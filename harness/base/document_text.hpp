@@ -64,21 +64,24 @@ class DocumentWriter {
   template <typename Values, typename Make>
   void list(std::string_view name, const Values& values, Make make) {
     constexpr std::size_t most_elements = 1024;
-    begin(name);
-    std::string_view before = form_.begin_list;
+    begin_list(name);
     std::vector<std::string> block;
     for (std::size_t first = 0; first < std::size(values); first += most_elements) {
       block.resize(std::min(most_elements, std::size(values) - first));
       share_on_threads(block.size(), threads_,
                        [&](std::size_t i) { block[i] = form_.encoded(make(values[first + i])); });
-      for (const std::string& text : block) {
-        take_(before);
-        take_(text);
-        before = form_.before_element;
-      }
+      for (const std::string& text : block) add_element(text);
     }
-    take_(std::size(values) == 0 ? form_.empty_list : form_.end_list);
+    end_list();
   }
+
+  /// An array whose elements come one by one. Precondition: nothing but these until its end.
+  void begin_list(std::string_view name) {
+    begin(name);
+    is_empty_ = true;
+  }
+  void element(const JsonValue& value) { add_element(form_.encoded(value)); }
+  void end_list() { take_(is_empty_ ? form_.empty_list : form_.end_list); }
 
   /// As JSON the document ends in a newline. Precondition: nothing follows.
   void end() { take_(form_.end); }
@@ -90,10 +93,16 @@ class DocumentWriter {
     take_(form_.after_name);
   }
 
+  void add_element(std::string_view encoded) {
+    take_(std::exchange(is_empty_, false) ? form_.begin_list : form_.before_element);
+    take_(encoded);
+  }
+
   TextSink take_;
   int threads_;
   const DocumentForm& form_;
   std::string_view before_;
+  bool is_empty_ = true;  ///< the list
 };
 
 /// The document that `fill`, a function of a DocumentWriter, writes.

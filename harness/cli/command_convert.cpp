@@ -17,10 +17,10 @@ namespace {
 
 ExitCode convert(const std::string& result, const std::string& out) {
   require_another_file(out, result);
-  const JsonValue document = load_result_document(result);
+  const std::string text = read_result(result);
   Output file(out);
   rewrite_result(
-      document, [&](std::string_view piece) { file.write(piece); }, form_of(out));
+      text, result, [&](std::string_view piece) { file.write(piece); }, form_of(out));
   file.commit();
   return ExitCode::done;
 }

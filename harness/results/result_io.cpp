@@ -1,5 +1,6 @@
 #include "harness/results/result_io.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "harness/base/document_text.hpp"
@@ -10,7 +11,9 @@
 #include "harness/results/result_counts.hpp"
 #include "harness/solving/frame_view.hpp"
 #include "solvers/elements/general_structure.hpp"
+#include "solvers/reading/cbor_document.hpp"
 #include "solvers/reading/figure_json.hpp"
+#include "solvers/reading/json_cursor.hpp"
 
 namespace gcs {
 
@@ -234,18 +237,72 @@ void write_result(const Instance& instance, const SolveRun& run, const Environme
   document.end();
 }
 
-void rewrite_result(const JsonValue& result, const TextSink& take, const DocumentForm& form) {
-  DocumentWriter document(result_format, take, 1, form);
-  for (const auto& [name, value] : result.members) {
-    if (name == "format") continue;
-    const bool is_list = name == "solutions" || name == "escaping";
-    if (is_list && value.kind == JsonValue::Kind::array)
-      document.list(name, value.elements,
-                    [](const JsonValue& element) -> const JsonValue& { return element; });
-    else
-      document.member(name, value);
+namespace {
+
+/// Writes a result as it is read.
+class ResultRewriter {
+ public:
+  ResultRewriter(const std::string& file, TextSink take, const DocumentForm& form)
+      : file_(file), take_(std::move(take)), form_(form) {}
+
+  /// `known`: the result as far as it is read.
+  bool add_solution(const JsonValue& known, const JsonValue& solution, std::size_t number) {
+    if (number == 0 && known.find("format") != nullptr) {
+      add_members(known);
+      document_->begin_list(solutions);
+    }
+    if (document_) document_->element(solution);
+    return document_.has_value();
   }
-  document.end();
+
+  void finish(const JsonValue& result) {
+    if (document_) {
+      document_->end_list();
+      ++members_;
+    }
+    add_members(result);
+    document_->end();
+  }
+
+  static constexpr std::string_view solutions = "solutions";
+
+ private:
+  /// Those that are not written.
+  void add_members(const JsonValue& known) {
+    if (!document_) {
+      JsonCursor(known, file_).require_format(result_format);
+      document_.emplace(result_format, take_, 1, form_);
+    }
+    for (; members_ < known.members.size(); ++members_) {
+      const auto& [name, value] = known.members[members_];
+      if (name != "format") add_member(name, value);
+    }
+  }
+
+  void add_member(const std::string& name, const JsonValue& value) {
+    if ((name == solutions || name == "escaping") && value.kind == JsonValue::Kind::array)
+      document_->list(name, value.elements,
+                      [](const JsonValue& element) -> const JsonValue& { return element; });
+    else
+      document_->member(name, value);
+  }
+
+  const std::string& file_;
+  TextSink take_;
+  const DocumentForm& form_;
+  std::optional<DocumentWriter> document_;
+  std::size_t members_ = 0;  ///< that are written
+};
+
+}  // namespace
+
+void rewrite_result(std::string_view text, const std::string& file, const TextSink& take,
+                    const DocumentForm& form) {
+  ResultRewriter rewriter(file, take, form);
+  const auto add = [&](const JsonValue& known, const JsonValue& solution, std::size_t number) {
+    return rewriter.add_solution(known, solution, number);
+  };
+  rewriter.finish(parse_document(text, file, {ResultRewriter::solutions, add}));
 }
 
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment) {

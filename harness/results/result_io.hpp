@@ -25,8 +25,10 @@ JsonValue motions_value(const ProblemStatement& problem, const std::vector<Motio
 void write_result(const Instance& instance, const SolveRun& run, const Environment& environment,
                   const TextSink& take, const DocumentForm& form = json_form);
 
-/// A stored result in that form: what write_result writes of the same solve. Precondition: an object.
-void rewrite_result(const JsonValue& result, const TextSink& take, const DocumentForm& form);
+/// The result in `text` in that form: what write_result writes of the same solve, solution by solution. `file` is for
+/// messages. Throws InputError, perhaps after a part is written.
+void rewrite_result(std::string_view text, const std::string& file, const TextSink& take,
+                    const DocumentForm& form);
 std::string result_text(const Instance& instance, const SolveRun& run, const Environment& environment);
 
 }  // namespace gcs

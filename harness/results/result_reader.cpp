@@ -105,18 +105,27 @@ StoredResult empty_result(const JsonCursor& root, const std::string& file) {
   return {.instance = instance, .scene = instance};
 }
 
+JsonCursor solution_cursor(const JsonValue& solution, const std::string& file, std::size_t number) {
+  return {solution, file, "/solutions/" + std::to_string(number)};
+}
+
+}  // namespace
+
 std::string read_result(const std::string& argument) {
   return argument == "-" ? read_all(std::cin, argument)
                          : read_file(argument, "give a file that `gcsbench solve --out` has written");
 }
 
-}  // namespace
-
 Answer parse_answer(const std::string& text, const Scene& scene, const std::string& source) {
-  const JsonValue document = parse_document(text, source);
+  Answer answer;
+  const auto take = [&](const JsonValue& known, const JsonValue& solution, std::size_t number) {
+    if (known.find("format") != nullptr) JsonCursor(known, source).require_format(result_format);
+    answer.solutions.push_back(read_solution(solution_cursor(solution, source, number), scene));
+    return true;
+  };
+  const JsonValue document = parse_document(text, source, {"solutions", take});
   const JsonCursor root(document, source);
   if (root.optional("format")) root.require_format(result_format);
-  Answer answer;
   read_answer(root, scene, answer);
   return answer;
 }
@@ -126,8 +135,7 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   const auto take = [&](const JsonValue& known, const JsonValue& solution, std::size_t number) {
     if (known.find("format") == nullptr || known.find("instance") == nullptr) return false;
     if (!read) read.emplace(empty_result({known, file}, file));
-    const JsonCursor cursor(solution, file, "/solutions/" + std::to_string(number));
-    read->answer.solutions.push_back(read_solution(cursor, read->scene));
+    read->answer.solutions.push_back(read_solution(solution_cursor(solution, file, number), read->scene));
     return true;
   };
   const JsonValue document = parse_document(text, file, {"solutions", take});
@@ -144,12 +152,6 @@ StoredResult parse_result(const std::string& text, const std::string& file) {
   if (const auto totals = root.optional("totals"); totals && !totals->is_null())
     visit_totals(result.answer.totals.emplace(), RecordReader(*totals, passed_over));
   return result;
-}
-
-JsonValue load_result_document(const std::string& argument) {
-  JsonValue document = parse_document(read_result(argument), argument);
-  JsonCursor(document, argument).require_format(result_format);
-  return document;
 }
 
 StoredResult load_result(const std::string& argument) {

@@ -24,9 +24,8 @@ Answer parse_answer(const std::string& text, const Scene& scene, const std::stri
 /// Throws InputError.
 StoredResult parse_result(const std::string& text, const std::string& file);
 
-/// The result in the file of that name as it stands there, of which only the format is read; "-" is standard input.
-/// Throws InputError.
-JsonValue load_result_document(const std::string& argument);
+/// What the file of that name holds; "-" is standard input. Throws InputError.
+std::string read_result(const std::string& argument);
 
 /// The result in the file of that name; "-" is standard input. Throws InputError.
 StoredResult load_result(const std::string& argument);

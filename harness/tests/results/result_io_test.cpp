@@ -6,6 +6,7 @@
 
 #include "harness/cli/solve_summary.hpp"
 #include "harness/tests/instances/toy_scene.hpp"
+#include "solvers/running/errors.hpp"
 
 using namespace gcs;
 using Json = nlohmann::json;
@@ -82,10 +83,21 @@ TEST_CASE("a result as CBOR says what the JSON does, digit for digit") {
     CHECK(cbor.size() < json.size());
     std::string converted;
     rewrite_result(
-        parse_document(cbor, "f"), [&](std::string_view piece) { converted += piece; }, json_form);
+        cbor, "f", [&](std::string_view piece) { converted += piece; }, json_form);
     CHECK(converted == json);
   }
   CHECK(form_of("cbor").begin == "{");
+}
+
+TEST_CASE("a result is rewritten while it is read") {
+  const std::string json = result_text(toy::instance(), toy_run(), {});
+  const std::string cut_off = json.substr(0, json.find("\"path\""));
+  std::string written;
+  CHECK_THROWS_AS(rewrite_result(
+                      cut_off, "f", [&](std::string_view piece) { written += piece; }, json_form),
+                  InputError);
+  CHECK(json.starts_with(written));
+  CHECK(written.size() > json.find("\"solutions\""));
 }
 
 TEST_CASE("counts that are not determined are null") {

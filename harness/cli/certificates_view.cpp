@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 #include "harness/base/summary_line.hpp"
 
 namespace gcs {
@@ -26,6 +28,22 @@ std::string completeness(const Proofs& proofs, std::uint64_t classes, std::uint6
   return fmt::format("found, not proven: {} certified{}, and {}", classes, beyond, limit_text(proofs));
 }
 
+/// Empty where each solution stands for itself.
+std::string clusters_text(const Proofs& proofs) {
+  const std::uint64_t undecided = proofs.clusters - proofs.multiple;
+  if (undecided == 0 && proofs.in_clusters == proofs.clusters) return "";
+  const std::string what =
+      undecided == 0 ? ", as multiple ones"
+      : proofs.multiple == 0
+          ? ", that are not told apart"
+          : fmt::format("; {} are multiple ones, the others are not told apart", proofs.multiple);
+  return summary_line(
+      "clusters",
+      fmt::format("{} stand{} for {}, counted with multiplicities{}",
+                  proofs.clusters == 1 ? "1 solution" : fmt::format("{} solutions", proofs.clusters),
+                  proofs.clusters == 1 ? "s" : "", proofs.in_clusters, what));
+}
+
 /// Empty where no solution was looked for at infinity.
 std::string infinity_text(const Proofs& proofs) {
   if (proofs.at_infinity == 0 && proofs.why_not_at_infinity.empty()) return "";
@@ -46,14 +64,11 @@ std::string certificates_text(const Proofs& proofs, std::size_t solutions, bool 
       "certified", fmt::format("{}{} solutions exist, each in a class of its own, {} of them real; "
                                "proven in {} bits at most",
                                proofs.classes, listed, proofs.real, proofs.most_bits));
-  if (proofs.clusters > 0)
-    text += summary_line("clusters", fmt::format("{} solutions stand for {}, counted with multiplicities, "
-                                                 "that are not told apart",
-                                                 proofs.clusters, proofs.in_clusters));
+  text += clusters_text(proofs);
   text += infinity_text(proofs);
   if (lists_all_complex)
-    text += summary_line("all complex", completeness(proofs, proofs.classes + proofs.in_clusters,
-                                                     proofs.at_infinity, proofs.with_image));
+    text += summary_line("all complex", completeness(proofs, proofs.with_multiplicities(), proofs.at_infinity,
+                                                     proofs.with_image));
   if (proofs.generic)
     text += summary_line("all generic", fmt::format("{} classes certified; {}", *proofs.generic,
                                                     completeness(proofs, *proofs.generic)));

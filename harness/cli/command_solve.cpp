@@ -99,7 +99,7 @@ std::optional<Output> open_certificate(const SolveArguments& arguments, const In
 
 void keep_certificate(const Instance& instance, const Scene& scene, const SolveRun& run,
                       Output& certificate) {
-  const std::uint64_t proven = run.proofs ? run.proofs->classes + run.proofs->in_clusters : 0;
+  const std::uint64_t proven = run.proofs ? run.proofs->with_multiplicities() : 0;
   if (proven == 0) return complain("nothing is proven, and no certificate is written");
   const std::uint64_t kept =
       write_certificate(instance, scene, run, [&](std::string_view piece) { certificate.write(piece); });

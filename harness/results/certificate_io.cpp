@@ -1,6 +1,7 @@
 #include "harness/results/certificate_io.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -12,6 +13,7 @@
 #include "harness/solving/frame_view.hpp"
 #include "solvers/certificates/dyadic_figure.hpp"
 #include "solvers/certificates/solutions_at_infinity.hpp"
+#include "solvers/numeric/natural.hpp"
 
 namespace gcs {
 namespace {
@@ -21,11 +23,14 @@ struct ProvenFigure {
   bool is_real;
 };
 
+/// DyadicBox::radius is 2 to the power of this.
+constexpr int radius_bits = std::bit_width(unsigned{DyadicBox::radius}) - 1;
+
 /// `members` come first.
 JsonValue box_value(JsonMembers members, const DyadicBox& box, bool is_real) {
   const auto number = [&](const DecimalNumber& one) { return json_decimal(one, is_real); };
   members.emplace_back("exponent", json_number(box.exponent));
-  members.emplace_back("radius", json_text(std::to_string(DyadicBox::radius)));
+  members.emplace_back("radius", json_text(Natural::power_of_two(radius_bits + box.widening).decimal()));
   members.emplace_back("numbers", json_array_of(box.numbers, number));
   return json_object(std::move(members));
 }
@@ -93,7 +98,8 @@ std::vector<ProvenFigure> proven_figures(const Scene& scene, const Answer& answe
   std::vector<ProvenFigure> proven;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     if (boxes[i] && (answer.solutions[i].certified || boxes[i]->solutions > 1))
-      proven.push_back({*boxes[i], listed[i].is_real() && boxes[i]->solutions == 1});
+      proven.push_back(
+          {*boxes[i], listed[i].is_real() && (boxes[i]->solutions == 1 || boxes[i]->is_multiple)});
   return proven;
 }
 

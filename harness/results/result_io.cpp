@@ -186,6 +186,7 @@ JsonValue proofs_value(const std::optional<Proofs>& proofs) {
                         {"real", json_count(p.real)},
                         {"clusters", json_count(p.clusters)},
                         {"in_clusters", json_count(p.in_clusters)},
+                        {"multiple", json_count(p.multiple)},
                         {"at_infinity", json_count(p.at_infinity)},
                         {"most_bits", json_number(p.most_bits)},
                         {"generic", json_or_null(p.generic, count)},

@@ -60,7 +60,7 @@ class Verifier {
       mismatch("class",
                fmt::format("solution {} is {} class as solution {}", i,
                            proof.is_proven_same ? "the same" : "not proven to be another", proof.same_as));
-    if (!certificate.is_proven) return;
+    if (!certificate.holds_one()) return;
     check_realness(i);
     if (certificate.realness == Certificate::Realness::real && !signs_.empty()) check_signs(i);
   }
@@ -218,6 +218,7 @@ class Verifier {
       const Certificate& certificate = proofs_[i].certificate;
       if (!proofs_[i].counts()) continue;
       ++proofs.classes;
+      proofs.multiple += certificate.is_multiple ? 1 : 0;
       const bool is_real = certificate.realness == Certificate::Realness::real;
       proofs.real += is_real && standings_[i] == Standing::as_stated ? 1 : 0;
       proofs.undecided += is_real && standings_[i] == Standing::undecided ? 1 : 0;

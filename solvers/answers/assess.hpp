@@ -67,6 +67,7 @@ struct Proofs {
   std::uint64_t undecided = 0;    ///< those of them that are real, and not known to be as stated or not to be
   std::uint64_t clusters = 0;     ///< solutions that are proven to stand for several (ball_cluster.hpp)
   std::uint64_t in_clusters = 0;  ///< so many, with multiplicities
+  std::uint64_t multiple = 0;     ///< clusters that are one solution each, and are among `classes`
   int most_bits = 0;              ///< the highest precision that a proof took
   /// Solutions proven to be at infinity here and finite at generic lengths (solutions_at_infinity.hpp).
   std::uint64_t at_infinity = 0;
@@ -81,9 +82,11 @@ struct Proofs {
   /// So many proven solutions are all there are, of which some are known to be two figures.
   bool meets_limit(std::uint64_t count, std::uint64_t two_figures = 0) const;
   /// Those that the list stands for are, with those at infinity, which lengths next to these bring back.
-  bool are_complete() const { return meets_limit(classes + in_clusters + at_infinity, with_image); }
-  /// So many of them are real, and no more: of those in clusters it is not known.
-  bool decide_real() const { return meets_limit(classes + at_infinity, with_image) && undecided == 0; }
+  bool are_complete() const { return meets_limit(with_multiplicities() + at_infinity, with_image); }
+  /// So many of them are real, and no more: of clusters it is not known how many differ.
+  bool decide_real() const { return are_complete() && clusters == multiple && undecided == 0; }
+  /// All that are proven.
+  std::uint64_t with_multiplicities() const { return classes - multiple + in_clusters; }
 };
 
 struct Assessment {

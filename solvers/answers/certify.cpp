@@ -85,11 +85,11 @@ std::string objection(const AssessedSolution& solution, const SolutionProof& pro
     return fmt::format(
         "is listed with multiplicity {} and is a cluster of {} solutions, multiplicities counted",
         solution.multiplicity, cluster);
-  if (cluster > 0)
+  if (cluster > 0 && !proof.certificate.is_multiple)
     return fmt::format("is not proven: {}, no further from it than {:.1e}", proof.certificate.cause,
                        std::ldexp(proof.distance, solution.terms->unit_exponent));
-  if (!proof.certificate.is_proven) return "is not proven: " + proof.certificate.cause;
-  if (solution.multiplicity > 1)
+  if (!proof.certificate.holds_one()) return "is not proven: " + proof.certificate.cause;
+  if (cluster == 0 && solution.multiplicity > 1)
     return fmt::format("is listed with multiplicity {} and is a simple one", solution.multiplicity);
   if (proof.is_proven_same) return fmt::format("is the same class as solution {}", proof.same_as);
   if (proof.same_as >= 0)
@@ -114,7 +114,7 @@ void find_decimals(const SceneEquations& equations, const Scene& scene, const Pr
 }
 
 bool proves_real(const Certificate& certificate) {
-  return certificate.is_proven && certificate.realness == Certificate::Realness::real;
+  return certificate.holds_one() && certificate.realness == Certificate::Realness::real;
 }
 
 std::uint64_t proven_real(const Assessment& assessment) {
@@ -164,18 +164,19 @@ void prove_listed(const SceneEquations& equations, const Scene& scene, const Pro
     if (!what.empty()) {
       const Certificate& certificate = all[i].certificate;
       const bool is_multiple =
-          !certificate.is_proven &&
+          !certificate.holds_one() &&
           (certificate.cluster == 0 ? solution.multiplicity > 1 : all[i].fits(solution.multiplicity));
       assessment.failed_checks.push_back(
           {is_multiple ? "singular" : "certificate", fmt::format("solution {} {}", i, what)});
     }
-    if (all[i].certificate.is_proven)
+    if (all[i].certificate.holds_one())
       solution.error_bound = error_in_file(solution.figure, all[i].distance, scene.size(),
                                            scene.unit_exponent(), scene.problem().file_frame);
     if (!signs.empty() && proves_real(all[i].certificate) && solution.is_real())
       solution.signs = all[i].signs;
     solution.certified = what.empty();
     proofs.classes += solution.certified ? 1 : 0;
+    proofs.multiple += solution.certified && all[i].certificate.is_multiple ? 1 : 0;
     proofs.most_bits = std::max(proofs.most_bits, all[i].certificate.bits);
   }
   count_clusters_and_images(all, proofs);

@@ -35,7 +35,7 @@ struct SolutionProof {
   SignVerdict signs{};  ///< of one that is proven to be real
 
   /// Whether it is a solution of its own.
-  bool counts() const { return certificate.is_proven && same_as < 0; }
+  bool counts() const { return certificate.holds_one() && same_as < 0; }
 
   /// Whether a solution may be listed with that multiplicity. Of its own mirror image it is not known whether
   /// that is it, or another solution in the enclosure.

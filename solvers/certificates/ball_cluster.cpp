@@ -122,13 +122,15 @@ class Expansion {
     return product(directions_, z, bits_);
   }
 
-  /// The polydisc that the theorem proves with forms of this degree and this β, a power of two.
-  std::optional<BallCluster> cluster(int degree, double beta) const {
+  /// The polydisc that the theorem proves with forms of this degree and this β, a power of two; `holds_x`: it is to hold x,
+  /// where a = −A(0) and b = 0.
+  std::optional<BallCluster> cluster(int degree, double beta, bool holds_x = false) const {
     if (!is_valid_) return std::nullopt;
     const double leading = std::pow(beta, degree);
     const Eigen::VectorXd of_b = sum(alone_, beta);
     // What b alone leaves of f₁, and as much again for a itself; that of the forms where it is nothing.
     const Eigen::VectorXd size = 2 * rounded_up(of_b).head(regular_).cwiseMax(leading);
+    if (holds_x && !(curve_sizes_[0].head(regular_).array() <= size.array()).all()) return std::nullopt;
     Eigen::VectorXd with_a = Eigen::VectorXd::Zero(unknowns_);
     for (std::size_t k = 0; k < with_a_.size(); ++k) with_a += upper_power(beta, k) * (with_a_[k] * size);
     for (Eigen::Index j = 0; j < regular_; ++j)
@@ -298,9 +300,9 @@ class Expansion {
 };
 
 /// How many singular values may be those of directions that the Jacobian nearly takes to zero: below an eighth of the others.
-std::vector<int> possible_coranks(const BallKrawczyk& system, const std::vector<Complex>& x) {
+std::vector<int> possible_coranks(const BallKrawczyk& system, const BallMatrix& x) {
   const Eigen::VectorXd sizes =
-      Eigen::JacobiSVD<Eigen::MatrixXcd>(middles(system.jacobian(BallKrawczyk::vector(x)))).singularValues();
+      Eigen::JacobiSVD<Eigen::MatrixXcd>(middles(system.jacobian(x))).singularValues();
   const auto unknowns = static_cast<int>(sizes.size());
   std::vector<int> result;
   for (int corank = 1; corank <= std::min(most_corank, unknowns); ++corank)
@@ -310,6 +312,21 @@ std::vector<int> possible_coranks(const BallKrawczyk& system, const std::vector<
 }
 
 bool is_finite(const BallMatrix& matrix) { return acb_mat_is_finite(matrix.get()) != 0; }
+
+/// Of the smallest β and r that the theorem proves.
+std::optional<BallCluster> smallest_cluster(const BallKrawczyk& system, const BallMatrix& x, bool holds_x) {
+  // Unknowns are of order 1. Half of the digits of doubles are left to the point at least; below, twice as
+  // many digits as a point in doubles can have are of no use.
+  constexpr int largest = -4, smallest = -104;
+  for (const int corank : possible_coranks(system, x)) {
+    const int most = corank == 1 ? most_in_line : 2;
+    const Expansion expansion(system, x, corank, most - 1);
+    for (int exponent = smallest; exponent <= largest; ++exponent)
+      for (int degree = 2; degree <= most; ++degree)
+        if (auto cluster = expansion.cluster(degree, std::ldexp(1.0, exponent), holds_x)) return cluster;
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -331,17 +348,12 @@ std::optional<BallMatrix> meeting_point(const BallKrawczyk& system, const std::v
 }
 
 std::optional<BallCluster> prove_cluster(const BallKrawczyk& system, const std::vector<Complex>& x) {
-  // Unknowns are of order 1. Half of the digits of doubles are left to the point at least; below, twice as
-  // many digits as a point in doubles can have are of no use.
-  constexpr int largest = -4, smallest = -104;
-  for (const int corank : possible_coranks(system, x)) {
-    const int most = corank == 1 ? most_in_line : 2;
-    const Expansion expansion(system, BallKrawczyk::vector(x), corank, most - 1);
-    for (int exponent = smallest; exponent <= largest; ++exponent)
-      for (int degree = 2; degree <= most; ++degree)
-        if (auto cluster = expansion.cluster(degree, std::ldexp(1.0, exponent))) return cluster;
-  }
-  return std::nullopt;
+  return smallest_cluster(system, BallKrawczyk::vector(x), false);
+}
+
+bool are_about(const BallKrawczyk& system, const BallMatrix& x, int solutions) {
+  const std::optional<BallCluster> cluster = smallest_cluster(system, x, true);
+  return cluster && cluster->solutions == solutions;
 }
 
 }  // namespace gcs

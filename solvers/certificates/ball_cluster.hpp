@@ -36,6 +36,10 @@ struct BallCluster {
 std::optional<BallCluster> prove_cluster(const BallKrawczyk& system,
                                          const std::vector<std::complex<double>>& x);
 
+/// Whether a polydisc that holds x is proven to hold so many: if these are the multiplicity of x, no other solution is in it. x
+/// may be balls about a number that takes more digits.
+bool are_about(const BallKrawczyk& system, const BallMatrix& x, int solutions);
+
 /// The point next to x, 2 ≤ solutions ≤ 8, about which so many are proven to lie in a polydisc with β = 2^(−200/solutions), where
 /// the Jacobian loses one from its rank. Newton's method along the curve finds it, which does not settle there otherwise. Precondition:
 /// balls of 256 bits at least.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solvers/certificates/ball_cluster.hpp"
+#include "solvers/certificates/multiple_solution.hpp"
 #include "solvers/numeric/rounding.hpp"
 
 namespace gcs {
@@ -115,6 +116,12 @@ void Certifier::find_cluster(const Point& x, Certificate& certificate) const {
   certificate.bits = static_cast<int>(ball_precisions.front());
   certificate.enclosure.mid = x;
   for (const double radius : cluster->radius) certificate.enclosure.radius.emplace_back(radius, radius);
+  // Of one solution the enclosure holds that, whichever polydisc proves how often it counts.
+  const auto fractions = simplest_fractions(x, cluster->radius);
+  certificate.is_multiple =
+      fractions && least_multiplicity(system_, *fractions, cluster->solutions) == cluster->solutions &&
+      are_about(level(0), enclosed(*fractions, level(0).bits()), cluster->solutions);
+  if (certificate.is_multiple) certificate.realness = Certificate::Realness::real;
   certificate.cause = "it is singular or nearly so, a cluster of " + std::to_string(cluster->solutions) +
                       " solutions, counted with multiplicities";
 }

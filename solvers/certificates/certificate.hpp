@@ -27,13 +27,16 @@ struct Certificate {
   /// Solutions in `enclosure`, with multiplicities, that are not proven to be different or to be one; 0: the
   /// point was not found to be in a cluster.
   int cluster = 0;
-  int bits = 0;  ///< the precision that it took; 53: doubles
+  bool is_multiple = false;  ///< the cluster is one solution, which has fractions for unknowns
+  int bits = 0;              ///< the precision that it took; 53: doubles
   Enclosure enclosure;
   Realness realness = Realness::undecided;  ///< of the solution: of all its unknowns together
-  std::string cause;                        ///< why nothing is proven, in words; empty when it is
+  std::string cause;                        ///< why no simple solution is proven, in words; empty when one is
 
   /// Whether the point has been looked at.
   bool is_tried() const { return is_proven || !cause.empty(); }
+  /// Whether one solution is known to be there, and no other one.
+  bool holds_one() const { return is_proven || is_multiple; }
   /// Whether `enclosure` is one.
   bool is_isolated() const { return is_proven || cluster > 0; }
   /// At least |x_i − solution_i|, for every solution of a cluster.

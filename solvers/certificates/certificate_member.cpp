@@ -42,8 +42,8 @@ void visit_equation(auto& visit, auto& equation) {
 }
 
 void visit_certificate(auto& visit, auto& c) {
-  visit_all(visit, c.is_proven, c.cluster, c.bits, c.enclosure.mid, c.enclosure.radius, c.enclosure.unique,
-            c.realness, c.cause);
+  visit_all(visit, c.is_proven, c.cluster, c.is_multiple, c.bits, c.enclosure.mid, c.enclosure.radius,
+            c.enclosure.unique, c.realness, c.cause);
 }
 
 std::string to_task(const QuadraticSystem& system, int threads, int least_bits) {

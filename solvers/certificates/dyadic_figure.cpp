@@ -9,6 +9,7 @@
 #include <string>
 
 #include "solvers/certificates/enclosed_point.hpp"
+#include "solvers/certificates/multiple_solution.hpp"
 #include "solvers/model/frame_choice.hpp"
 #include "solvers/running/run_on_threads.hpp"
 
@@ -171,6 +172,7 @@ class DyadicWriter {
   std::optional<DyadicBox> box(const Figure& near) const {
     const ComplexValues x = equations_.coordinates(near);
     const Certificate certificate = certifier_.certify(x);
+    if (certificate.is_multiple) return multiple_box(certificate);
     if (certificate.cluster > 0) return cluster_box(certificate);
     if (certificate.is_proven)
       if (auto result = box(place_of(certificate.enclosure), near.is_real())) return result;
@@ -192,17 +194,36 @@ class DyadicWriter {
   }
 
   /// Four times as large as the cluster: other coordinates take more room.
-  std::optional<DyadicBox> cluster_box(const Certificate& certificate) const {
-    Enclosure middle = certificate.enclosure;
+  static int exponent_about(const Certificate& certificate) {
     double reach = 0;
-    for (std::complex<double>& radius : middle.radius) {
+    for (const std::complex<double>& radius : certificate.enclosure.radius)
       reach = std::max(reach, std::abs(radius));
-      radius = 0;
-    }
-    const int exponent = std::ilogb(8 * reach) - std::ilogb(double{DyadicBox::radius});
+    return std::ilogb(8 * reach) - std::ilogb(double{DyadicBox::radius});
+  }
+
+  std::optional<DyadicBox> cluster_box(const Certificate& certificate) const {
+    const int exponent = exponent_about(certificate);
     if (exponent > 0) return std::nullopt;
+    Enclosure middle = certificate.enclosure;
+    for (std::complex<double>& radius : middle.radius) radius = 0;
     DyadicBox result = box_of(listed_.numbers(balls_of(middle), ball_precisions.front()), exponent);
     result.solutions = certificate.cluster;
+    return result;
+  }
+
+  /// Of as many digits that there are no simpler fractions within their last ones.
+  std::optional<DyadicBox> multiple_box(const Certificate& certificate) const {
+    constexpr slong bits = 256;
+    constexpr int exponent = -120;
+    const int widening = exponent_about(certificate) - exponent;
+    if (widening < 0 || widening > -exponent) return std::nullopt;
+    std::vector<double> radius;
+    for (const std::complex<double>& one : certificate.enclosure.radius) radius.push_back(one.real());
+    const auto fractions = simplest_fractions(certificate.enclosure.mid, radius);
+    DyadicBox result = box_of(listed_.numbers(enclosed(*fractions, bits), bits), exponent);
+    result.widening = widening;
+    result.solutions = certificate.cluster;
+    result.is_multiple = true;
     return result;
   }
 
@@ -239,7 +260,7 @@ std::vector<std::optional<DyadicBox>> dyadic_figures(const SceneEquations& equat
     if (!boxes[i] || boxes[i]->solutions == 1) continue;
     const auto meets_this = [&](std::size_t other) {
       return largest_difference(equations.coordinates(near[i]), equations.coordinates(near[other])) <=
-             DyadicBox::radius * (std::ldexp(1, boxes[i]->exponent) + std::ldexp(1, boxes[other]->exponent));
+             boxes[i]->reach() + boxes[other]->reach();
     };
     if (std::ranges::any_of(clusters, meets_this))
       boxes[i].reset();

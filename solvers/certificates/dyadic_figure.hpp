@@ -1,6 +1,7 @@
 #pragma once
 /// Proven solutions in exact dyadic numbers, for checkers that somebody else has written.
 
+#include <cmath>
 #include <complex>
 #include <optional>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace gcs {
 
-/// Whole numbers times 2^exponent. Exactly one solution, and a regular one, has every unknown within radius·2^exponent of
+/// Whole numbers times 2^exponent. Exactly one solution, and a regular one, has every unknown within reach() of
 /// them; so small a box leaves Newton's method, in exact arithmetic and with an inverse in doubles, room enough to show it
 /// again, and numbers that are off by some units leave room for others that are computed from them. Lengths are in the
 /// scene's unit, and the exponent is at most 0.
@@ -19,7 +20,12 @@ struct DyadicBox {
 
   std::vector<DecimalNumber> numbers;
   int exponent = 0;
+  int widening = 0;   ///< the radius is 2^widening times as large
   int solutions = 1;  ///< more: a cluster of so many, counted with multiplicities, in the place of the one
+  /// The cluster is one solution: real, and that with the least denominators within radius·2^exponent.
+  bool is_multiple = false;
+
+  double reach() const { return std::ldexp(radius, exponent + widening); }
 };
 
 /// The zero of `inner` next to x. `outer` has the same unknowns, then others, and a zero where these are 0: it is the one of

@@ -55,6 +55,16 @@ Rational rational(const ExactNumber& number) {
   return number.is_negative ? Rational(-1) * result : result;
 }
 
+std::optional<Rational> fraction(const ExactNumber& number) {
+  if (number.is_cosine_of_degrees || number.value.imag() != 0) return std::nullopt;
+  const Rational whole = rational(number);
+  if (number.divided_by_norm_of.empty()) return whole;
+  Rational square;
+  for (const ExactNumber& part : number.divided_by_norm_of) square = square + rational(part) * rational(part);
+  const std::optional<Rational> norm = square.root();
+  return norm ? std::optional(whole / *norm) : std::nullopt;
+}
+
 DoubleDouble nearest_double_double(const ExactNumber& number) {
   Ball exact, high;
   const acb_ptr rest = exact;

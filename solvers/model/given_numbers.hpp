@@ -20,8 +20,11 @@ ExactNumber given_cosine(const Relation& relation, bool is_squared);
 /// Coordinate `axis` of a point; 0 where the file gives none.
 ExactNumber given_coordinate(const Scene& scene, int point, int axis);
 
-/// The real part.
+/// The real part. Preconditions: it is no cosine of degrees, and divided by nothing.
 Rational rational(const ExactNumber& number);
+
+/// Of any real number; nothing where it is divided by a root that is no fraction, or is a cosine of degrees.
+std::optional<Rational> fraction(const ExactNumber& number);
 
 /// The real part in double-double: right to 2^-104 relative, or to what underflows.
 DoubleDouble nearest_double_double(const ExactNumber& number);

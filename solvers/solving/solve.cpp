@@ -259,7 +259,7 @@ class Solve {
   /// Where as many solutions are proven as there can be, none is missing, whatever the strategy doubts.
   void believe_proofs() {
     const Proofs& proofs = *answer_.proofs;
-    const bool are_proven = proofs.classes + proofs.clusters == answer_.solutions.size();
+    const bool are_proven = proofs.classes + proofs.clusters - proofs.multiple == answer_.solutions.size();
     if (answer_.status != RunStatus::partial || answer_.claim != Claim::all_complex) return;
     if (!are_proven || !proofs.are_complete()) return;
     answer_.status = RunStatus::complete;

@@ -9,28 +9,17 @@
 namespace gcs {
 namespace {
 
-/// What the number is divided by: nothing where that is a root that is no fraction.
-std::optional<Rational> divisor(const ExactNumber& number) {
-  if (number.divided_by_norm_of.empty()) return Rational(1);
-  Rational square;
-  for (const ExactNumber& part : number.divided_by_norm_of) square = square + rational(part) * rational(part);
-  return square.root();
-}
-
 bool has_fractions(const LinearForm& form) {
-  return divisor(form.constant) && std::ranges::all_of(form.terms, [](const ScaledUnknown& term) {
-           return divisor(term.coefficient).has_value();
+  return fraction(form.constant) && std::ranges::all_of(form.terms, [](const ScaledUnknown& term) {
+           return fraction(term.coefficient).has_value();
          });
 }
 
 bool has_fractions(const QuadraticEquation& equation) {
-  return divisor(equation.given) && std::ranges::all_of(equation.products, [](const FormProduct& product) {
+  return fraction(equation.given) && std::ranges::all_of(equation.products, [](const FormProduct& product) {
            return has_fractions(product.left) && has_fractions(product.right);
          });
 }
-
-/// Preconditions: it is no cosine of degrees, and has a divisor.
-Rational fraction(const ExactNumber& number) { return rational(number) / *divisor(number); }
 
 bool has_cosine(const LinearForm& form) {
   return form.constant.is_cosine_of_degrees || std::ranges::any_of(form.terms, [](const ScaledUnknown& term) {
@@ -46,9 +35,9 @@ bool has_cosine(const QuadraticEquation& equation) {
 }
 
 RationalPolynomial polynomial(const LinearForm& form) {
-  RationalPolynomial sum = fraction(form.constant);
+  RationalPolynomial sum = *fraction(form.constant);
   for (const ScaledUnknown& term : form.terms)
-    sum = sum + fraction(term.coefficient) * RationalPolynomial::variable(term.unknown);
+    sum = sum + *fraction(term.coefficient) * RationalPolynomial::variable(term.unknown);
   return sum;
 }
 
@@ -71,7 +60,7 @@ PolynomialSystem polynomials_of(const QuadraticSystem& system) {
   PolynomialSystem result;
   result.unknowns = system.unknowns;
   for (const QuadraticEquation& equation : system.equations) {
-    RationalPolynomial sum = Rational(-1) * fraction(equation.given);
+    RationalPolynomial sum = Rational(-1) * *fraction(equation.given);
     for (const FormProduct& product : equation.products)
       sum = sum + polynomial(product.left) * polynomial(product.right);
     result.equations.push_back(sum);

@@ -43,3 +43,15 @@ def planes(unit=1):
             "planes": ["e4", "e5", "e6"], "reference": {"origin": "e1", "axis": "e2", "plane": "e3"},
             "constraints": distances(*((a, b, unit * length) for a, b, length in lengths)) +
                            [{"type": "angle", "between": [a, b], "cosine": cosine} for a, b, cosine in cosines]}
+
+
+def osculating(contact, scale=1):
+    """Bars from a to p and from b to q move a triangle pqs. Where it stands here s goes along a circle about c to the order
+    `contact` of points in common: the derivatives of its squared distance from c along the motion begin with that order. With
+    `scale`, of squared lengths, coordinates are no fractions where no squared length is a square."""
+    c, p, q, s, b = {3: ((1, -1), (0, 1), (3, -2), (1, 1), (3, 0)), 4: ((4, -3), (0, -1), (-4, 3), (-2, 3), (2, 0))}[contact]
+    places = {"a": (0, 0), "b": b, "c": c, "p": p, "q": q, "s": s}
+    return {"format": "gcsbench-instance/1", "id": f"osculating-{contact}-{scale}", "dimension": 2, "points": list(places),
+            "constraints": [{"type": "distance", "between": [u, v],
+                             "squared": scale * sum((x - y) ** 2 for x, y in zip(places[u], places[v]))}
+                            for u, v in ("ab", "bc", "ca", "ap", "bq", "cs", "pq", "qs", "sp")]}

@@ -15,6 +15,7 @@ from pathlib import Path
 import command_line
 from bad_instances import TOY, changed
 from command_line import BAD_INPUT, CHECK_FAILED, DONE, ENDLESS, INTERRUPTED, NOT_SOLVED, SOURCE, argv, run
+from general_scenes import osculating
 
 
 class Solve(command_line.CommandLine):
@@ -192,10 +193,17 @@ class Solve(command_line.CommandLine):
         apart = [[Fraction(a[part]) - Fraction(b[part]) for part in (0, 1)] for a, b in zip(*ends)]
         return sum(re * re - im * im for re, im in apart) + abs(sum(2 * re * im for re, im in apart))
 
-    def test_what_is_not_proven_fails_a_check(self):
+    def test_multiple_solutions_in_fractions_are_certified(self):
         done = run("solve", "tangents-fourfold", "--strategy", "sphere-tangents", "--certify")
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        self.assertIn("3 of 3 solutions exist, each in a class of its own, 3 of them real", done.stdout)
+        self.assertIn("3 solutions stand for 12, counted with multiplicities, as multiple ones", done.stdout)
+
+    def test_what_is_not_proven_fails_a_check(self):
+        done = run("solve", self.write(osculating(3, scale=3), "osculating-3-3.json"), "--strategy", "monodromy", "--certify")
         self.assertEqual(done.returncode, CHECK_FAILED)
         self.assertIn("singular", done.stderr)
+        self.assertIn("1 solution stands for 3, counted with multiplicities, that are not told apart", done.stdout)
 
     def test_references(self):
         result, reference = self.folder / "result.json", self.folder / "reference.json"

@@ -96,7 +96,7 @@ TEST_CASE("certified facts are the same for any number of threads") {
   }
 }
 
-TEST_CASE("touching spheres have clusters of four tangents, which are all there are") {
+TEST_CASE("touching spheres have three tangents of multiplicity four, which are all there are") {
   const Scene scene(load_instance("tangents-fourfold").problem);
   RunLimits limits;
   limits.certify = true;
@@ -104,21 +104,53 @@ TEST_CASE("touching spheres have clusters of four tangents, which are all there 
     SolveRun run = run_strategy(find_strategy(strategy), {}, scene, limits);
     REQUIRE(run.proofs);
     INFO(strategy);
-    CHECK(run.proofs->classes == 0);
+    CHECK(run.proofs->classes == 3);
+    CHECK(run.proofs->real == 3);
     CHECK(run.proofs->clusters == 3);
     CHECK(run.proofs->in_clusters == 12);
+    CHECK(run.proofs->multiple == 3);
     CHECK(run.proofs->are_complete());
-    REQUIRE(run.failed_checks.size() == 3);
-    for (const FailedCheck& check : run.failed_checks) CHECK(check.name == "singular");
+    CHECK(run.proofs->decide_real());
+    CHECK(run.failed_checks.empty());
 
     // Another multiplicity is refuted, and a line that is listed twice counts once.
-    run.failed_checks.clear();
     run.solutions[0].multiplicity = 3;
     run.solutions.push_back(run.solutions[1]);
     certify(scene, theoretical_counts(scene.problem()), {}, {}, run);
-    CHECK(run.failed_checks[0].name == "certificate");
+    REQUIRE(run.failed_checks.size() == 2);
+    for (const FailedCheck& check : run.failed_checks) CHECK(check.name == "certificate");
+    CHECK(run.proofs->classes == 2);
     CHECK(run.proofs->in_clusters == 12);
   }
+}
+
+TEST_CASE("a figure that is its own mirror image is one class, and proven where it has fractions") {
+  // (0, 0), (3, 0), (0, 4) and (1, 1), all in a plane of space, or the last one 1e-20 above it.
+  const auto proofs_at = [](const std::string& square) {
+    const auto distance = [](const char* between, const std::string& value) {
+      return R"({"type": "distance", "between": [)" + std::string(between) + "], " + value + "}";
+    };
+    const std::string text = R"({"format": "gcsbench-instance/1", "id": "flat", "dimension": 3,
+      "points": ["a", "b", "c", "d"], "constraints": [)" +
+                             distance(R"("a", "b")", R"("length": 3)") + "," +
+                             distance(R"("b", "c")", R"("length": 5)") + "," +
+                             distance(R"("c", "a")", R"("length": 4)") + "," +
+                             distance(R"("b", "d")", R"("squared": 5)" + square) + "," +
+                             distance(R"("c", "d")", R"("squared": 10)" + square) + "," +
+                             distance(R"("d", "a")", R"("squared": 2)" + square) + "]}";
+    RunLimits limits;
+    limits.certify = true;
+    SolveRun run = run_strategy(find_strategy("monodromy"), {},
+                                Scene(parse_instance(text, "flat.json").problem), limits);
+    return *run.proofs;
+  };
+  const Proofs flat = proofs_at("");
+  CHECK(flat.classes == 1);
+  CHECK(flat.real == 1);
+  CHECK(flat.multiple == 1);
+  CHECK(flat.with_multiplicities() == 1);
+  CHECK(flat.decide_real());
+  CHECK(proofs_at("." + std::string(39, '0') + "1").multiple == 0);
 }
 
 TEST_CASE("a solution at infinity is proven anew from a file, and counted once") {
@@ -244,7 +276,7 @@ TEST_CASE("a wrong multiplicity is caught") {
   }
 }
 
-TEST_CASE("multiple solutions are verified as clusters of as many") {
+TEST_CASE("multiple solutions are verified with their multiplicities") {
   const Instance instance = load_instance("tangents-fourfold");
   const SolveRun run = run_strategy(find_strategy("sphere-tangents"), {}, Scene(instance.problem), {});
   Json result = Json::parse(result_text(instance, run, {}));

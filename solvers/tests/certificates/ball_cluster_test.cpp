@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "solvers/tests/sample_forms.hpp"
+
 using namespace gcs;
 using Point = std::vector<std::complex<double>>;
 
@@ -13,23 +15,11 @@ namespace {
 
 constexpr slong bits = 128;
 
-LinearForm unknown(int i, double factor = 1, double constant = 0) {
-  return {{{i, exactly(factor)}}, exactly(constant)};
-}
-
-ExactNumber decimal(const std::string& text) {
-  ExactNumber number;
-  number.decimal = text;
-  return number;
-}
-
-const LinearForm one{{}, exactly(1)};
-
 /// x² + y² = 1 and y = height: x = ±√(1 − height²).
 BallKrawczyk chord(const std::string& height) {
   return {{2,
            {{{{unknown(0), unknown(0)}, {unknown(1), unknown(1)}}, exactly(1)},
-            {{{unknown(1), one}}, decimal(height)}},
+            {{{unknown(1), number(1)}}, decimal(height)}},
            {-1, -1}},
           bits};
 }
@@ -49,7 +39,7 @@ BallKrawczyk pure_power(int power, double value, slong precision = bits) {
   system.unknowns = power - 1;
   const auto times_x = [](int i) { return FormProduct{unknown(0), unknown(i)}; };
   for (int i = 1; i < system.unknowns; ++i)
-    system.equations.push_back({{times_x(i - 1), {unknown(i, -1), one}}, {}});
+    system.equations.push_back({{times_x(i - 1), {unknown(i, -1), number(1)}}, {}});
   system.equations.push_back({{times_x(system.unknowns - 1)}, exactly(value)});
   system.mirror = SignMasks(std::vector<SignMask>(static_cast<std::size_t>(system.unknowns), 0));
   return {system, precision};
@@ -147,7 +137,7 @@ TEST_CASE("a double and a simple solution are a cluster of three where they are 
   for (const auto& [apart, solutions] : {std::pair(1e-9, 3), {1e-2, 2}}) {
     const BallKrawczyk system({2,
                                {{{{unknown(0, 1, -apart), unknown(1)}}, {}},
-                                {{{unknown(1), one}, {unknown(0, -1), unknown(0)}}, {}}},
+                                {{{unknown(1), number(1)}, {unknown(0, -1), unknown(0)}}, {}}},
                                {0, 0}},
                               bits);
     const auto cluster = prove_cluster(system, {{1e-8, 0}, {0, 0}});
@@ -182,8 +172,27 @@ TEST_CASE("no cluster is proven at a simple solution, off all of them, or where 
   const BallKrawczyk fivefold({3,
                                {{{{unknown(0), unknown(1)}}, {}},
                                 {{{unknown(0), unknown(0)}, {unknown(1, -1), unknown(2)}}, {}},
-                                {{{unknown(2), one}, {unknown(1, -1), unknown(1)}}, {}}},
+                                {{{unknown(2), number(1)}, {unknown(1, -1), unknown(1)}}, {}}},
                                {0, 0, 0}},
                               bits);
   CHECK_FALSE(prove_cluster(fivefold, {{0, 0}, {0, 0}, {0, 0}}));
+}
+
+TEST_CASE("a polydisc about a point that no double is holds the point, and as many as this stands for") {
+  // (3x − 1)² = 0, and the same beside a simple zero y.
+  const LinearForm factor = unknown(0, 3, -1);
+  const BallKrawczyk one(square_system({{{{factor, factor}}, {}}}), bits);
+  const BallKrawczyk two(
+      square_system({{{{factor, factor}}, {}}, {{{unknown(1), number(1)}, {unknown(0), unknown(0)}}, {}}}),
+      bits);
+  BallMatrix x(1, 1), xy(2, 1);
+  acb_set_si(x(0, 0), 1);
+  acb_div_si(x(0, 0), x(0, 0), 3, bits);
+  acb_set(xy(0, 0), x(0, 0));
+  acb_mul(xy(1, 0), x(0, 0), x(0, 0), bits);
+  acb_neg(xy(1, 0), xy(1, 0));
+  CHECK(are_about(one, x, 2));
+  CHECK(!are_about(one, x, 4));
+  CHECK(are_about(two, xy, 2));
+  CHECK(!are_about(two, BallMatrix(2, 1), 2));
 }

@@ -12,21 +12,11 @@
 #include "solvers/solving/solve.hpp"
 #include "solvers/strategies/monodromy.hpp"
 #include "solvers/tests/elements/general_samples.hpp"
+#include "solvers/tests/sample_forms.hpp"
 
 using namespace gcs;
 
 namespace {
-
-LinearForm number(double value) { return {{}, exactly(value)}; }
-LinearForm unknown(int i, double factor = 1) { return {{{i, exactly(factor)}}, {}}; }
-
-QuadraticSystem square_system(std::vector<QuadraticEquation> equations) {
-  QuadraticSystem system;
-  system.unknowns = static_cast<int>(equations.size());
-  system.equations = std::move(equations);
-  system.mirror = SignMasks(std::vector<int>(system.equations.size(), -1));
-  return system;
-}
 
 /// (A − λ)x = 0 and b·x = 1, unknowns x, then λ: as many solutions as A has eigenvalues.
 QuadraticSystem eigenvectors(int n) {

@@ -10,7 +10,7 @@ import json
 import re
 
 import command_line
-from certificates import CertificateTest, at, verdict, with_value
+from certificates import CertificateTest, at, checker, verdict, with_value
 from command_line import CHECK_FAILED, DONE, SOURCE
 from general_scenes import distances, osculating
 
@@ -297,6 +297,20 @@ class CertifiedScenes(CertificateTest):
                 self.assertIsNone(verdict(with_value(certificate, ["solutions", number, "real"], True)))
             if name in ("circles-1", "osculating-3-1", "osculating-3-3"):
                 self.assert_changes_are_harmless(name, certificate)
+
+    def test_zeros_of_high_multiplicity(self):
+        """(4x − 1)^d = 0, with the powers in between as unknowns, is one solution of multiplicity d, as fractions show, and only so."""
+        for degree in range(2, 9):
+            powers = [{0: 4, None: -1}, *({k: 1} for k in range(1, degree - 1))]
+            equations = [([(powers[0], powers[k - 1]), ({k: -1}, {None: 1})], 0) for k in range(1, degree - 1)]
+            equations.append(([(powers[0], powers[-1])], 0))
+            for multiplicity in {degree - 1, degree, degree + 1} & set(range(2, 9)):
+                box = object.__new__(checker.FiniteBox)
+                box.exponent, box.radius, box.multiplicity = -120, 1 << 100, multiplicity
+                box.centre = [(1 << 118, 0)] + [(0, 0)] * (degree - 2)
+                box.point = box.zero_in_fractions(equations)
+                is_one = box.point is not None and checker.holds_cluster(box, equations)
+                self.assertEqual(is_one, multiplicity == degree, (degree, multiplicity))
 
     def test_changes_are_refused_or_change_nothing(self):
         for given in (*map(NAMED.get, ("planes", "meeting", "inclined", "parallel", "beside", "cylinder", "table", "tripod")), CARRIED,

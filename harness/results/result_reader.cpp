@@ -119,7 +119,8 @@ std::string read_result(const std::string& argument) {
 Answer parse_answer(const std::string& text, const Scene& scene, const std::string& source) {
   Answer answer;
   const auto take = [&](const JsonValue& known, const JsonValue& solution, std::size_t number) {
-    if (known.find("format") != nullptr) JsonCursor(known, source).require_format(result_format);
+    if (number == 0 && known.find("format") != nullptr)
+      JsonCursor(known, source).require_format(result_format);
     answer.solutions.push_back(read_solution(solution_cursor(solution, source, number), scene));
     return true;
   };

@@ -55,29 +55,18 @@ struct Equation {
   Rational given;
 };
 
-std::optional<Form> form_of(const LinearForm& exact) {
-  Form form;
-  const std::optional<Rational> constant = fraction(exact.constant);
-  if (!constant) return std::nullopt;
-  form.constant = *constant;
-  for (const ScaledUnknown& term : exact.terms) {
-    const std::optional<Rational> coefficient = fraction(term.coefficient);
-    if (!coefficient) return std::nullopt;
-    form.terms.emplace_back(term.unknown, *coefficient);
-  }
+Form form_of(const LinearForm& exact) {
+  Form form{{}, *fraction(exact.constant)};
+  for (const ScaledUnknown& term : exact.terms)
+    form.terms.emplace_back(term.unknown, *fraction(term.coefficient));
   return form;
 }
 
-std::optional<Equation> equation_of(const QuadraticEquation& exact) {
-  Equation equation;
-  const std::optional<Rational> given = fraction(exact.given);
-  if (!given) return std::nullopt;
-  equation.given = *given;
-  for (const FormProduct& product : exact.products) {
-    std::optional<Form> left = form_of(product.left), right = form_of(product.right);
-    if (!left || !right) return std::nullopt;
-    equation.products.emplace_back(*std::move(left), *std::move(right));
-  }
+/// Precondition: it has fractions.
+Equation equation_of(const QuadraticEquation& exact) {
+  Equation equation{{}, *fraction(exact.given)};
+  for (const FormProduct& product : exact.products)
+    equation.products.emplace_back(form_of(product.left), form_of(product.right));
   return equation;
 }
 
@@ -85,10 +74,10 @@ std::optional<Equation> equation_of(const QuadraticEquation& exact) {
 class AboutPoint {
  public:
   AboutPoint(std::vector<Equation> equations, const Vector& x) : equations_(std::move(equations)) {
-    for (Equation& equation : equations_) {
+    for (const Equation& equation : equations_) {
       Rational value = Rational(-1) * equation.given;
       Vector row(x.size());
-      for (auto& [left, right] : equation.products) {
+      for (const auto& [left, right] : equation.products) {
         const Rational at_left = left.linear(x) + left.constant, at_right = right.linear(x) + right.constant;
         value = value + at_left * at_right;
         for (const auto& [unknown, coefficient] : left.terms)
@@ -99,10 +88,12 @@ class AboutPoint {
       is_zero_ = is_zero_ && value.is_zero();
       jacobian_.push_back(std::move(row));
     }
+    if (is_zero_) reduced_ = echelon_form(jacobian_);
   }
 
   bool is_zero() const { return is_zero_; }
-  std::size_t corank() const { return jacobian_.size() - echelon_form(jacobian_).size(); }
+  /// What the Jacobian loses from its rank. Precondition: x is a zero.
+  std::size_t corank() const { return jacobian_.size() - reduced_.size(); }
 
   /// f vanishes to this order along a curve through the point, `most` at most. Precondition: corank 1.
   int order_of_contact(int most) const {
@@ -118,12 +109,11 @@ class AboutPoint {
  private:
   /// A vector other than 0 that J takes to 0. Precondition: corank 1.
   Vector kernel() const {
-    const std::vector<Vector> reduced = echelon_form(jacobian_);
     std::size_t free = 0;
-    while (free < reduced.size() && pivot_of(reduced[free]) == free) ++free;
+    while (free < reduced_.size() && pivot_of(reduced_[free]) == free) ++free;
     Vector result(jacobian_.size());
     result[free] = 1;
-    for (const Vector& row : reduced) result[pivot_of(row)] = Rational(-1) * row[free];
+    for (const Vector& row : reduced_) result[pivot_of(row)] = Rational(-1) * row[free];
     return result;
   }
 
@@ -154,7 +144,7 @@ class AboutPoint {
   }
 
   std::vector<Equation> equations_;
-  std::vector<Vector> jacobian_;
+  std::vector<Vector> jacobian_, reduced_;  ///< and its echelon form, at a zero
   bool is_zero_ = true;
 };
 
@@ -182,12 +172,9 @@ BallMatrix enclosed(const std::vector<Rational>& x, slong bits) {
 }
 
 int least_multiplicity(const QuadraticSystem& system, const std::vector<Rational>& x, int most) {
+  if (!std::ranges::all_of(system.equations, has_fractions)) return 0;
   std::vector<Equation> equations;
-  for (const QuadraticEquation& exact : system.equations) {
-    std::optional<Equation> equation = equation_of(exact);
-    if (!equation) return 0;
-    equations.push_back(*std::move(equation));
-  }
+  for (const QuadraticEquation& exact : system.equations) equations.push_back(equation_of(exact));
   const AboutPoint point(std::move(equations), x);
   if (!point.is_zero()) return 0;
   const std::size_t corank = point.corank();

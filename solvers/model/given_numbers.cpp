@@ -1,5 +1,6 @@
 #include "solvers/model/given_numbers.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solvers/numeric/balls.hpp"
@@ -63,6 +64,22 @@ std::optional<Rational> fraction(const ExactNumber& number) {
   for (const ExactNumber& part : number.divided_by_norm_of) square = square + rational(part) * rational(part);
   const std::optional<Rational> norm = square.root();
   return norm ? std::optional(whole / *norm) : std::nullopt;
+}
+
+namespace {
+
+bool has_fractions(const LinearForm& form) {
+  return fraction(form.constant) && std::ranges::all_of(form.terms, [](const ScaledUnknown& term) {
+           return fraction(term.coefficient).has_value();
+         });
+}
+
+}  // namespace
+
+bool has_fractions(const QuadraticEquation& equation) {
+  return fraction(equation.given) && std::ranges::all_of(equation.products, [](const FormProduct& product) {
+           return has_fractions(product.left) && has_fractions(product.right);
+         });
 }
 
 DoubleDouble nearest_double_double(const ExactNumber& number) {

@@ -1,6 +1,9 @@
 #pragma once
 /// The numbers of a scene's file, exactly, in the scene's unit, which is a power of two of the file's.
 
+#include <optional>
+
+#include "solvers/model/quadratic_system.hpp"
 #include "solvers/model/scene.hpp"
 #include "solvers/numeric/double_double.hpp"
 #include "solvers/numeric/exact_number.hpp"
@@ -25,6 +28,8 @@ Rational rational(const ExactNumber& number);
 
 /// Of any real number; nothing where it is divided by a root that is no fraction, or is a cosine of degrees.
 std::optional<Rational> fraction(const ExactNumber& number);
+/// Of all coefficients, and what is given.
+bool has_fractions(const QuadraticEquation& equation);
 
 /// The real part in double-double: right to 2^-104 relative, or to what underflows.
 DoubleDouble nearest_double_double(const ExactNumber& number);

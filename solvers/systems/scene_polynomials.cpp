@@ -9,18 +9,6 @@
 namespace gcs {
 namespace {
 
-bool has_fractions(const LinearForm& form) {
-  return fraction(form.constant) && std::ranges::all_of(form.terms, [](const ScaledUnknown& term) {
-           return fraction(term.coefficient).has_value();
-         });
-}
-
-bool has_fractions(const QuadraticEquation& equation) {
-  return fraction(equation.given) && std::ranges::all_of(equation.products, [](const FormProduct& product) {
-           return has_fractions(product.left) && has_fractions(product.right);
-         });
-}
-
 bool has_cosine(const LinearForm& form) {
   return form.constant.is_cosine_of_degrees || std::ranges::any_of(form.terms, [](const ScaledUnknown& term) {
            return term.coefficient.is_cosine_of_degrees;
@@ -50,7 +38,7 @@ std::optional<std::string> why_no_polynomials(const QuadraticSystem& system) {
   if (std::ranges::any_of(system.equations, [](const auto& equation) { return has_cosine(equation); }))
     return "the cosines of angles in degrees are no fractions, with which its equations are written down: "
            "give cosines";
-  if (!std::ranges::all_of(system.equations, [](const auto& equation) { return has_fractions(equation); }))
+  if (!std::ranges::all_of(system.equations, has_fractions))
     return "directions of length 1 make roots that are no fractions, with which its equations are written "
            "down";
   return std::nullopt;

@@ -5,6 +5,7 @@
 
 #include "solvers/elements/given_elements.hpp"
 #include "solvers/model/complex_lines.hpp"
+#include "solvers/model/distance_equations.hpp"
 #include "solvers/model/given_numbers.hpp"
 #include "solvers/numeric/rounding.hpp"
 
@@ -64,7 +65,8 @@ SceneEquations::SceneEquations(const Scene& scene) : scene_(scene), points_(scen
   const bool has_free_lines = is_free_beside_given_points(scene);
   for (int i = 0; i < scene.constraint_count(); ++i) {
     const bool is_beside_free_line = has_free_lines && points_.is_line(points_.edges()[i][1]);
-    is_beside_free_line ? add_distance_to_free_line(i) : add_distance(i);
+    system_.equations.push_back(is_beside_free_line ? distance_to_free_line(i)
+                                                    : distance_equation(scene, points_, i));
   }
   for (int line = 0; has_free_lines && line < static_cast<int>(problem.lines.size()); ++line)
     add_line_conditions(line);
@@ -80,41 +82,13 @@ QuadraticSystem SceneEquations::system_at(const std::vector<std::complex<double>
   return result;
 }
 
-/// Coordinate `axis` of the point a less that of b, which may be the line on the x-axis. Without terms where
-/// both are given.
-LinearForm SceneEquations::difference(int a, int b, int axis) const {
-  LinearForm form;
-  const int minuend = points_.unknown(a, axis);
-  if (minuend >= 0)
-    form.terms.push_back({minuend});
-  else
-    form.constant = given_coordinate(scene_, a, axis);
-  if (points_.is_line(b)) return form;
-  const int subtrahend = points_.unknown(b, axis);
-  if (subtrahend >= 0)
-    form.terms.push_back(minus(subtrahend));
-  else if (minuend >= 0)
-    form.constant = negated(given_coordinate(scene_, b, axis));
-  return form;
-}
-
-void SceneEquations::add_distance(int constraint) {
-  const auto [a, b] = points_.edges()[static_cast<std::size_t>(constraint)];
-  QuadraticEquation equation{{}, given_square(scene_, constraint)};
-  for (int axis = points_.is_line(b) ? 1 : 0; axis < points_.dimension(); ++axis) {
-    const LinearForm form = difference(a, b, axis);
-    if (!form.terms.empty()) equation.products.push_back({form, form});
-  }
-  system_.equations.push_back(std::move(equation));
-}
-
 int SceneEquations::line_unknown(int line, int part, int axis) const {
   if (!is_free_beside_given_points(scene_)) return -1;
   return points_.unknowns() + 6 * line + 3 * part + axis;
 }
 
 /// |c − p|² + |c × u|² − c·c = a²
-void SceneEquations::add_distance_to_free_line(int constraint) {
+QuadraticEquation SceneEquations::distance_to_free_line(int constraint) const {
   const auto [c, entity] = points_.edges()[static_cast<std::size_t>(constraint)];
   const int line = entity - points_.point_count();
   QuadraticEquation equation{{}, given_square(scene_, constraint)};
@@ -130,7 +104,7 @@ void SceneEquations::add_distance_to_free_line(int constraint) {
     equation.products.push_back({across, across});
     equation.products.push_back({{{}, here}, {{}, negated(here)}});
   }
-  system_.equations.push_back(std::move(equation));
+  return equation;
 }
 
 /// u·u = 1 and u·p = 0.

@@ -51,9 +51,7 @@ class SceneEquations {
  private:
   double general_distance(const Figure& figure, const Certificate& certificate) const;
   double offset_from_given(const Figure& figure, int point, int axis) const;
-  LinearForm difference(int a, int b, int axis) const;
-  void add_distance(int constraint);
-  void add_distance_to_free_line(int constraint);
+  QuadraticEquation distance_to_free_line(int constraint) const;
   void add_line_conditions(int line);
 
   const Scene& scene_;

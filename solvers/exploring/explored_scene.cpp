@@ -4,36 +4,13 @@
 
 #include "solvers/elements/general_structure.hpp"
 #include "solvers/elements/given_elements.hpp"
+#include "solvers/model/distance_equations.hpp"
 #include "solvers/model/distance_system.hpp"
-#include "solvers/model/given_numbers.hpp"
 #include "solvers/model/wide_reference.hpp"
 #include "solvers/tracking/general_path.hpp"
 
 namespace gcs {
 namespace {
-
-/// Adds sign · coordinate `axis` of a point.
-void add_coordinate(const DistanceSystem& system, int point, int axis, double sign, LinearForm& form) {
-  if (const int unknown = system.unknown(point, axis); unknown >= 0)
-    form.terms.push_back({unknown, exactly(sign)});
-}
-
-/// |p_a − p_b|² = a², of a point and the line y² + z² = a². The frame gives no coordinate but 0.
-QuadraticSystem exact_distances(const Scene& scene, const DistanceSystem& system) {
-  QuadraticSystem result{system.unknowns(), {}, mirror_axes(scene, system)};
-  for (int e = 0; e < system.equations(); ++e) {
-    const auto [a, b] = system.edges()[static_cast<std::size_t>(e)];
-    QuadraticEquation& equation = result.equations.emplace_back();
-    equation.given = given_square(scene, e);
-    for (int axis = system.is_line(b) ? 1 : 0; axis < system.dimension(); ++axis) {
-      LinearForm difference;
-      add_coordinate(system, a, axis, 1, difference);
-      if (!system.is_line(b)) add_coordinate(system, b, axis, -1, difference);
-      if (!difference.terms.empty()) equation.products.push_back({difference, difference});
-    }
-  }
-  return result;
-}
 
 /// Points, and a line that the frame puts on the x-axis.
 class ExploredDistances final : public ExploredScene {
@@ -47,7 +24,7 @@ class ExploredDistances final : public ExploredScene {
 
  private:
   ExploredDistances(const Scene& scene, const DistanceSystem& system)
-      : ExploredScene(exact_distances(scene, system)), scene_(scene), system_(system) {
+      : ExploredScene(distance_equations(scene, system)), scene_(scene), system_(system) {
     value_of_.resize(static_cast<std::size_t>(system_.equations()));
     std::iota(value_of_.begin(), value_of_.end(), 0);
     target_ = target_distances(

@@ -4,6 +4,10 @@
 #include <Eigen/SVD>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "solvers/numeric/double_double.hpp"
+#include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
 namespace {
@@ -16,12 +20,8 @@ constexpr double settled_correction = 0x1p-96;
 
 class FlatCurve {
  public:
-  FlatCurve(const DistanceSystem& system, const std::vector<DoubleDouble>& squares,
-            const Eigen::VectorXd& near)
-      : system_(system),
-        squares_(squares),
-        place_(system.figure(near)),
-        jacobian_(system.equations(), system.unknowns()) {
+  FlatCurve(const QuadraticSystem& system, const Eigen::VectorXd& near)
+      : equations_(real_equations(system)), wide_(system), jacobian_(near.size(), near.size()) {
     for (const double value : near) x_.push_back({value, 0});
     differentiate();
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian_, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -47,7 +47,7 @@ class FlatCurve {
 
   /// To where τ vanishes along the tangent: how far along v.
   double step() {
-    const Eigen::Index n = system_.unknowns();
+    const Eigen::Index n = jacobian_.rows();
     factorise();  // beside the curve τ changes by more than along it
     const Eigen::VectorXd tangent = factors_.solve(Eigen::VectorXd::Unit(n + 1, n));
     const double length = -tau_ / tangent[n];
@@ -57,19 +57,16 @@ class FlatCurve {
 
   double size() const { return x().cwiseAbs().maxCoeff(); }
   Eigen::VectorXd x() const {
-    Eigen::VectorXd rounded(system_.unknowns());
+    Eigen::VectorXd rounded(jacobian_.rows());
     for (Eigen::Index i = 0; i < rounded.size(); ++i) rounded[i] = x_[static_cast<std::size_t>(i)].value();
     return rounded;
   }
 
  private:
-  void differentiate() {
-    system_.place(x(), place_.points);
-    system_.jacobian(place_.points, jacobian_);
-  }
+  void differentiate() { equations_.jacobian(x(), jacobian_); }
 
   void factorise() {
-    const Eigen::Index n = system_.unknowns();
+    const Eigen::Index n = jacobian_.rows();
     differentiate();
     Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(n + 1, n + 1);
     bordered.topLeftCorner(n, n) = jacobian_;
@@ -84,31 +81,17 @@ class FlatCurve {
     tau_ += factor * change[static_cast<Eigen::Index>(x_.size())];
   }
 
-  DoubleDouble coordinate(int entity, int axis) const {
-    if (system_.is_line(entity)) return {};
-    const int unknown = system_.unknown(entity, axis);
-    return unknown < 0 ? DoubleDouble{system_.given_coordinate(entity, axis), 0}
-                       : x_[static_cast<std::size_t>(unknown)];
-  }
-
   /// Of F(x) + τ·u and, at right angles to v, 0.
   Eigen::VectorXd residual() const {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(system_.unknowns() + 1);
-    for (int e = 0; e < system_.equations(); ++e) {
-      const auto [a, b] = system_.edges()[static_cast<std::size_t>(e)];
-      DoubleDouble sum = -squares_[static_cast<std::size_t>(e)];
-      for (int axis = system_.is_line(b) ? 1 : 0; axis < system_.dimension(); ++axis) {
-        const DoubleDouble difference = coordinate(a, axis) - coordinate(b, axis);
-        sum = sum + difference * difference;
-      }
-      result[e] = (sum + two_product(2 * tau_, u_[e])).value() / 2;
-    }
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(jacobian_.rows() + 1);
+    const std::vector<DoubleDouble> excess = wide_.excess(x_);
+    for (Eigen::Index e = 0; e < jacobian_.rows(); ++e)
+      result[e] = (excess[static_cast<std::size_t>(e)] + two_product(tau_, u_[e])).value();
     return result;
   }
 
-  const DistanceSystem& system_;
-  const std::vector<DoubleDouble>& squares_;
-  Figure place_;
+  const RealEquations equations_;
+  const WideEquations wide_;
   Eigen::MatrixXd jacobian_;
   std::vector<DoubleDouble> x_;
   double tau_ = 0;
@@ -118,11 +101,10 @@ class FlatCurve {
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> flat_refinement(const DistanceSystem& system,
-                                               const std::vector<DoubleDouble>& squares,
-                                               const Eigen::VectorXd& near, double most) {
+std::optional<Eigen::VectorXd> flat_refinement(const QuadraticSystem& system, const Eigen::VectorXd& near,
+                                               double most) {
   constexpr int most_steps = 60;
-  FlatCurve curve(system, squares, near);
+  FlatCurve curve(system, near);
   double last = most;
   for (int i = 0; i < most_steps && curve.correct(); ++i) {
     const double length = curve.step();

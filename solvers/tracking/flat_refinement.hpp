@@ -1,5 +1,5 @@
 #pragma once
-/// Newton's method where the distances all but stay what they are along a curve, as next to a flexible figure.
+/// Newton's method where the equations all but hold along a curve, as next to a flexible figure.
 ///
 /// Let u and v be the singular vectors of the least singular value σ of the Jacobian. Where the others are far larger,
 /// F(x) + τ·u = 0 is a regular curve through the solutions near by, which are where τ = 0 (Lyapunov and Schmidt's
@@ -10,16 +10,14 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <vector>
 
-#include "solvers/model/distance_system.hpp"
+#include "solvers/model/quadratic_system.hpp"
 
 namespace gcs {
 
-/// The solution at these squared lengths, one for each equation, that steps from `near` lead to, rounded to doubles; nothing
-/// where they do not shrink, or are longer than `most`, in the scene's unit. Precondition: as many unknowns as equations.
-std::optional<Eigen::VectorXd> flat_refinement(const DistanceSystem& system,
-                                               const std::vector<DoubleDouble>& squares,
-                                               const Eigen::VectorXd& near, double most);
+/// The solution that steps from `near` lead to, rounded to doubles; nothing where they do not shrink, or are longer than
+/// `most`, in the unit of the unknowns. Precondition: the coefficients are real.
+std::optional<Eigen::VectorXd> flat_refinement(const QuadraticSystem& system, const Eigen::VectorXd& near,
+                                               double most);
 
 }  // namespace gcs

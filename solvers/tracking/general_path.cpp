@@ -8,6 +8,7 @@
 #include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/elements/stated_signs.hpp"
 #include "solvers/model/reframed_scene.hpp"
+#include "solvers/tracking/flat_refinement.hpp"
 #include "solvers/tracking/general_curve.hpp"
 #include "solvers/tracking/sketched_unknowns.hpp"
 
@@ -17,16 +18,19 @@ namespace {
 class TargetValues : public TargetEquations {
  public:
   explicit TargetValues(const SceneSystem& system)
-      : system_(system), equations_(real_equations(system.equations())) {}
+      : system_(system), equations_(real_equations(system.equations())), wide_(system.equations()) {}
 
   Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const override {
     return point.head(equations_.unknowns);
   }
   Refinement refine(Eigen::VectorXd& x) const override {
-    constexpr int most_iterations = 12;
+    constexpr int most_iterations = 40;  // next to a double solution each halves what a crossing is off
     return refine(x, most_iterations);
   }
   Refinement refine(Eigen::VectorXd& x, int most_iterations) const;
+  std::optional<Eigen::VectorXd> refine_where_flat(const Eigen::VectorXd& x, double most) const override {
+    return flat_refinement(system_.equations(), x, most);
+  }
   /// In doubles two solutions and none are not told apart.
   std::optional<FoldSolutions> at_fold(const Eigen::VectorXd&, WorkCounters&) const override {
     return std::nullopt;
@@ -40,6 +44,7 @@ class TargetValues : public TargetEquations {
  private:
   const SceneSystem& system_;
   RealEquations equations_;
+  WideEquations wide_;
 };
 
 std::optional<FoldSolutions> TargetValues::proven_at_fold(const Eigen::VectorXd& near) const {
@@ -62,21 +67,21 @@ Refinement TargetValues::refine(Eigen::VectorXd& x, int most_iterations) const {
   const Eigen::VectorXd start = x;
   Eigen::MatrixXd jacobian(equations_.count(), equations_.unknowns);
   Refinement result;
-  double last = std::numeric_limits<double>::infinity();
-  while (result.iterations < most_iterations && !result.converged) {
+  double size = 0, last = std::numeric_limits<double>::infinity();
+  while (result.iterations < most_iterations) {
     equations_.jacobian(x, jacobian);
-    const Eigen::VectorXd excess = equations_.sums(x) - equations_.given;
-    const Eigen::VectorXd correction = jacobian.partialPivLu().solve(excess);
+    const Eigen::VectorXd correction = jacobian.partialPivLu().solve(wide_.excess(x));
     x -= correction;
     ++result.iterations;
     result.last_correction = correction.norm();
     if (!std::isfinite(result.last_correction)) break;
-    const double size = x.cwiseAbs().maxCoeff();
+    size = x.cwiseAbs().maxCoeff();
+    if (result.last_correction <= 4 * ulp * size) break;
     // Rounding keeps an ill-conditioned solution from settling to the last bit.
-    result.converged = result.last_correction <= 4 * ulp * size ||
-                       (result.last_correction <= settled * size && result.last_correction > last / 2);
+    if (result.last_correction <= settled * size && result.last_correction > last / 2) break;
     last = result.last_correction;
   }
+  result.converged = result.last_correction <= settled * size;
   if (!result.converged) x = start;
   return result;
 }

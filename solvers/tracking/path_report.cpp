@@ -9,6 +9,7 @@
 #include "solvers/certificates/proven_error.hpp"
 #include "solvers/figures/fold_solutions.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
+#include "solvers/model/distance_equations.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/model/wide_reference.hpp"
 #include "solvers/numeric/rounding.hpp"
@@ -71,7 +72,7 @@ class TargetDistances final : public TargetEquations {
   }
   Refinement refine(Eigen::VectorXd& x) const override { return gcs::refine(system_, squares_, x); }
   std::optional<Eigen::VectorXd> refine_where_flat(const Eigen::VectorXd& x, double most) const override {
-    return flat_refinement(system_, squares_, x, most);
+    return flat_refinement(distance_equations(scene_, system_), x, most);
   }
   std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const override {
     return solutions_at_fold(system_, squares_, near, work);

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "solvers/model/given_numbers.hpp"
+
 namespace gcs {
 namespace {
 
@@ -43,6 +45,44 @@ std::vector<DoubleDouble> RealEquations::wide_sums(const Eigen::VectorXd& x) con
     sum = sum + product.left.wide_at(x) * product.right.wide_at(x);
   }
   return result;
+}
+
+WideEquations::Form::Form(const LinearForm& form) : constant(nearest_double_double(form.constant)) {
+  for (const ScaledUnknown& term : form.terms)
+    terms.emplace_back(static_cast<std::size_t>(term.unknown), nearest_double_double(term.coefficient));
+}
+
+DoubleDouble WideEquations::Form::at(const std::vector<DoubleDouble>& x) const {
+  DoubleDouble sum = constant;
+  for (const auto& [unknown, coefficient] : terms) sum = sum + coefficient * x[unknown];
+  return sum;
+}
+
+WideEquations::WideEquations(const QuadraticSystem& system) {
+  for (const QuadraticEquation& equation : system.equations) {
+    for (const FormProduct& product : equation.products)
+      products_.push_back({given_.size(), Form(product.left), Form(product.right)});
+    given_.push_back(nearest_double_double(equation.given));
+  }
+}
+
+std::vector<DoubleDouble> WideEquations::excess(const std::vector<DoubleDouble>& x) const {
+  std::vector<DoubleDouble> result;
+  for (const DoubleDouble& given : given_) result.push_back(-given);
+  for (const Product& product : products_) {
+    DoubleDouble& sum = result[product.equation];
+    sum = sum + product.left.at(x) * product.right.at(x);
+  }
+  return result;
+}
+
+Eigen::VectorXd WideEquations::excess(const Eigen::VectorXd& x) const {
+  std::vector<DoubleDouble> wide;
+  for (const double value : x) wide.push_back({value, 0});
+  const std::vector<DoubleDouble> sums = excess(wide);
+  return Eigen::VectorXd::NullaryExpr(static_cast<Eigen::Index>(sums.size()), [&](Eigen::Index e) {
+    return sums[static_cast<std::size_t>(e)].value();
+  });
 }
 
 void RealEquations::jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) const {

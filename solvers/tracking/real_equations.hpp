@@ -1,8 +1,9 @@
 #pragma once
-/// The equations of a general scene at real unknowns, in doubles.
+/// The equations of a general scene at real unknowns, in doubles and in double-double.
 
 #include <Eigen/Core>
 #include <complex>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,34 @@ struct RealEquations {
   std::vector<DoubleDouble> wide_sums(const Eigen::VectorXd& x) const;
   /// Their derivatives, into the first rows and columns.
   void jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) const;
+};
+
+/// What is given, and the unknowns, in double-double.
+class WideEquations {
+ public:
+  /// Precondition: the coefficients are real.
+  explicit WideEquations(const QuadraticSystem& system);
+
+  /// Σ left·right − given of each equation, right to some 2^-100 of its terms.
+  std::vector<DoubleDouble> excess(const std::vector<DoubleDouble>& x) const;
+  /// The same, rounded.
+  Eigen::VectorXd excess(const Eigen::VectorXd& x) const;
+
+ private:
+  struct Form {
+    std::vector<std::pair<std::size_t, DoubleDouble>> terms;
+    DoubleDouble constant;
+
+    explicit Form(const LinearForm& form);
+    DoubleDouble at(const std::vector<DoubleDouble>& x) const;
+  };
+  struct Product {
+    std::size_t equation = 0;
+    Form left, right;
+  };
+
+  std::vector<Product> products_;
+  std::vector<DoubleDouble> given_;
 };
 
 Eigen::VectorXd real_parts(const std::vector<std::complex<double>>& values);

@@ -126,6 +126,22 @@ TEST_CASE("postures whose paths come from far away end where they are") {
     check_count(id, "polyhedral");
 }
 
+// Along its curves the platform all but moves: there doubles leave a crossing of the given values undecided. Six are all
+// (Hunt 1983).
+TEST_CASE("a platform that all but moves is explored to six real postures that are proven") {
+  for (const std::string id : {"symmetric-body@1e-8", "symmetric-body@1e-10", "symmetric-body@1e-12"}) {
+    RunLimits limits;
+    limits.certify = true;
+    const SolveRun run = run_strategy(find_strategy("explore"), {}, Scene(load_member(id).problem), limits);
+    INFO(id << ": " << run.reason);
+    CHECK(run.status == RunStatus::complete);
+    CHECK(run.failed_checks.empty());
+    REQUIRE(run.proofs);
+    CHECK(run.proofs->real == 6);
+    CHECK(run.solutions.size() == 6);
+  }
+}
+
 TEST_CASE("a platform that moves is said to") {
   const SolveRun run = solved("symmetric-body@0", "monodromy");
   CHECK(run.status == RunStatus::partial);

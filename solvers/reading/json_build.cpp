@@ -1,5 +1,6 @@
 #include "solvers/reading/json_build.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace gcs {
@@ -48,7 +49,7 @@ JsonValue json_number(double value) {
 }
 
 JsonValue json_complex(const std::complex<double>& value) {
-  return json_array({json_number(value.real()), json_number(value.imag())});
+  return json_array_of(std::array{value.real(), value.imag()}, json_number);
 }
 
 JsonValue json_count(const Natural& count) {

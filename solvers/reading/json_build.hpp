@@ -2,6 +2,7 @@
 /// Makes JSON values. Numbers get the shortest text that reads back as the same double.
 
 #include <complex>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,6 +43,7 @@ JsonValue json_or_null(const std::optional<T>& value, Make make) {
 template <typename Values, typename Make>
 JsonValue json_array_of(const Values& values, Make make) {
   std::vector<JsonValue> elements;
+  elements.reserve(static_cast<std::size_t>(std::distance(std::begin(values), std::end(values))));
   for (const auto& value : values) elements.push_back(make(value));
   return json_array(std::move(elements));
 }
@@ -50,6 +52,7 @@ JsonValue json_array_of(const Values& values, Make make) {
 template <typename Values, typename Make>
 JsonValue json_object_of(const std::vector<std::string>& names, const Values& values, Make make) {
   JsonMembers members;
+  members.reserve(names.size());
   auto value = values.begin();
   for (const std::string& name : names) members.emplace_back(name, make(*value++));
   return json_object(std::move(members));

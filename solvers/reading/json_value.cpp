@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace gcs {
@@ -25,9 +26,25 @@ void append_items(std::string& out, std::string_view brackets, std::size_t count
   out += brackets[1];
 }
 
+/// Whether nothing of a text is escaped in JSON.
+bool is_plain(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
 /// Bytes that are no text, as names of folders may have them, become U+FFFD.
 void append_string(std::string& out, const std::string& text) {
-  out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (is_plain(text))
+    out += '"' + text + '"';
+  else
+    out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void append_number(std::string& out, const JsonValue& number) {
+  if (number.text.empty())
+    fmt::format_to(std::back_inserter(out), "{}", number.number);
+  else
+    out += number.text;
 }
 
 void append_text(std::string& out, const JsonValue& value, int indent, int depth) {
@@ -39,7 +56,7 @@ void append_text(std::string& out, const JsonValue& value, int indent, int depth
       out += value.boolean ? "true" : "false";
       return;
     case JsonValue::Kind::number:
-      out += number_text(value);
+      append_number(out, value);
       return;
     case JsonValue::Kind::string:
       append_string(out, value.text);
@@ -87,9 +104,7 @@ const JsonValue* JsonValue::find(std::string_view name) const {
   return found == members.end() ? nullptr : &found->second;
 }
 
-std::string number_text(const JsonValue& number) {
-  return number.text.empty() ? fmt::format("{}", number.number) : number.text;
-}
+std::string number_text(const JsonValue& number) { return to_text(number, -1); }
 
 std::string to_text(const JsonValue& value, int indent) {
   std::string out;

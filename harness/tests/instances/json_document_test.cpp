@@ -3,10 +3,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "solvers/reading/element_taker.hpp"
+#include "solvers/reading/json_build.hpp"
 
 namespace {
 
@@ -73,6 +75,18 @@ TEST_CASE("a value written out and read again is the same text") {
   CHECK_THAT(indented, Catch::StartsWith("{\n \"b\": [\n  1.50,\n  {\n   \"a\": -0,"));
   CHECK(to_text(parsed(indented), -1) == text);
   CHECK(to_text(parsed(indented), 1) == indented);
+}
+
+// nlohmann's writer says how.
+TEST_CASE("every byte of a text is written as JSON has it") {
+  const auto written = [](const std::string& text) { return to_text(gcs::json_text(text), -1); };
+  for (int byte = 0; byte < 256; ++byte)
+    for (const std::string& around : {std::string(), std::string("ab")}) {
+      const std::string text = around + static_cast<char>(byte) + around;
+      CHECK(written(text) ==
+            nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    }
+  CHECK(written("") == "\"\"");
 }
 
 TEST_CASE("numbers that a double cannot hold are refused") {

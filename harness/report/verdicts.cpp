@@ -6,6 +6,7 @@
 #include <set>
 
 #include "harness/instances/families_graphs.hpp"
+#include "harness/instances/instance_lookup.hpp"
 #include "harness/results/exec_strategy.hpp"
 #include "harness/tables/table_entries.hpp"
 
@@ -141,41 +142,43 @@ const PrintedFigure* printed_figure(const Publications& publications, const std:
   return nullptr;
 }
 
-/// How many printed solutions make one class; nothing for another convention.
-std::optional<int> per_class(const PrintedFigure& figure, const InstanceSummary& instance,
-                             const StoredScene* scene) {
+/// How many printed solutions make one class of a shipped instance; nothing for another convention.
+std::optional<int> per_class(const PrintedFigure& figure, const InstanceSummary& instance) {
   if (figure.convention == "all signs")
     return sign_patterns(instance.has_given_positions, instance.dimension);
   if (figure.convention == instance.convention) return 1;
-  if (figure.convention == "up to reflection" || figure.convention == "lines") return 1;
-  if (figure.convention == "fixed frame" && scene != nullptr)
-    return frame_images(scene->record.instance.problem).in_frame;
+  if (figure.convention == "up to reflection" || figure.convention.starts_with("lines")) return 1;
+  if (figure.convention == "fixed frame") return frame_images(load_instance(instance.id).problem).in_frame;
   return std::nullopt;
 }
 
-/// Of an instance that was chosen to agree with the paper, agreement proves nothing.
+/// Of an instance that was chosen to agree with the paper, agreement proves nothing; and lengths with fewer than the most
+/// that is known refute nothing.
 VerdictStanding standing_of(const PrintedFigure& figure, const std::optional<Known>& ours,
                             std::optional<int> factor) {
   if (figure.correction)
     return figure.correction->is_proof ? VerdictStanding::refuted : VerdictStanding::open;
   if (!ours || !ours->is_proven || !factor || !figure.chosen.empty()) return VerdictStanding::open;
-  return figure.value == static_cast<double>(ours->classes) * *factor ? VerdictStanding::proven
-                                                                      : VerdictStanding::refuted;
+  const double found = static_cast<double>(ours->classes) * *factor;
+  if (figure.at_least) return found >= figure.value ? VerdictStanding::proven : VerdictStanding::open;
+  return found == figure.value ? VerdictStanding::proven : VerdictStanding::refuted;
 }
 
 std::optional<Verdict> verdict(const std::string& quantity, const std::string& row,
                                const std::optional<Known>& ours, const InstanceSummary& instance,
-                               const StoredScene* scene, const Publications& publications) {
+                               const Publications& publications) {
   const PrintedFigure* figure =
       instance.is_shipped ? printed_figure(publications, row, instance.id) : nullptr;
   if (!ours && figure == nullptr) return std::nullopt;
   Verdict result{quantity, "", std::nullopt, ours ? std::to_string(ours->classes) : "not measured",
                  VerdictStanding::open};
   if (figure != nullptr) {
-    result.printed = figure->printed + " (" + figure->convention + ")";
-    result.printed_standing = standing_of(*figure, ours, per_class(*figure, instance, scene));
+    result.printed =
+        fmt::format("{}{} ({})", figure->at_least ? "at least " : "", figure->printed, figure->convention);
+    result.printed_standing = standing_of(*figure, ours, per_class(*figure, instance));
     if (figure->correction)
       result.reason = "Printed: " + figure->correction->reason + " (" + figure->correction->source + ") ";
+    if (figure->at_least) result.reason = "Printed: at other lengths of this graph. ";
     if (!figure->chosen.empty()) result.reason = "Printed: " + figure->chosen + " ";
   }
   if (!ours) return result;
@@ -204,8 +207,7 @@ std::vector<Verdict> verdicts(const RunFile& run, const InstanceSummary& instanc
   std::vector<Verdict> all;
   const auto add = [&](const std::string& quantity, const std::string& row,
                        const std::optional<Known>& ours) {
-    if (auto one = verdict(quantity, row, ours, instance, scene, publications))
-      all.push_back(std::move(*one));
+    if (auto one = verdict(quantity, row, ours, instance, publications)) all.push_back(std::move(*one));
   };
   add("complex", "complex", complex_solutions(cells));
   add("real", "real", real_solutions(cells, scene));

@@ -48,6 +48,7 @@ void visit_fields(RecordOf<PrintedFigure> auto& figure, const auto& visit) {
   visit.later("convention", figure.convention);
   visit.later("remark", figure.remark);
   visit.later("chosen", figure.chosen);
+  visit.later("at_least", figure.at_least);
   visit.later("correction", figure.correction);
 }
 

@@ -28,6 +28,8 @@ struct PrintedFigure {
   std::string printed;  ///< as the paper prints it, with its unit
   std::string remark;   ///< what a reader should know when comparing; may be empty
   std::string chosen;   ///< why our instance says nothing of the paper's: it was chosen to agree; else empty
+  /// The most that was known of the graph, at other lengths than the instance's.
+  bool at_least = false;
   std::optional<Correction> correction;
 };
 

@@ -170,7 +170,8 @@ std::vector<Table> build_three_ways(const RunFile& run, const Publication& paper
       "Stated: the number of solutions, paths or the degree that the paper gives for the system. All else is "
       "counted from the polynomials with the instance's numbers, and from the paths.",
       "m-homogeneous: the smallest multihomogeneous Bézout number that a search over groups of unknowns "
-      "found. Finite: "
+      "found. Mixed volume: of cells that are proven one by one in integers, and proven where it is that "
+      "number, which none is above. Finite: "
       "ends of paths in C^n, extraneous ones included, which solve the equations but not the problem. "
       "Solutions: up to "
       "reflection, once each.",

@@ -192,6 +192,31 @@ TEST_CASE("a number in the convention of its scene is held against ours as it is
   CHECK(printed() == VerdictStanding::proven);
 }
 
+// 132 of 160 realisations, with a triangle held: two of each class up to reflection.
+TEST_CASE("the most that is known of a graph is proven by lengths with as many, and refuted by none") {
+  RunFile run = toy::run_record();
+  run.instances[0].id = "record@g160";
+  const auto real = [&](std::uint64_t classes) {
+    run.cells = {toy::with_all(toy::cell({"record@g160", "monodromy", {}}, 0, 0, 1), classes, 80)};
+    run.cells[0].proofs = RecordedProofs{80, classes, true, true};
+    return verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "real");
+  };
+  CHECK(real(66).printed == "at least 132 (fixed frame)");
+  CHECK(real(66).printed_standing == VerdictStanding::proven);
+  CHECK(real(68).printed_standing == VerdictStanding::proven);
+  CHECK(real(65).printed_standing == VerdictStanding::open);
+}
+
+TEST_CASE("distinct lines are held against ours one by one") {
+  RunFile run = toy::run_record();
+  run.instances[0].id = "tangents-fourfold";
+  run.cells = {toy::with_all(toy::cell({"tangents-fourfold", "sphere-tangents", {}}, 0, 0, 1), 3, 3)};
+  run.cells[0].proofs = RecordedProofs{3, 3, true, true};
+  const Verdict real = verdict_on(verdicts(run, run.instances[0], nullptr, load_publications()), "real");
+  CHECK(real.printed == "3 (lines, distinct)");
+  CHECK(real.printed_standing == VerdictStanding::proven);
+}
+
 TEST_CASE("what an instance was chosen for proves nothing of the paper's") {
   RunFile run = toy::run_record();
   for (CellRecord& cell : run.cells)

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "solvers/numeric/double_double.hpp"
-#include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
 namespace {
@@ -20,8 +19,8 @@ constexpr double settled_correction = 0x1p-96;
 
 class FlatCurve {
  public:
-  FlatCurve(const QuadraticSystem& system, const Eigen::VectorXd& near)
-      : equations_(real_equations(system)), wide_(system), jacobian_(near.size(), near.size()) {
+  FlatCurve(const WideEquations& equations, const Eigen::VectorXd& near)
+      : equations_(equations), jacobian_(near.size(), near.size()) {
     for (const double value : near) x_.push_back({value, 0});
     differentiate();
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian_, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -63,7 +62,7 @@ class FlatCurve {
   }
 
  private:
-  void differentiate() { equations_.jacobian(x(), jacobian_); }
+  void differentiate() { equations_.in_doubles().jacobian(x(), jacobian_); }
 
   void factorise() {
     const Eigen::Index n = jacobian_.rows();
@@ -84,14 +83,13 @@ class FlatCurve {
   /// Of F(x) + τ·u and, at right angles to v, 0.
   Eigen::VectorXd residual() const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(jacobian_.rows() + 1);
-    const std::vector<DoubleDouble> excess = wide_.excess(x_);
+    const std::vector<DoubleDouble> excess = equations_.excess(x_);
     for (Eigen::Index e = 0; e < jacobian_.rows(); ++e)
       result[e] = (excess[static_cast<std::size_t>(e)] + two_product(tau_, u_[e])).value();
     return result;
   }
 
-  const RealEquations equations_;
-  const WideEquations wide_;
+  const WideEquations& equations_;
   Eigen::MatrixXd jacobian_;
   std::vector<DoubleDouble> x_;
   double tau_ = 0;
@@ -101,10 +99,10 @@ class FlatCurve {
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> flat_refinement(const QuadraticSystem& system, const Eigen::VectorXd& near,
+std::optional<Eigen::VectorXd> flat_refinement(const WideEquations& equations, const Eigen::VectorXd& near,
                                                double most) {
   constexpr int most_steps = 60;
-  FlatCurve curve(system, near);
+  FlatCurve curve(equations, near);
   double last = most;
   for (int i = 0; i < most_steps && curve.correct(); ++i) {
     const double length = curve.step();

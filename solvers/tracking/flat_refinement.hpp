@@ -11,13 +11,13 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "solvers/model/quadratic_system.hpp"
+#include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
 
 /// The solution that steps from `near` lead to, rounded to doubles; nothing where they do not shrink, or are longer than
-/// `most`, in the unit of the unknowns. Precondition: the coefficients are real.
-std::optional<Eigen::VectorXd> flat_refinement(const QuadraticSystem& system, const Eigen::VectorXd& near,
+/// `most`, in the unit of the unknowns. Precondition: as many equations as unknowns.
+std::optional<Eigen::VectorXd> flat_refinement(const WideEquations& equations, const Eigen::VectorXd& near,
                                                double most);
 
 }  // namespace gcs

@@ -17,11 +17,10 @@ namespace {
 
 class TargetValues : public TargetEquations {
  public:
-  explicit TargetValues(const SceneSystem& system)
-      : system_(system), equations_(real_equations(system.equations())), wide_(system.equations()) {}
+  explicit TargetValues(const SceneSystem& system) : system_(system), equations_(system.equations()) {}
 
   Eigen::VectorXd coordinates(const Eigen::VectorXd& point) const override {
-    return point.head(equations_.unknowns);
+    return point.head(equations_.in_doubles().unknowns);
   }
   Refinement refine(Eigen::VectorXd& x) const override {
     constexpr int most_iterations = 40;  // next to a double solution each halves what a crossing is off
@@ -29,7 +28,7 @@ class TargetValues : public TargetEquations {
   }
   Refinement refine(Eigen::VectorXd& x, int most_iterations) const;
   std::optional<Eigen::VectorXd> refine_where_flat(const Eigen::VectorXd& x, double most) const override {
-    return flat_refinement(system_.equations(), x, most);
+    return flat_refinement(equations_, x, most);
   }
   /// In doubles two solutions and none are not told apart.
   std::optional<FoldSolutions> at_fold(const Eigen::VectorXd&, WorkCounters&) const override {
@@ -43,8 +42,7 @@ class TargetValues : public TargetEquations {
 
  private:
   const SceneSystem& system_;
-  RealEquations equations_;
-  WideEquations wide_;
+  WideEquations equations_;
 };
 
 std::optional<FoldSolutions> TargetValues::proven_at_fold(const Eigen::VectorXd& near) const {
@@ -65,12 +63,13 @@ std::optional<FoldSolutions> TargetValues::proven_at_fold(const Eigen::VectorXd&
 Refinement TargetValues::refine(Eigen::VectorXd& x, int most_iterations) const {
   constexpr double ulp = std::numeric_limits<double>::epsilon(), settled = 1e-6;
   const Eigen::VectorXd start = x;
-  Eigen::MatrixXd jacobian(equations_.count(), equations_.unknowns);
+  const RealEquations& in_doubles = equations_.in_doubles();
+  Eigen::MatrixXd jacobian(in_doubles.count(), in_doubles.unknowns);
   Refinement result;
   double size = 0, last = std::numeric_limits<double>::infinity();
   while (result.iterations < most_iterations) {
-    equations_.jacobian(x, jacobian);
-    const Eigen::VectorXd correction = jacobian.partialPivLu().solve(wide_.excess(x));
+    in_doubles.jacobian(x, jacobian);
+    const Eigen::VectorXd correction = jacobian.partialPivLu().solve(equations_.excess(x));
     x -= correction;
     ++result.iterations;
     result.last_correction = correction.norm();

@@ -14,6 +14,7 @@
 #include "solvers/model/wide_reference.hpp"
 #include "solvers/numeric/rounding.hpp"
 #include "solvers/tracking/flat_refinement.hpp"
+#include "solvers/tracking/real_equations.hpp"
 
 namespace gcs {
 namespace {
@@ -72,7 +73,7 @@ class TargetDistances final : public TargetEquations {
   }
   Refinement refine(Eigen::VectorXd& x) const override { return gcs::refine(system_, squares_, x); }
   std::optional<Eigen::VectorXd> refine_where_flat(const Eigen::VectorXd& x, double most) const override {
-    return flat_refinement(distance_equations(scene_, system_), x, most);
+    return flat_refinement(WideEquations(distance_equations(scene_, system_)), x, most);
   }
   std::optional<FoldSolutions> at_fold(const Eigen::VectorXd& near, WorkCounters& work) const override {
     return solutions_at_fold(system_, squares_, near, work);

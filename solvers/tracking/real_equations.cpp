@@ -58,7 +58,7 @@ DoubleDouble WideEquations::Form::at(const std::vector<DoubleDouble>& x) const {
   return sum;
 }
 
-WideEquations::WideEquations(const QuadraticSystem& system) {
+WideEquations::WideEquations(const QuadraticSystem& system) : in_doubles_(real_equations(system)) {
   for (const QuadraticEquation& equation : system.equations) {
     for (const FormProduct& product : equation.products)
       products_.push_back({given_.size(), Form(product.left), Form(product.right)});

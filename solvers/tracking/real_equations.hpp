@@ -44,12 +44,13 @@ struct RealEquations {
   void jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) const;
 };
 
-/// What is given, and the unknowns, in double-double.
+/// What is given, and the unknowns, in double-double; and the same in doubles, for derivatives.
 class WideEquations {
  public:
   /// Precondition: the coefficients are real.
   explicit WideEquations(const QuadraticSystem& system);
 
+  const RealEquations& in_doubles() const { return in_doubles_; }
   /// Σ left·right − given of each equation, right to some 2^-100 of its terms.
   std::vector<DoubleDouble> excess(const std::vector<DoubleDouble>& x) const;
   /// The same, rounded.
@@ -68,6 +69,7 @@ class WideEquations {
     Form left, right;
   };
 
+  RealEquations in_doubles_;
   std::vector<Product> products_;
   std::vector<DoubleDouble> given_;
 };

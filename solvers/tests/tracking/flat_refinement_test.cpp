@@ -39,7 +39,7 @@ TEST_CASE("a solution is found along circles that all but coincide") {
     Eigen::VectorXd near = exact;
     near[x] = std::cos(turned) * exact[x] - std::sin(turned) * exact[y];
     near[y] = std::sin(turned) * exact[x] + std::cos(turned) * exact[y];
-    const auto found = flat_refinement(distance_equations(scene, system), near, 0.01 * unit);
+    const auto found = flat_refinement(WideEquations(distance_equations(scene, system)), near, 0.01 * unit);
     CAPTURE(turned);
     REQUIRE(found);
     // 1e-32 in double-double is 1e-19 along the circles; what is left is rounding to doubles.
@@ -57,7 +57,8 @@ TEST_CASE("the equations of elements lead to the same solution") {
   for (const double turned : {0.0, 1e-6, 1e-4, -1e-3}) {
     Figure near = exact;
     near.points.col(2) = Eigen::AngleAxisd(turned, Eigen::Vector3d::UnitZ()) * exact.points.col(2);
-    const auto found = flat_refinement(system.equations(), real_parts(system.coordinates(near)), 0.01 * unit);
+    const auto found =
+        flat_refinement(WideEquations(system.equations()), real_parts(system.coordinates(near)), 0.01 * unit);
     CAPTURE(turned);
     REQUIRE(found);
     const Figure figure = system.figure(ComplexValues(found->begin(), found->end()), true);
@@ -73,5 +74,5 @@ TEST_CASE("no solution is found where steps along circles would be too long") {
   near[system.unknown(2, 0)] = 0.4 * unit;
   near[system.unknown(2, 1)] = std::sqrt(0.84) * unit;
   near[system.unknown(1, 0)] = 1e-13 * unit;
-  CHECK_FALSE(flat_refinement(distance_equations(scene, system), near, 0.01 * unit));
+  CHECK_FALSE(flat_refinement(WideEquations(distance_equations(scene, system)), near, 0.01 * unit));
 }

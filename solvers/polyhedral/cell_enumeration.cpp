@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
@@ -211,11 +210,8 @@ std::vector<Node> first_nodes(const Enumeration& enumeration, SimplexWork& work)
 std::vector<EnumeratedCells> descend_all(const Enumeration& enumeration, std::vector<Node> nodes,
                                          int threads) {
   std::vector<EnumeratedCells> found(nodes.size());
-  std::atomic<std::size_t> next = 0;
-  run_on_threads(threads, [&](int) {
-    for (std::size_t i = next++; i < nodes.size(); i = next++)
-      enumeration.descend(std::move(nodes[i]), found[i]);
-  });
+  share_on_threads(nodes.size(), threads,
+                   [&](std::size_t i) { enumeration.descend(std::move(nodes[i]), found[i]); });
   return found;
 }
 

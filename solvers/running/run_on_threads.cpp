@@ -3,6 +3,7 @@
 #include <flint/flint.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #ifdef GCS_TBB
@@ -98,9 +99,9 @@ void Background::wait() {
 }
 
 void share_on_threads(std::size_t items, int threads, const std::function<void(std::size_t)>& function) {
-  const auto step = std::min(static_cast<std::size_t>(threads), std::max<std::size_t>(items, 1));
-  run_on_threads(static_cast<int>(step), [&](int thread) {
-    for (auto i = static_cast<std::size_t>(thread); i < items; i += step) function(i);
+  std::atomic<std::size_t> next = 0;
+  run_on_threads(static_cast<int>(std::min(static_cast<std::size_t>(threads), items)), [&](int) {
+    for (std::size_t i = next++; i < items; i = next++) function(i);
   });
 }
 

@@ -11,7 +11,7 @@ namespace gcs {
 /// all have returned. No call may wait for another one: they may also run one after the other.
 void run_on_threads(int count, const std::function<void(int)>& function);
 
-/// Calls function(0), …, function(items − 1) on at most `threads` ≥ 1 threads, each of which takes every threads-th.
+/// Calls function(0), …, function(items − 1) on at most `threads` ≥ 1 threads, each of which takes the next one in turn.
 void share_on_threads(std::size_t items, int threads, const std::function<void(std::size_t)>& function);
 
 /// Functions that run beside the caller, as far as the machine has cores; on one with a single core perhaps not before

@@ -100,7 +100,10 @@ class ListMaker {
         take_around(solution.figure);
     }
     const bool is_complete = run.status == RunStatus::complete && run.failed_checks.empty();
-    list_.has_all_real = list_.has_all_real || (is_complete && run.claim == Claim::all_real);
+    // A multiple solution is not in the list: decimals do not prove it.
+    const bool are_simple = std::ranges::all_of(
+        run.solutions, [](const AssessedSolution& solution) { return solution.multiplicity == 1; });
+    list_.has_all_real = list_.has_all_real || (is_complete && are_simple && run.claim == Claim::all_real);
   }
 
   /// There are no more solutions than are proven.

@@ -42,9 +42,9 @@ Eigen::MatrixXd moduli(const BallMatrix& matrix) {
   return result;
 }
 
-bool is_invertible(const BallMatrix& matrix, slong bits) {
+std::optional<BallMatrix> inverse_of(const BallMatrix& matrix, slong bits) {
   BallMatrix inverse(matrix.rows(), matrix.columns());
-  return acb_mat_inv(inverse.get(), matrix.get(), bits) != 0;
+  return acb_mat_inv(inverse.get(), matrix.get(), bits) != 0 ? std::optional(inverse) : std::nullopt;
 }
 
 BallMatrix product(const BallMatrix& a, const BallMatrix& b, slong bits) {
@@ -95,7 +95,9 @@ class Expansion {
     const BallMatrix jacobian = system.jacobian(x);
     if (!choose_coordinates(middles(jacobian))) return;
     if (corank > 1 && !separate_squares()) return;
-    if (!is_invertible(combine_, bits_) || !is_invertible(directions_, bits_)) return;
+    const auto to_coordinates = inverse_of(directions_, bits_);
+    if (!to_coordinates || !inverse_of(combine_, bits_)) return;
+    to_coordinates_ = moduli(*to_coordinates);
     constant_ = product(combine_, system.value(x), bits_);
     linear_ = product(combine_, product(jacobian, directions_, bits_), bits_);
     find_curve(highest);
@@ -122,15 +124,32 @@ class Expansion {
     return product(directions_, z, bits_);
   }
 
-  /// The polydisc that the theorem proves with forms of this degree and this β, a power of two; `holds_x`: it is to hold x,
-  /// where a = −A(0) and b = 0.
-  std::optional<BallCluster> cluster(int degree, double beta, bool holds_x = false) const {
+  /// Bounds of a and b within a box about x.
+  struct Held {
+    Eigen::VectorXd a;
+    double b = 0;
+  };
+
+  /// Within `reach` of x, as it follows from V₁(a + A(b)) + V₂b. Precondition: is_valid().
+  Held held(const Eigen::VectorXd& reach) const {
+    const Eigen::VectorXd moved = rounded_up(to_coordinates_ * reach);
+    Held bounds;
+    bounds.b = moved.tail(corank_).maxCoeff();
+    bounds.a = rounded_up(moved + sum(curve_sizes_, bounds.b)).head(regular_);
+    return bounds;
+  }
+
+  /// The polydisc that the theorem proves with forms of this degree and this β, a power of two, and that holds these points.
+  std::optional<BallCluster> cluster(int degree, double beta, const Held* held = nullptr) const {
     if (!is_valid_) return std::nullopt;
     const double leading = std::pow(beta, degree);
     const Eigen::VectorXd of_b = sum(alone_, beta);
     // What b alone leaves of f₁, and as much again for a itself; that of the forms where it is nothing.
-    const Eigen::VectorXd size = 2 * rounded_up(of_b).head(regular_).cwiseMax(leading);
-    if (holds_x && !(curve_sizes_[0].head(regular_).array() <= size.array()).all()) return std::nullopt;
+    Eigen::VectorXd size = 2 * rounded_up(of_b).head(regular_).cwiseMax(leading);
+    if (held != nullptr) {
+      if (!(held->b <= beta)) return std::nullopt;
+      size = size.cwiseMax(held->a);
+    }
     Eigen::VectorXd with_a = Eigen::VectorXd::Zero(unknowns_);
     for (std::size_t k = 0; k < with_a_.size(); ++k) with_a += upper_power(beta, k) * (with_a_[k] * size);
     for (Eigen::Index j = 0; j < regular_; ++j)
@@ -290,6 +309,7 @@ class Expansion {
   BallMatrix at_zero_ = system_.jacobian(BallMatrix(unknowns_, 1));  ///< the Jacobian
   Eigen::MatrixXcd directions_in_doubles_, combine_in_doubles_;
   BallMatrix directions_{unknowns_, unknowns_}, combine_{unknowns_, unknowns_};
+  Eigen::MatrixXd to_coordinates_;  ///< moduli of the inverse of the directions
   BallMatrix constant_{unknowns_, 1}, linear_{unknowns_, unknowns_};
   std::map<Exponents, BallMatrix> curve_, slopes_;    ///< (A(b), b), and slope_along() of its terms
   std::vector<Eigen::VectorXd> alone_, curve_sizes_;  ///< by degree in b, without own_
@@ -313,17 +333,21 @@ std::vector<int> possible_coranks(const BallKrawczyk& system, const BallMatrix& 
 
 bool is_finite(const BallMatrix& matrix) { return acb_mat_is_finite(matrix.get()) != 0; }
 
-/// Of the smallest β and r that the theorem proves.
-std::optional<BallCluster> smallest_cluster(const BallKrawczyk& system, const BallMatrix& x, bool holds_x) {
+/// Of the smallest β and r that the theorem proves; that holds all points within `reach` of x.
+std::optional<BallCluster> smallest_cluster(const BallKrawczyk& system, const BallMatrix& x,
+                                            const Eigen::VectorXd* reach) {
   // Unknowns are of order 1. Half of the digits of doubles are left to the point at least; below, twice as
   // many digits as a point in doubles can have are of no use.
   constexpr int largest = -4, smallest = -104;
   for (const int corank : possible_coranks(system, x)) {
     const int most = corank == 1 ? most_in_line : 2;
     const Expansion expansion(system, x, corank, most - 1);
+    if (!expansion.is_valid()) continue;
+    const auto held = reach != nullptr ? std::optional(expansion.held(*reach)) : std::nullopt;
     for (int exponent = smallest; exponent <= largest; ++exponent)
       for (int degree = 2; degree <= most; ++degree)
-        if (auto cluster = expansion.cluster(degree, std::ldexp(1.0, exponent), holds_x)) return cluster;
+        if (auto cluster = expansion.cluster(degree, std::ldexp(1.0, exponent), held ? &*held : nullptr))
+          return cluster;
   }
   return std::nullopt;
 }
@@ -348,12 +372,13 @@ std::optional<BallMatrix> meeting_point(const BallKrawczyk& system, const std::v
 }
 
 std::optional<BallCluster> prove_cluster(const BallKrawczyk& system, const std::vector<Complex>& x) {
-  return smallest_cluster(system, BallKrawczyk::vector(x), false);
+  return smallest_cluster(system, BallKrawczyk::vector(x), nullptr);
 }
 
-bool are_about(const BallKrawczyk& system, const BallMatrix& x, int solutions) {
-  const std::optional<BallCluster> cluster = smallest_cluster(system, x, true);
-  return cluster && cluster->solutions == solutions;
+int solutions_about(const BallKrawczyk& system, const BallMatrix& x, const std::vector<double>& reach) {
+  const Eigen::VectorXd box = Eigen::VectorXd::Map(reach.data(), static_cast<Eigen::Index>(reach.size()));
+  const std::optional<BallCluster> cluster = smallest_cluster(system, x, &box);
+  return cluster ? cluster->solutions : 0;
 }
 
 }  // namespace gcs

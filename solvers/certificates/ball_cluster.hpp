@@ -36,9 +36,10 @@ struct BallCluster {
 std::optional<BallCluster> prove_cluster(const BallKrawczyk& system,
                                          const std::vector<std::complex<double>>& x);
 
-/// Whether a polydisc that holds x is proven to hold so many: if these are the multiplicity of x, no other solution is in it. x
-/// may be balls about a number that takes more digits.
-bool are_about(const BallKrawczyk& system, const BallMatrix& x, int solutions);
+/// How many solutions a polydisc that holds all points within reach_i of x_i is proven to hold: if as many are known there,
+/// with their multiplicities, it holds no other one. 0 where nothing is proven. x may be balls about numbers that take more
+/// digits.
+int solutions_about(const BallKrawczyk& system, const BallMatrix& x, const std::vector<double>& reach);
 
 /// The point next to x, 2 ≤ solutions ≤ 8, about which so many are proven to lie in a polydisc with β = 2^(−200/solutions), where
 /// the Jacobian loses one from its rank. Newton's method along the curve finds it, which does not settle there otherwise. Precondition:

@@ -120,7 +120,8 @@ void Certifier::find_cluster(const Point& x, Certificate& certificate) const {
   const auto fractions = simplest_fractions(x, cluster->radius);
   certificate.is_multiple =
       fractions && least_multiplicity(system_, *fractions, cluster->solutions) == cluster->solutions &&
-      are_about(level(0), enclosed(*fractions, level(0).bits()), cluster->solutions);
+      solutions_about(level(0), enclosed(*fractions, level(0).bits()), std::vector<double>(x.size(), 0.0)) ==
+          cluster->solutions;
   if (certificate.is_multiple) certificate.realness = Certificate::Realness::real;
   certificate.cause = "it is singular or nearly so, a cluster of " + std::to_string(cluster->solutions) +
                       " solutions, counted with multiplicities";

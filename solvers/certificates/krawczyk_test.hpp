@@ -13,6 +13,7 @@ namespace gcs {
 struct ProvenSolution {
   Box enclosure;
   Eigen::VectorXd unique;
+  int multiplicity = 1;
 };
 
 class KrawczykTest {

@@ -59,10 +59,11 @@ bool are_different_classes(const Scene& scene, const std::vector<Candidate>& can
   std::vector<Figure> representatives;
   std::vector<SolutionAccuracy> accuracies;
   for (const Candidate& candidate : candidates) {
+    if (candidate.multiplicity != 1) continue;
     representatives.push_back(scene.representative(candidate.figure));
     accuracies.push_back({judge.condition(representatives.back()), candidate.error});
   }
-  return solution_classes(scene, representatives, accuracies).first.size() == candidates.size();
+  return solution_classes(scene, representatives, accuracies).first.size() == representatives.size();
 }
 
 ResolvedCandidates simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count,

@@ -37,7 +37,7 @@ ResolvedCandidates resolve_nearly_singular(const Scene& scene, const std::vector
 ResolvedCandidates simple_solutions_near(const SceneSystem& system, const ComplexValues& x, int count,
                                          const std::stop_token& stop);
 
-/// Whether doubles tell these candidates apart, as an assessment does it.
+/// Whether doubles tell the simple ones of these candidates apart, as an assessment does it.
 bool are_different_classes(const Scene& scene, const std::vector<Candidate>& candidates);
 
 /// Why not all are listed, in words.

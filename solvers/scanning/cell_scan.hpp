@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "solvers/certificates/krawczyk.hpp"
+#include "solvers/certificates/undecided_place.hpp"
 #include "solvers/interface/strategy_interface.hpp"
 #include "solvers/scanning/narrowing.hpp"
 #include "solvers/scanning/piece.hpp"
@@ -17,7 +18,7 @@ namespace gcs {
 ///   pieces(k, positions, cell, within), those of step k;
 ///   put(k, piece, positions, narrowing): the positions with the piece; false where a check excludes it;
 ///   box(positions), what they say of the unknowns, and figure(x), a figure at them;
-///   content(box), refine(x, iterations) and solutions_in(box), by the equations;
+///   equations(), and content(box), refine(x, iterations) and solutions_in(box) by them;
 ///   image_near(box, known), of the box what holds solutions of the same class, near another one; nothing where none
 ///   of these meets that one;
 ///   solution(box), the one solution there.
@@ -50,6 +51,7 @@ class CellScan {
       visit(part);
       share_out(part.share, others);
     }
+    if (!is_over()) count_at_places();
     return std::move(outcome_);
   }
 
@@ -197,7 +199,7 @@ class CellScan {
     if (go_on_narrower(visit, k, narrowing)) return;
     const Part left = remainder(visit, k, narrowing).part;
     const int symbol = symbol_to_halve(visit, left);
-    if (symbol < 0) return give_up(visit, left.cell);
+    if (symbol < 0) return give_up(visit, k, left.cell);
     const auto [mid, half] = range(left, visit, symbol);
     for (const double sign : {1.0, -1.0}) {
       pending_.push_back(left);
@@ -281,11 +283,12 @@ class CellScan {
 
   /// Takes the one solution in the box, at its middle, to those found. False when it cannot be told whether
   /// it is one of them.
-  bool is_known_now(const Box& around) {
+  bool is_known_now(const Box& around, int multiplicity = 1) {
     const Box tight = tightened(around);
     const Novelty found = novelty(tight);
     if (found == Novelty::other) {
       outcome_.solutions.push_back(stage_.solution(tight));
+      outcome_.solutions.back().multiplicity = multiplicity;
       boxes_.push_back(tight);
     }
     return found != Novelty::unknown;
@@ -309,16 +312,43 @@ class CellScan {
     return false;
   }
 
-  void give_up(const Visit& visit, const Cell<N>& cell) {
+  void give_up(const Visit& visit, std::size_t k, const Cell<N>& cell) {
     UndecidedPiece piece;
     for (int i = 0; i < angles_; ++i)
       piece.ranges.push_back({cell.mid[i] - cell.half[i], cell.mid[i] + cell.half[i]});
-    Eigen::VectorXd x = stage_.box(visit.positions).mid;
+    const Box box = stage_.box(visit.positions);
+    if (k == stage_.steps() && box.radius.allFinite()) piece.box = box;
+    Eigen::VectorXd x = box.mid;
     stage_.refine(x, outcome_.newton_iterations);
     piece.figure = stage_.figure(x);
     outcome_.undecided.push_back(std::move(piece));
     if (static_cast<std::int64_t>(outcome_.undecided.size()) > most_undecided)
       outcome_.end = ScanOutcome::End::too_many_undecided;
+  }
+
+  /// Leaves the pieces undecided of which counting does not decide the place (undecided_place.hpp).
+  void count_at_places() {
+    if (outcome_.undecided.empty() || outcome_.undecided.size() > most_counted) return;
+    std::vector<UndecidedPiece> placed, left;
+    std::vector<Box> boxes;
+    for (UndecidedPiece& piece : outcome_.undecided) {
+      if (piece.box) boxes.push_back(*piece.box);
+      (piece.box ? placed : left).push_back(std::move(piece));
+    }
+    const QuadraticSystem equations = stage_.equations();
+    for (const UndecidedPlace& place : undecided_places(boxes, equations.mirror, one_place * stage_.size()))
+      if (!is_counted(equations, place.hull))
+        for (const std::size_t member : place.members) left.push_back(std::move(placed[member]));
+    outcome_.undecided = std::move(left);
+  }
+
+  /// True when all solutions in the box are found, and known from now on.
+  bool is_counted(const QuadraticSystem& equations, const Box& box) {
+    const auto solutions = real_solutions_in(equations, box, request_.stop);
+    outcome_.is_counted = outcome_.is_counted || solutions;
+    return solutions && std::ranges::all_of(*solutions, [this](const CountedSolution& solution) {
+             return is_known_now(solution.box, solution.multiplicity);
+           });
   }
 
   static constexpr std::int64_t cells_between_news = 1000;
@@ -334,6 +364,10 @@ class CellScan {
   /// More finest pieces than this are a curve of solutions and not the surroundings of a few multiple ones,
   /// each of which takes about 1e-8 / finest in the direction in which it is multiple.
   static constexpr std::int64_t most_undecided = 200'000;
+  /// Of the scene: pieces that are nearer to each other are of one place.
+  static constexpr double one_place = 0x1p-12;
+  /// More are a curve of solutions, or nearly one, in hundreds of places.
+  static constexpr std::size_t most_counted = 20'000;
   static constexpr int most_failed_searches = 50;  ///< more would say no more, and take seconds
 
   const SolveRequest& request_;

@@ -137,6 +137,7 @@ class ElementStage {
     return box;
   }
 
+  const QuadraticSystem& equations() const { return system_.equations(); }
   BoxContent content(const Box& box) const {
     const auto image = test_.image(box);
     if (!image) return BoxContent::unknown;

@@ -1,6 +1,7 @@
 #include "solvers/scanning/plan_scan.hpp"
 
 #include "solvers/certificates/box_search.hpp"
+#include "solvers/model/distance_equations.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/scanning/cell_scan.hpp"
 #include "solvers/scanning/step_pieces.hpp"
@@ -63,6 +64,7 @@ class PointStage {
     return box;
   }
 
+  QuadraticSystem equations() const { return distance_equations(scene_, system_); }
   BoxContent content(const Box& box) const { return krawczyk(system_, squares_, box); }
 
   bool refine(Eigen::VectorXd& x, std::int64_t& iterations) const {
@@ -85,7 +87,7 @@ class PointStage {
   Figure figure(const Eigen::VectorXd& x) const { return system_.figure(x); }
 
   ScanSolution solution(const Box& box) const {
-    return {figure(box.mid), std::sqrt(3.0) * box.radius.maxCoeff() * (1 + 4 * AffineForm<N>::epsilon)};
+    return {figure(box.mid), 1, std::sqrt(3.0) * box.radius.maxCoeff() * (1 + 4 * AffineForm<N>::epsilon)};
   }
 
  private:

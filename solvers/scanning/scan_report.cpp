@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "solvers/certificates/nearly_singular.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 
 namespace gcs {
@@ -90,7 +91,15 @@ SolveReport scan_report(const Scene& scene, std::size_t angles, const ScanOutcom
   report.claim = Claim::all_real;
   report.status = status_of(outcome);
   report.reason = what_is_missing(outcome);
-  for (const auto& [figure, error] : outcome.solutions) report.candidates.push_back({figure, 1, error});
+  for (const auto& [figure, multiplicity, error] : outcome.solutions) {
+    report.candidates.push_back({figure, multiplicity});
+    if (multiplicity == 1) report.candidates.back().error = error;
+  }
+  if (outcome.is_counted && report.status == SolveStatus::complete &&
+      !are_different_classes(scene, report.candidates)) {
+    report.status = SolveStatus::partial;
+    report.reason = too_near;
+  }
   for (const UndecidedPiece& piece : outcome.undecided)
     if (relative_residual(scene, piece.figure) <= double_root_residual)
       report.candidates.push_back({piece.figure});

@@ -21,8 +21,9 @@
 /// reaches needs no program.
 ///
 /// It claims all real solutions, proven for the exact decimals of the file. Where a solution is multiple, or
-/// others are within 2^-36 of the scene's size, boxes become too small to be halved: the answer is partial
-/// then, and names them, and never loses them. The boxes grow exponentially with the unknowns, most where many
+/// others are within 2^-36 of the scene's size, boxes become too small to be halved: what they hold is counted
+/// (certificates/undecided_place.hpp). Where that proves nothing the answer is partial, and names them, and never loses
+/// them. The boxes grow exponentially with the unknowns, most where many
 /// lengths are loose: it refuses scenes of more than most_unknowns, and gives up after max_boxes.
 
 #include "solvers/strategies/box_subdivision.hpp"
@@ -54,8 +55,8 @@ class BoxSubdivisionStrategy final : public Strategy {
     const IntervalEquations system(equations.system());
     const SubdivisionMeans means{asked_.reduction, asked_.max_boxes, request.threads, request.stop,
                                  request.monitor};
-    return subdivision_report(scene, equations,
-                              subdivide(system, start_box(scene, equations), scene.size(), means));
+    return subdivision_report(
+        scene, equations, subdivide(system, start_box(scene, equations), scene.size(), means), request.stop);
   }
 
  private:

@@ -1,7 +1,6 @@
 #include "solvers/subdivision/subdivision.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <optional>
 
 #include "solvers/running/run_on_threads.hpp"
@@ -44,7 +43,7 @@ Box as_box(const IntervalBox& sides) {
 struct Visit {
   std::vector<IntervalBox> halves;  ///< none where it is decided
   std::optional<ProvenSolution> solution;
-  std::optional<IntervalBox> undecided;
+  std::optional<Box> undecided;
   SubdivisionCounters work;
 };
 
@@ -170,7 +169,7 @@ class Visitor {
 
   void halve() {
     if (!(widest() > finest * size_)) {
-      visit_.undecided = std::move(box_);
+      visit_.undecided = as_box(box_);
       return;
     }
     visit_.work.bisections = 1;
@@ -229,10 +228,8 @@ class Subdivision {
     const std::size_t count = std::min({batch, waiting_.size(), static_cast<std::size_t>(allowed)});
     const std::size_t first = waiting_.size() - count;
     std::vector<Visit> visits(count);
-    std::atomic<std::size_t> next = 0;
-    run_on_threads(std::min(means_.threads, static_cast<int>(count)), [&](int) {
-      for (std::size_t i = next++; i < count; i = next++)
-        visits[i] = Visitor(system_, test_, means_.reduction, size_, std::move(waiting_[first + i])).run();
+    share_on_threads(count, means_.threads, [&](std::size_t i) {
+      visits[i] = Visitor(system_, test_, means_.reduction, size_, std::move(waiting_[first + i])).run();
     });
     waiting_.resize(first);
     return visits;

@@ -32,7 +32,7 @@ struct SubdivisionOutcome {
   enum class End { complete, too_many_boxes, too_many_undecided, stopped };
   End end = End::complete;
   std::vector<ProvenSolution> solutions;  ///< in the box, or within rounding beside it; some may be the same
-  std::vector<IntervalBox> undecided;     ///< as small as boxes become
+  std::vector<Box> undecided;             ///< as small as boxes become
   std::int64_t left = 0;                  ///< boxes that were not looked at
   SubdivisionCounters work;
 };

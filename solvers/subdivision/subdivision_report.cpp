@@ -2,9 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 #include "solvers/certificates/certificate.hpp"
+#include "solvers/certificates/nearly_singular.hpp"
+#include "solvers/certificates/undecided_place.hpp"
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/subdivision/distinct_solutions.hpp"
 
@@ -20,34 +25,54 @@ constexpr std::size_t most_named = 5;
 
 class Report {
  public:
-  Report(const Scene& scene, const SceneEquations& equations, const SubdivisionOutcome& outcome)
+  Report(const Scene& scene, const SceneEquations& equations, const SubdivisionOutcome& outcome,
+         const std::stop_token& stop)
       : scene_(scene),
         equations_(equations),
+        system_(equations.system()),
         points_(scene),
         outcome_(outcome),
-        mirror_(equations.system().mirror),
-        signs_(mirror_signs(mirror_)) {}
+        stop_(stop) {}
 
   SolveReport run() {
-    const DistinctSolutions distinct = distinct_solutions(outcome_.solutions, mirror_);
+    DistinctSolutions distinct = distinct_solutions(outcome_.solutions, system_.mirror);
+    undecided_ = std::move(distinct.undecided);
+    undecided_.insert(undecided_.end(), outcome_.undecided.begin(), outcome_.undecided.end());
+    if (outcome_.end == SubdivisionOutcome::End::complete) count(distinct);
     report_.claim = Claim::all_real;
-    for (const ProvenSolution& solution : distinct.list)
-      report_.candidates.push_back({figure(solution.enclosure.mid), 1, error(solution.enclosure)});
-    for (const IntervalBox& box : outcome_.undecided) add_undecided(middle(box));
-    for (const Box& box : distinct.undecided) add_undecided(box.mid);
+    for (const ProvenSolution& solution : distinct.list) {
+      report_.candidates.push_back({figure(solution.enclosure.mid), solution.multiplicity});
+      if (solution.multiplicity == 1) report_.candidates.back().error = error(solution.enclosure);
+    }
+    are_told_apart_ = !is_counted_ || are_different_classes(scene_, report_.candidates);
     list_places();
-    const std::size_t undecided = outcome_.undecided.size() + distinct.undecided.size();
-    report_.status = status(undecided);
-    report_.reason = reason(undecided);
-    count_work(undecided);
+    report_.status = status();
+    report_.reason = reason();
+    count_work();
     return std::move(report_);
   }
 
  private:
-  static Eigen::VectorXd middle(const IntervalBox& box) {
-    Eigen::VectorXd x(static_cast<Eigen::Index>(box.size()));
-    for (std::size_t i = 0; i < box.size(); ++i) x[static_cast<Eigen::Index>(i)] = box[i].middle();
-    return x;
+  /// Takes the solutions at the places that are decided by counting to the others, and keeps the boxes of the others.
+  void count(DistinctSolutions& distinct) {
+    std::vector<ProvenSolution> all = std::move(distinct.list);
+    std::vector<Box> left;
+    for (const UndecidedPlace& place : places()) {
+      const auto counted = real_solutions_in(system_, place.hull, stop_);
+      is_counted_ = is_counted_ || counted.has_value();
+      if (!counted)
+        for (const std::size_t box : place.members) left.push_back(undecided_[box]);
+      else
+        for (const auto& [box, unique, multiplicity] : *counted)
+          all.push_back({box, Eigen::VectorXd::Constant(box.mid.size(), unique), multiplicity});
+    }
+    distinct = distinct_solutions(all, system_.mirror);
+    undecided_ = std::move(left);
+    undecided_.insert(undecided_.end(), distinct.undecided.begin(), distinct.undecided.end());
+  }
+
+  std::vector<UndecidedPlace> places() const {
+    return undecided_places(undecided_, system_.mirror, one_place * scene_.size());
   }
 
   int line_count() const { return static_cast<int>(scene_.problem().lines.size()); }
@@ -89,49 +114,38 @@ class Report {
     return largest * (1 + 0x1p-48);
   }
 
-  /// Where boxes are undecided: of their middles the one that satisfies the constraints best.
-  struct Place {
-    Eigen::VectorXd x;
-    double residual = 0;
-  };
-
-  bool is_near(const Eigen::VectorXd& x, const Place& place) const {
-    return std::any_of(signs_.begin(), signs_.end(), [&](const Eigen::VectorXd& sign) {
-      return (x.cwiseProduct(sign) - place.x).cwiseAbs().maxCoeff() <= one_place * scene_.size();
-    });
-  }
-
-  void add_undecided(const Eigen::VectorXd& x) {
-    const Place here{x, relative_residual(scene_, figure(x))};
-    const auto known =
-        std::find_if(places_.begin(), places_.end(), [&](const Place& place) { return is_near(x, place); });
-    if (known == places_.end())
-      places_.push_back(here);
-    else if (here.residual < known->residual)
-      *known = here;
-  }
-
-  /// With the number of solutions that are proven to lie together there, if one is.
+  /// Of each undecided place the middle of a box that satisfies the constraints best, with the number of solutions that
+  /// are proven to lie together there, if one is.
   void list_places() {
-    if (places_.empty()) return;
-    const Certifier certifier(equations_.system());
-    for (const auto& [x, residual] : places_) {
-      if (residual > double_root_residual) continue;
-      const Certificate certificate = certifier.certify({x.begin(), x.end()});
-      report_.candidates.push_back({figure(x), std::max(1, certificate.cluster)});
+    if (undecided_.empty()) return;
+    const Certifier certifier(system_);
+    for (const UndecidedPlace& place : places()) {
+      Eigen::VectorXd best;
+      double least = std::numeric_limits<double>::infinity();
+      for (const std::size_t box : place.members) {
+        const Eigen::VectorXd& x = undecided_[box].mid;
+        const double residual = relative_residual(scene_, figure(x));
+        if (best.size() == 0 || residual < least) std::tie(best, least) = std::pair(x, residual);
+      }
+      places_.push_back(best);
+      if (least > double_root_residual) continue;
+      const Certificate certificate = certifier.certify({best.begin(), best.end()});
+      report_.candidates.push_back({figure(best), std::max(1, certificate.cluster)});
     }
   }
 
-  SolveStatus status(std::size_t undecided) const {
+  SolveStatus status() const {
     if (outcome_.end == SubdivisionOutcome::End::stopped) return SolveStatus::stopped;
-    if (outcome_.end == SubdivisionOutcome::End::complete)
-      return undecided == 0 ? SolveStatus::complete : SolveStatus::partial;
+    if (outcome_.end == SubdivisionOutcome::End::complete) {
+      if (undecided_.empty()) return are_told_apart_ ? SolveStatus::complete : SolveStatus::partial;
+      return stop_.stop_requested() ? SolveStatus::stopped : SolveStatus::partial;
+    }
     const bool is_found = std::any_of(report_.candidates.begin(), report_.candidates.end(),
                                       [](const Candidate& found) { return std::isfinite(found.error); });
     return is_found ? SolveStatus::partial : SolveStatus::gave_up;
   }
 
-  std::string reason(std::size_t undecided) const {
+  std::string reason() const {
     std::ostringstream words;
     if (outcome_.end == SubdivisionOutcome::End::stopped) words << "stopped on request";
     if (outcome_.end == SubdivisionOutcome::End::too_many_boxes)
@@ -139,14 +153,15 @@ class Report {
     if (outcome_.end == SubdivisionOutcome::End::too_many_undecided)
       words << "so many boxes are undecided that the solutions are unlikely to be isolated: " << outcome_.left
             << " boxes left";
-    if (undecided == 0) return words.str();
+    if (!are_told_apart_) words << too_near;
+    if (undecided_.empty()) return words.str();
     if (words.tellp() > 0) words << "; ";
-    words << undecided << " of the smallest boxes undecided, in " << places_.size()
+    words << undecided_.size() << " of the smallest boxes undecided, in " << places_.size()
           << (places_.size() == 1 ? " place" : " places") << ", around ";
     words.precision(12);
     for (std::size_t k = 0; k < std::min(places_.size(), most_named); ++k) {
       words << (k == 0 ? "(" : ", (");
-      for (Eigen::Index i = 0; i < places_[k].x.size(); ++i) words << (i == 0 ? "" : ", ") << places_[k].x[i];
+      for (Eigen::Index i = 0; i < places_[k].size(); ++i) words << (i == 0 ? "" : ", ") << places_[k][i];
       words << ")";
     }
     if (places_.size() > most_named) words << " and " << places_.size() - most_named << " more";
@@ -154,7 +169,7 @@ class Report {
     return words.str();
   }
 
-  void count_work(std::size_t undecided) {
+  void count_work() {
     const SubdivisionCounters& work = outcome_.work;
     report_.work.newton_iterations = work.newton_iterations;
     report_.work.evaluations = report_.work.jacobians = report_.work.factorisations =
@@ -164,25 +179,28 @@ class Report {
                            {"krawczyk_tests", work.krawczyk_tests},
                            {"linear_programs", work.linear_programs},
                            {"simplex_exchanges", work.pivots},
-                           {"undecided_boxes", static_cast<std::int64_t>(undecided)},
+                           {"undecided_boxes", static_cast<std::int64_t>(undecided_.size())},
                            {"boxes_left", outcome_.left}};
   }
 
   const Scene& scene_;
   const SceneEquations& equations_;
+  QuadraticSystem system_;
   DistanceSystem points_;
   const SubdivisionOutcome& outcome_;
-  SignMasks mirror_;
-  std::vector<Eigen::VectorXd> signs_;
-  std::vector<Place> places_;
+  const std::stop_token& stop_;
+  std::vector<Box> undecided_;
+  bool is_counted_ = false;  ///< some place was decided by counting
+  bool are_told_apart_ = true;
+  std::vector<Eigen::VectorXd> places_;
   SolveReport report_;
 };
 
 }  // namespace
 
 SolveReport subdivision_report(const Scene& scene, const SceneEquations& equations,
-                               const SubdivisionOutcome& outcome) {
-  return Report(scene, equations, outcome).run();
+                               const SubdivisionOutcome& outcome, const std::stop_token& stop) {
+  return Report(scene, equations, outcome, stop).run();
 }
 
 }  // namespace gcs

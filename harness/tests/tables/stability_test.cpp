@@ -276,9 +276,15 @@ TEST_CASE("errors of stiff members are explained by the condition of the solutio
 }
 
 TEST_CASE("a scan tells apart solutions that the lengths as doubles do not") {
-  check_right(measured({"double-root@1e-8", "double-root@1e-10", "flat-triangle@1e-8", "flat-triangle@1e-12",
-                        "flat-tetrahedron@1e-8", "short-edge@1e-6", "short-edge@1e-8"},
+  check_right(measured({"double-root@1e-8", "double-root@1e-10", "double-root@1e-12", "flat-triangle@1e-8",
+                        "flat-triangle@1e-12", "flat-tetrahedron@1e-8", "short-edge@1e-6", "short-edge@1e-8"},
                        {"plan-scan"}));
+}
+
+TEST_CASE("boxes tell apart solutions that are closer together than boxes become") {
+  check_right(measured({"double-root@1e-10", "double-root@1e-12", "flat-triangle@1e-12",
+                        "flat-tetrahedron@1e-12", "inconsistent@1e-12"},
+                       {"box-subdivision"}));
 }
 
 TEST_CASE("errors of members that move, escape or mix lengths are explained by the condition, too") {

@@ -39,8 +39,8 @@ std::int64_t counted(const Answer& answer, const std::string& name) {
 
 /// The circles around the ends of a base of length 3 in the plane, of the radii 1 and 2, touch where c is; d
 /// hangs on a and c.
-ProblemStatement touching_circles() {
-  return samples::problem_of(2, 4, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {2, 3}}, {3, 1, 2, 1.5, 1.25});
+ProblemStatement touching_circles(double from_a) {
+  return samples::problem_of(2, 4, {{0, 1}, {0, 2}, {1, 2}, {0, 3}, {2, 3}}, {3, 1, 2, from_a, 1.25});
 }
 
 }  // namespace
@@ -64,9 +64,30 @@ TEST_CASE("linear programs spare boxes, and equations do") {
   CHECK(boxes(Reduction::box) < boxes(Reduction::none));
 }
 
-TEST_CASE(
-    "circles that touch are undecided where they do, and circles that miss each other by a little are not") {
-  const Answer touching = solved(touching_circles());
+TEST_CASE("circles that touch do so once, and circles that miss each other by a little do not") {
+  // d is at the height 3/4 over a: the solution has fractions for coordinates.
+  const Answer touching = solved(touching_circles(0.75));
+  CHECK(touching.status == RunStatus::complete);
+  REQUIRE(touching.solutions.size() == 1);
+  CHECK(touching.solutions[0].multiplicity == 2);
+  CHECK(touching.failed_checks.empty());
+  const Eigen::Matrix3Xd points = touching.solutions[0].placement().points;
+  CHECK((points.col(0) - points.col(2)).norm() == Approx(1).epsilon(1e-15));
+  CHECK((points.col(0) - points.col(3)).norm() == Approx(0.75).epsilon(1e-15));
+
+  ProblemStatement apart = touching_circles(0.75);
+  apart.constraints[0].given.value += 0x1p-26;  // no placement at all
+  const Answer none = solve(Scene::unchecked(apart), BoxSubdivision{.reduce = false});
+  CHECK(none.status == RunStatus::complete);
+  CHECK(none.solutions.empty());
+  apart.constraints[0].given.value -= 0x1p-25;  // c 1e-4 beside the base
+  const Answer two = solve(Scene::unchecked(apart), BoxSubdivision{.reduce = false});
+  CHECK(two.status == RunStatus::complete);
+  CHECK(two.solutions.size() == 2);
+}
+
+TEST_CASE("circles that touch are undecided where no fractions say that they do") {
+  const Answer touching = solved(touching_circles(1.5));
   CHECK(touching.status == RunStatus::partial);
   CHECK_THAT(touching.reason, Catch::Contains("undecided"));
   CHECK(counted(touching, "undecided_boxes") > 0);
@@ -76,16 +97,6 @@ TEST_CASE(
   CHECK((points.col(0) - points.col(2)).norm() == Approx(1));
   CHECK((points.col(1) - points.col(2)).norm() == Approx(2));
   CHECK(touching.solutions[0].multiplicity > 1);
-
-  ProblemStatement apart = touching_circles();
-  apart.constraints[0].given.value += 0x1p-26;  // no placement at all
-  const Answer none = solve(Scene::unchecked(apart), BoxSubdivision{.reduce = false});
-  CHECK(none.status == RunStatus::complete);
-  CHECK(none.solutions.empty());
-  apart.constraints[0].given.value -= 0x1p-25;  // c 1e-4 beside the base
-  const Answer two = solve(Scene::unchecked(apart), BoxSubdivision{.reduce = false});
-  CHECK(two.status == RunStatus::complete);
-  CHECK(two.solutions.size() == 2);
 }
 
 // Two triangles that are translates of each other, and three bars of one length between them: one goes around

@@ -194,7 +194,7 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
                                             is_zero, stopped, progress, work);
   settle(start.system, squares, request.threads, ends);
   if (has_precise_ends(request.scene))
-    continue_ends(request.scene, start.squares(), squares, ends, request.stop);
+    continue_ends(request.scene, start.squares(), squares, request.threads, ends, request.stop);
   std::mt19937_64 random(request.seed);
   const auto make_report = [&] {
     const auto is_isolated = [&](const ComplexVectorX& x) {
@@ -214,7 +214,7 @@ SolveReport ComplexStrategy::solve_free(const SolveRequest& request, const Class
   };
   SolveReport report = make_report();
   if (report.status == SolveStatus::partial && has_precise_ends(request.scene) &&
-      determine_ends(request.scene, start.squares(), squares, before, ends, request.stop))
+      determine_ends(request.scene, start.squares(), squares, before, request.threads, ends, request.stop))
     report = make_report();
   conclude_stopped(request.stop, report);
   ends = std::vector<PathEnd>();  // they may be as large as the start, which the report may need again

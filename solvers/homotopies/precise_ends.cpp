@@ -1,6 +1,7 @@
 #include "solvers/homotopies/precise_ends.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -38,12 +39,19 @@ struct Station {
   BallMatrix x;
 };
 
+/// A path like τ^(−order) times a power series in τ = σ^(1/winding).
+struct Pole {
+  int winding = 1;
+  int order = 1;
+};
+
 /// Follows one path by the equations f(x) − A − σ·way of a scene of distances.
 class PreciseEnd {
  public:
   PreciseEnd(const QuadraticSystem& system, slong bits, const ComplexVectorX& way)
       : system_(system), way_(BallKrawczyk::vector(way)) {
-    for (slong fewer = fewest_bits; fewer < bits; fewer *= 2) equations_.emplace_back(system, fewer);
+    for (slong fewer = fewest_bits; 4 * fewer < 3 * bits; fewer += fewer / 2)
+      equations_.emplace_back(system, fewer);
     equations_.emplace_back(system, bits);
   }
 
@@ -52,14 +60,17 @@ class PreciseEnd {
     BallMatrix x = BallKrawczyk::vector(start);
     if (!missed(sigma, 0.1, near_path, x)) return {};
     std::deque<Station> stations{{std::log(sigma), x}};
-    double step = 1e-3, last_tested = 0;
+    double step = 1e-3, next_test = 0;
     while (stations.back().log_sigma > std::log(last_sigma)) {
-      if (stations.back().log_sigma < last_tested - worth_a_test) {
-        if (const auto zero = approximate_zero(stations.back())) return end_next_to(*zero);
-        last_tested = stations.back().log_sigma;
+      const std::optional<Pole> pole = pole_between(stations.back(), stations.front());
+      if (!pole && stations.back().log_sigma < next_test) {
+        const auto [zero, alpha] = settled(stations.back());
+        if (alpha < most_alpha) return end_next_to(zero);
+        next_test = stations.back().log_sigma - way_to_test(alpha);
       }
       choose_precision(stations.back());
-      Station next = extrapolated(stations, stations.back().log_sigma - step);
+      Station next =
+          extrapolated(stations, std::max(stations.back().log_sigma - step, std::log(last_sigma)), pole);
       const auto off = missed(std::exp(next.log_sigma), most_missed, near_path, next.x);
       step *= change_of_step(off, stations.size());
       if (!(step > shortest_step) || stop.stop_requested()) return {};
@@ -71,13 +82,13 @@ class PreciseEnd {
   }
 
  private:
-  static constexpr std::size_t most_stations = 12;
+  static constexpr std::size_t most_stations = 14;
   /// Beside edges: a path that is a tenth of its edges away is taken for this one now and then.
   static constexpr double most_missed = 1e-3;
   /// To it stations are on the path: far below most_missed, so that a polynomial through them tells.
-  static constexpr double near_path = 1e-12;
+  static constexpr double near_path = 1e-14;
   static constexpr double shortest_step = 1e-8;
-  static constexpr double worth_a_test = 0.5;  ///< of log σ: a test costs as much as a step
+  static constexpr double most_alpha = 0.157;
   static constexpr slong fewest_bits = 192;
 
   const BallKrawczyk& equations() const { return equations_[level_]; }
@@ -91,24 +102,40 @@ class PreciseEnd {
     while (level_ + 1 < equations_.size() && static_cast<double>(bits()) < needed) ++level_;
   }
 
-  /// A polynomial through n stations misses by the n-th power of the step.
+  /// A polynomial through n stations misses by the n-th power of the step; next to singular points Newton's method bears much
+  /// less than the aim, and the step goes up and down.
   static double change_of_step(const std::optional<double>& off, std::size_t stations) {
-    constexpr double most = 1.5, aim = 0.1 * most_missed;
-    if (!off) return 0.5;
+    constexpr double least = 0.6, aim = 0.1 * most_missed;
+    const double most = stations < most_stations ? 1.5 : 1.2;
+    if (!off) return least;
     return std::min(most, std::pow(aim / *off, 1.0 / static_cast<double>(stations)));
   }
 
-  /// By Lagrange's polynomial through all stations.
-  Station extrapolated(const std::deque<Station>& stations, double log_sigma) const {
+  /// By Lagrange's polynomial through all stations: of x in log σ, or of τ^order·x in τ. The weights have the bits of x: those
+  /// of a pole are far from 1.
+  Station extrapolated(const std::deque<Station>& stations, double log_sigma,
+                       const std::optional<Pole>& pole) const {
     Station result{log_sigma, BallMatrix(way_.rows(), 1)};
-    Ball factor;
-    for (const Station& station : stations) {
-      double weight = 1;
-      for (const Station& other : stations)
-        if (&other != &station)
-          weight *= (log_sigma - other.log_sigma) / (station.log_sigma - other.log_sigma);
-      acb_set_d(factor, weight);
-      for (slong i = 0; i < way_.rows(); ++i) acb_addmul(result.x(i, 0), factor, station.x(i, 0), bits());
+    const auto count = static_cast<slong>(stations.size());
+    BallMatrix places(count, 1);  // from 0, or as multiples of 1
+    for (slong j = 0; j < count; ++j) {
+      acb_set_d(places(j, 0), stations[static_cast<std::size_t>(j)].log_sigma - log_sigma);
+      if (!pole) continue;
+      acb_div_si(places(j, 0), places(j, 0), pole->winding, bits());
+      acb_exp(places(j, 0), places(j, 0), bits());
+    }
+    Ball weight, part;
+    for (slong j = 0; j < count; ++j) {
+      acb_pow_ui(weight, places(j, 0), pole ? static_cast<ulong>(pole->order) : 0, bits());
+      for (slong k = 0; k < count; ++k) {
+        if (k == j) continue;
+        acb_sub_si(part, places(k, 0), pole ? 1 : 0, bits());
+        acb_mul(weight, weight, part, bits());
+        acb_sub(part, places(k, 0), places(j, 0), bits());
+        acb_div(weight, weight, part, bits());
+      }
+      for (slong i = 0; i < way_.rows(); ++i)
+        acb_addmul(result.x(i, 0), weight, stations[static_cast<std::size_t>(j)].x(i, 0), bits());
     }
     acb_mat_get_mid(result.x.get(), result.x.get());
     return result;
@@ -194,25 +221,36 @@ class PreciseEnd {
 
   static double beside(double change, double size) { return change == 0 ? 0 : change / size; }
 
-  /// The point of the path, to a fourth of the bits, where that is an approximate zero at σ = 0: next to curves along which
-  /// equations hardly change γ is 1e18 and more.
-  std::optional<BallMatrix> approximate_zero(const Station& station) const {
-    BallMatrix x = station.x;
-    const bool is_near = missed(std::exp(station.log_sigma), most_missed, settled(), x).has_value();
-    return is_near && is_approximate_zero(x) ? std::optional(x) : std::nullopt;
+  /// A point of the path to a fourth of the bits, as next to curves along which equations hardly change γ is 1e18 and more,
+  /// and its α at σ = 0, or β where that is more.
+  struct Settled {
+    BallMatrix x;
+    double alpha = std::numeric_limits<double>::infinity();
+  };
+
+  Settled settled(const Station& station) const {
+    Settled point{station.x};
+    if (missed(std::exp(station.log_sigma), most_missed, fourth_of_bits(), point.x))
+      point.alpha = alpha(point.x);
+    return point;
   }
 
-  double settled() const { return std::ldexp(1.0, static_cast<int>(-bits() / 4)); }
+  double fourth_of_bits() const { return std::ldexp(1.0, static_cast<int>(-bits() / 4)); }
 
-  /// Whether α < (13 − 3·√17)/4 at σ = 0.
-  bool is_approximate_zero(const BallMatrix& x) const {
-    constexpr double most_alpha = 0.157;
+  double alpha(const BallMatrix& x) const {
     const BallMatrix jacobian = equations().jacobian(x);
-    BallMatrix inverse(x.rows(), x.rows()), correction(x.rows(), 1);
-    if (!acb_mat_approx_solve(correction.get(), jacobian.get(), residual(x, 0).get(), bits())) return false;
-    const double beta = beside_factors(correction, x);
-    return beta < most_alpha && acb_mat_approx_inv(inverse.get(), jacobian.get(), bits()) != 0 &&
-           beta * gamma(inverse, x) < most_alpha;
+    BallMatrix inverse(x.rows(), x.rows());
+    if (!acb_mat_approx_inv(inverse.get(), jacobian.get(), bits()))
+      return std::numeric_limits<double>::infinity();
+    BallMatrix correction(x.rows(), 1);
+    acb_mat_approx_mul(correction.get(), inverse.get(), residual(x, 0).get(), bits());
+    return beside_factors(correction, x) * std::max(1.0, gamma(inverse, x));
+  }
+
+  /// In log σ, beside which β goes down like σ at an end that is simple, and γ may go down too.
+  static double way_to_test(double alpha) {
+    constexpr double least = 0.5;
+    return std::isfinite(alpha) ? std::max(least, std::log(alpha / most_alpha) / 2) : least;
   }
 
   /// |D²f_e(h, h)| is at most 2·(its products)·(its factors) for |h| ≤ 1.
@@ -246,23 +284,29 @@ class PreciseEnd {
 
   PathEnd end_next_to(BallMatrix x) {
     level_ = equations_.size() - 1;
-    if (!missed(0, 0.1, settled(), x)) return {};
+    if (!missed(0, 0.1, fourth_of_bits(), x)) return {};
     return {PathEnd::Kind::regular, rounded(x), 1, 0, true, "", {}, true};
   }
 
-  /// Where x grows like a power of 1/σ, k/w with a small w; else the end is a multiple one, or none.
-  static PathEnd end_at_infinity(const Station& last, const Station& before) {
-    constexpr double beyond_doubles = 1e14, close = 0.02;
+  /// Where x grows like a power of 1/σ, k/w with a small w.
+  static std::optional<Pole> pole_between(const Station& last, const Station& before) {
+    constexpr double close = 0.02;
     constexpr int most_winding = 8;
     const double power =
         std::log(largest(rounded(last.x)) / largest(rounded(before.x))) / (before.log_sigma - last.log_sigma);
     for (int w = 1; w <= most_winding; ++w) {
       const double order = std::round(w * power);
-      if (order < 1 || std::abs(w * power - order) > close || largest(rounded(last.x)) < beyond_doubles)
-        continue;
-      return {PathEnd::Kind::at_infinity, rounded(last.x), w, static_cast<int>(order), true, "", {}, true};
+      if (order >= 1 && std::abs(w * power - order) <= close) return Pole{w, static_cast<int>(order)};
     }
-    return {};
+    return std::nullopt;
+  }
+
+  /// Where it is a pole; else the end is a multiple one, or none.
+  static PathEnd end_at_infinity(const Station& last, const Station& before) {
+    constexpr double beyond_doubles = 1e14;
+    const std::optional<Pole> pole = pole_between(last, before);
+    if (!pole || largest(rounded(last.x)) < beyond_doubles) return {};
+    return {PathEnd::Kind::at_infinity, rounded(last.x), pole->winding, pole->order, true, "", {}, true};
   }
 
   const QuadraticSystem& system_;
@@ -361,7 +405,7 @@ bool has_precise_ends(const Scene& scene) {
   return !scene.problem().is_general() && !scene.has_lines() && !scene.is_anchored();
 }
 
-void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
+void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to, int threads,
                    std::vector<PathEnd>& ends, const std::stop_token& stop) {
   if (std::ranges::all_of(ends, [](const PathEnd& end) { return end.before.empty(); })) return;
   const DistanceEnds precise(scene, from, to);
@@ -370,29 +414,41 @@ void continue_ends(const Scene& scene, const ComplexVectorX& from, const Complex
     return !end.before.empty() &&
            (end.kind == PathEnd::Kind::failed || (end.kind == PathEnd::Kind::at_infinity && !is_explained));
   };
-  if (!precise.are_few(std::ranges::count_if(ends, is_open))) {
+  std::vector<PathEnd*> open;
+  for (PathEnd& end : ends)
+    if (is_open(end)) open.push_back(&end);
+  if (!precise.are_few(std::ssize(open))) {
     if (scene.dimension() == 3 && !is_explained) std::ranges::for_each(ends, doubt);
     return;
   }
-  for (PathEnd& end : ends)
-    if (is_open(end) && !stop.stop_requested()) precise.follow(end.before, power_of(end), stop, end);
+  share_on_threads(open.size(), threads, [&](std::size_t k) {
+    PathEnd& end = *open[k];
+    if (!stop.stop_requested()) precise.follow(end.before, power_of(end), stop, end);
+  });
 }
 
 bool determine_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
-                    const EndsBefore& before, std::vector<PathEnd>& ends, const std::stop_token& stop) {
+                    const EndsBefore& before, int threads, std::vector<PathEnd>& ends,
+                    const std::stop_token& stop) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (is_doubtful(scene, ends[i])) open.push_back(i);
   const DistanceEnds precise(scene, from, to);
   if (!precise.are_few(std::ssize(open))) return false;
   const std::vector<ComplexVectorX> starts = before(open, first_radius);
-  bool are_determined = !open.empty();
-  for (std::size_t k = 0; k < open.size() && are_determined; ++k) {
-    PathEnd& end = ends[open[k]];
-    are_determined =
-        !starts[k].empty() && precise.follow(starts[k], 1.0 / std::max(1, end.winding_number), stop, end);
-  }
-  return are_determined;
+  // Whatever the threads, all before the first one that has no end are followed, and replaced.
+  std::atomic<std::size_t> first_without = open.size();
+  std::vector<PathEnd> found(open.size());
+  share_on_threads(open.size(), threads, [&](std::size_t k) {
+    if (k > first_without) return;
+    found[k] = ends[open[k]];
+    const double power = 1.0 / std::max(1, found[k].winding_number);
+    if (!starts[k].empty() && precise.follow(starts[k], power, stop, found[k])) return;
+    for (std::size_t known = first_without; k < known && !first_without.compare_exchange_weak(known, k);) {
+    }
+  });
+  for (std::size_t k = 0; k < first_without; ++k) ends[open[k]] = std::move(found[k]);
+  return !open.empty() && first_without == open.size();
 }
 
 bool determine_ends(const GeneralEquations& given, const ComplexVectorX& from,

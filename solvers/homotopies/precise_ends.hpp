@@ -32,8 +32,8 @@ bool has_precise_ends(const Scene& scene);
 /// explain; `from` and `to` are the squared lengths in doubles that the paths went between. Explained: `to` is exactly the
 /// file's, or in space lengths of the file let points escape (escapes.hpp). Where it would take more than seconds, those that
 /// are not explained are believed in the plane, where they need no such lengths, and in space have failed. Precondition:
-/// has_precise_ends(scene), whose frame the ends are in.
-void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
+/// has_precise_ends(scene), whose frame the ends are in. On `threads` ≥ 1.
+void continue_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to, int threads,
                    std::vector<PathEnd>& ends, const std::stop_token& stop);
 
 /// Follows paths in balls that ended, in doubles, at singular points or where the Jacobian is nearly so: solutions next to a
@@ -41,7 +41,8 @@ void continue_ends(const Scene& scene, const ComplexVectorX& from, const Complex
 /// an end now that is determined; where one has none, as in a scene that moves, others are not tried. Not where it
 /// would take more than seconds. Precondition as above.
 bool determine_ends(const Scene& scene, const ComplexVectorX& from, const ComplexVectorX& to,
-                    const EndsBefore& before, std::vector<PathEnd>& ends, const std::stop_token& stop);
+                    const EndsBefore& before, int threads, std::vector<PathEnd>& ends,
+                    const std::stop_token& stop);
 
 /// The same for paths of a general scene that go from these coefficients to the given ones, which differ in values alone:
 /// those that are open get the ends that are determined, and the others, if they were said to be at infinity, have failed.

@@ -195,12 +195,13 @@ class Assessor {
                                      solution_of_[i]));
   }
 
-  /// Of a part that is smaller than the rounding of the whole doubles do not show what tells its solutions apart.
+  /// Doubles do not show what tells solutions apart next to a multiple one, or of a part that is smaller than the rounding of
+  /// the whole.
   bool shows_all_parts() const {
     double condition = 1, shortest = scene_.size();
     for (const Judged& judged : judged_) condition = std::max(condition, judged.condition);
     for (const double length : scene_.target_lengths()) shortest = std::min(shortest, length);
-    return shortest > merging_tolerance(condition) * scene_.size();
+    return condition < singular_condition && shortest > merging_tolerance(condition) * scene_.size();
   }
 
   /// What is put together from different solutions of the parts is different. Where none are counted, those that doubles do

@@ -205,7 +205,7 @@ class ComplexReporter {
     return missing + (missing.empty() || apparent.empty() ? "" : "; ") + apparent;
   }
 
-  /// An end at which paths met: solutions next to it, or a multiple one.
+  /// An end at which paths met, or one its mirror image: solutions next to it, or a multiple one.
   void add_meeting(const ComplexVectorX& x, int paths, const Figure& figure) {
     bool is_in_between = !is_multiple_solution(scene_, figure);
     if (paths == 2) {
@@ -214,7 +214,7 @@ class ComplexReporter {
       is_in_between |= fold.has_value();
       if (is_in_between && add_close_pair(x)) return;
     }
-    if (const auto near = paths < 2 ? std::nullopt : settled_near(x, paths)) {
+    if (const auto near = settled_near(x, paths)) {
       if (std::ssize(near->simple) == paths) return add_simple(near->simple);
       is_in_between = near->count() != paths;
     }

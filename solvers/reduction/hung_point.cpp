@@ -166,36 +166,60 @@ HungPlace measured_place(const Scene& scene, const Part& hung, const Simplex& ba
   return place;
 }
 
+std::vector<int> BasePlacer::constraints_of_points(const Part& part) const {
+  const auto is_point = [&](int point) {
+    return std::find(part.points.begin(), part.points.end(), point) != part.points.end();
+  };
+  std::vector<int> result;
+  for (const int constraint : part.constraints) {
+    const auto& [a, b] = scene_.problem().constraints[constraint].between;
+    if (is_point(a) || is_point(b)) result.push_back(constraint);
+  }
+  return result;
+}
+
+Eigen::VectorXcd BasePlacer::excess(const std::vector<int>& constraints, const Simplex& positions) const {
+  Eigen::VectorXcd result(static_cast<Eigen::Index>(constraints.size()));
+  for (std::size_t row = 0; row < constraints.size(); ++row) {
+    const auto& [a, b] = scene_.problem().constraints[constraints[row]].between;
+    result[static_cast<Eigen::Index>(row)] =
+        squared_distance_excess(positions.col(a), positions.col(b), squares_[constraints[row]]);
+  }
+  return result;
+}
+
+// Next to its base a point is moved further by the rounding of excesses than it is off.
 void BasePlacer::refine(const Part& part, Simplex& positions) const {
   constexpr int steps = 2;          // of quadratic convergence from a relative error of 1e-6 at most
   constexpr double longest = 1e-3;  // of the way from the base: more is no refinement
   const int dimension = scene_.dimension();
+  const std::vector<int> constraints = constraints_of_points(part);
   const auto unknowns = dimension * static_cast<Eigen::Index>(part.points.size());
   const auto column_of = [&](int point) -> Eigen::Index {
     const auto found = std::find(part.points.begin(), part.points.end(), point);
     return found == part.points.end() ? -1 : dimension * (found - part.points.begin());
   };
+  Eigen::VectorXcd left = excess(constraints, positions);
   for (int step = 0; step < steps; ++step) {
     Eigen::MatrixXcd jacobian = Eigen::MatrixXcd::Zero(unknowns, unknowns);
-    Eigen::VectorXcd excess(unknowns);
-    Eigen::Index row = 0;
-    for (const int constraint : part.constraints) {
-      const auto& [a, b] = scene_.problem().constraints[constraint].between;
-      const std::array ends{column_of(a), column_of(b)};
-      if (ends[0] < 0 && ends[1] < 0) continue;
-      const Eigen::Vector3cd from = positions.col(b), to = positions.col(a);
-      excess[row] = squared_distance_excess(to, from, squares_[constraint]);
-      for (const int side : {0, 1})
-        if (ends[side] >= 0)
-          jacobian.row(row).segment(ends[side], dimension) =
-              (side == 0 ? 2.0 : -2.0) * (to - from).head(dimension).transpose();
-      ++row;
+    for (std::size_t row = 0; row < constraints.size(); ++row) {
+      const auto& [a, b] = scene_.problem().constraints[constraints[row]].between;
+      const Eigen::VectorXcd slope = 2 * (positions.col(a) - positions.col(b)).head(dimension);
+      if (column_of(a) >= 0)
+        jacobian.row(static_cast<Eigen::Index>(row)).segment(column_of(a), dimension) = slope.transpose();
+      if (column_of(b) >= 0)
+        jacobian.row(static_cast<Eigen::Index>(row)).segment(column_of(b), dimension) = -slope.transpose();
     }
-    const Eigen::VectorXcd correction = jacobian.partialPivLu().solve(excess);
+    const Eigen::VectorXcd correction = jacobian.partialPivLu().solve(left);
     const Simplex from_base = columns(positions, part.points).colwise() - positions.col(part.base.front());
     if (!(correction.norm() <= longest * from_base.norm())) return;
+    Simplex next = positions;
     for (const int point : part.points)
-      positions.col(point).head(dimension) -= correction.segment(column_of(point), dimension);
+      next.col(point).head(dimension) -= correction.segment(column_of(point), dimension);
+    const Eigen::VectorXcd left_next = excess(constraints, next);
+    if (!(left_next.norm() < left.norm())) return;
+    positions = std::move(next);
+    left = left_next;
   }
 }
 

@@ -63,11 +63,15 @@ class BasePlacer {
   void place(const Part& part, const std::vector<SimplexCoordinates>& coordinates, double side, bool is_flat,
              Simplex& positions) const;
 
-  /// Newton's method for the points that a part places on its base, with residuals in double-double; nothing
-  /// is done where it does not converge.
+  /// Newton's method for the points that a part places on its base, with residuals in double-double, as long as these
+  /// become smaller; nothing is done where it does not converge.
   void refine(const Part& part, Simplex& positions) const;
 
  private:
+  std::vector<int> constraints_of_points(const Part& part) const;
+  /// Of each constraint's squared length.
+  Eigen::VectorXcd excess(const std::vector<int>& constraints, const Simplex& positions) const;
+
   const Scene& scene_;
   std::vector<DoubleDouble> squares_;  ///< of the lengths
 };

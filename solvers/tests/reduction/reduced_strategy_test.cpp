@@ -327,6 +327,59 @@ TEST_CASE("a multiple solution of a part is its own mirror image, and stands for
   }
 }
 
+// p3 is the same combination of p0, p1 and p2 as in a plane, but for 1e-40 in a squared length.
+TEST_CASE("a point that misses the plane of its base by nearly nothing is real on one side alone") {
+  for (const auto& [square, real] : {std::pair{"34.6754492187500000000000000000000000000001", 1U},
+                                     {"34.6754492187499999999999999999999999999999", 0U}})
+    for (const std::string strategy : {"monodromy", "polyhedral", "plan-scan", "box-subdivision"}) {
+      Problem problem(3);
+      problem.points("p0", "p1", "p2", "p3").squared_distance("p0", "p1", "14.85875");
+      problem.squared_distance("p0", "p2", "13.480625").squared_distance("p1", "p2", "52.288125");
+      problem.squared_distance("p0", "p3", square).squared_distance("p1", "p3", "5.56982421875");
+      problem.squared_distance("p2", "p3", "89.33216796875");
+      const Answer answer = gcs::solve(problem, strategy);
+      INFO(strategy << ", " << square << ": " << answer.reason);
+      CHECK(answer.status == RunStatus::complete);
+      CHECK(answer.counts.real_up_to_reflection == real);
+      CHECK(answer.failed_checks.empty());
+    }
+}
+
+// p1 divides the segment of p0 and p4, but for 1e-24 in a squared length: it is 5e-13 beside it, and all hangs on it.
+TEST_CASE("a point next to its base stays where the decimals put it") {
+  for (const auto& [square, real] :
+       {std::pair{"0.463378906250000000000001", 4U}, {"0.463378906249999999999999", 0U}})
+    for (const std::string strategy : {"monodromy", "polyhedral", "plan-scan"}) {
+      Problem problem(2);
+      problem.points("p0", "p1", "p2", "p3", "p4").squared_distance("p4", "p0", "29.65625");
+      problem.squared_distance("p4", "p1", square).squared_distance("p0", "p1", "22.70556640625");
+      problem.squared_distance("p0", "p2", "67.718125").squared_distance("p1", "p2", "18.89791015625");
+      problem.squared_distance("p1", "p3", "8.11697265625").squared_distance("p2", "p3", "19.5625");
+      const Answer answer = gcs::solve(problem, strategy);
+      INFO(strategy << ", " << square << ": " << answer.reason);
+      CHECK(answer.status == RunStatus::complete);
+      CHECK(answer.counts.real_up_to_reflection == real);
+      CHECK(answer.failed_checks.empty());
+      for (const auto& solution : answer.solutions) CHECK(solution.residual <= 1e-15);
+    }
+}
+
+// Doubles do not tell the places of the first two apart, whatever is put together from them.
+TEST_CASE("solutions of parts that doubles do not tell apart leave the answer partial, and fail no check") {
+  Problem problem(2);
+  problem.points("p0", "p1", "p2", "p3", "p4").squared_distance("p3", "p1", "21.625");
+  problem.squared_distance("p3", "p0", "8.4472656250000000000000000000000000000001");
+  problem.squared_distance("p1", "p0", "3.041015625").squared_distance("p1", "p4", "25.625");
+  problem.squared_distance("p0", "p4", "22.384765625").squared_distance("p0", "p2", "9.685390625");
+  problem.squared_distance("p4", "p2", "27.5725");
+  for (const std::string strategy : {"monodromy", "plan-scan"}) {
+    const Answer answer = gcs::solve(problem, strategy);
+    CHECK(answer.status == RunStatus::partial);
+    CHECK(answer.reason == "2 of the 4 solutions are listed; doubles do not tell all apart");
+    CHECK(answer.failed_checks.empty());
+  }
+}
+
 // b and c are at heights ±h and ±2h over the middle of a segment of length 2, and p hangs on them. On base of length h or 3h,
 // by the law of cosines, it is real if it is as far from both, and not if it is 1 from the one and 2 from the other.
 TEST_CASE("a point that hangs on points nearly in one place is placed by the decimals of the file") {

@@ -20,10 +20,6 @@ constexpr double one_place = 1e-3;
 
 using Point = std::vector<std::complex<double>>;
 
-Eigen::VectorXd turned_towards(const Eigen::VectorXd& y, const Eigen::VectorXd& x, const SignMasks& mirror) {
-  return x.cwiseProduct(signs_towards(mirror, generators_of(mirror), x, y));
-}
-
 void widen(Box& hull, const Eigen::VectorXd& mid, const Eigen::VectorXd& radius) {
   const Eigen::VectorXd reach = ((mid - hull.mid).cwiseAbs() + radius) * rounded_out;
   hull.radius = hull.radius.cwiseMax(reach);
@@ -117,7 +113,7 @@ class Place {
     std::vector<Certificate> images{turned(proof, signs_of_nearest(proof))};
     const SignMask generators = generators_of(system_.mirror);
     for (SignMask generator = 1; generator != 0 && generator <= generators; generator <<= 1U) {
-      const Eigen::VectorXd signs = signs_of(generator);
+      const Eigen::VectorXd signs = signs_by(system_.mirror, generator);
       const Certificate image = turned(images.front(), signs);
       if (!(distance(image.enclosure.mid, images.front().enclosure.mid) <= one_place)) continue;
       for (std::size_t i = 0, known = images.size(); i < known; ++i)
@@ -135,13 +131,6 @@ class Place {
   Eigen::VectorXd signs_of_nearest(const Certificate& proof) const {
     return signs_towards(system_.mirror, generators_of(system_.mirror), real_box(proof.enclosure).mid,
                          box_.mid);
-  }
-
-  Eigen::VectorXd signs_of(SignMask generator) const {
-    Eigen::VectorXd signs = Eigen::VectorXd::Ones(box_.mid.size());
-    for (std::size_t i = 0; i < system_.mirror.size(); ++i)
-      if ((system_.mirror[i] & generator) != 0) signs[static_cast<Eigen::Index>(i)] = -1;
-    return signs;
   }
 
   static Certificate turned(Certificate proof, const Eigen::VectorXd& signs) {
@@ -171,14 +160,14 @@ std::vector<UndecidedPlace> undecided_places(const std::vector<Box>& boxes, cons
   for (std::size_t number = 0; number < boxes.size(); ++number) {
     const Box& box = boxes[number];
     const auto near = [&](const UndecidedPlace& place) {
-      return (turned_towards(place.hull.mid, box.mid, mirror) - place.hull.mid).cwiseAbs().maxCoeff() <=
+      return (turned_towards(mirror, box.mid, place.hull.mid) - place.hull.mid).cwiseAbs().maxCoeff() <=
              reach;
     };
     const auto place = std::find_if(places.begin(), places.end(), near);
     if (place == places.end()) {
       places.push_back({box, {number}});
     } else {
-      widen(place->hull, turned_towards(place->hull.mid, box.mid, mirror), box.radius);
+      widen(place->hull, turned_towards(mirror, box.mid, place->hull.mid), box.radius);
       place->members.push_back(number);
     }
   }

@@ -37,6 +37,13 @@ SignMask generators_of(const SignMasks& masks) {
   return generators;
 }
 
+Eigen::VectorXd signs_by(const SignMasks& masks, SignMask element) {
+  Eigen::VectorXd signs(static_cast<Eigen::Index>(masks.size()));
+  for (std::size_t i = 0; i < masks.size(); ++i)
+    signs[static_cast<Eigen::Index>(i)] = std::popcount(masks[i] & element) % 2 == 1 ? -1.0 : 1.0;
+  return signs;
+}
+
 Eigen::VectorXd signs_towards(const SignMasks& masks, SignMask generators, const Eigen::VectorXd& y0,
                               const Eigen::VectorXd& y) {
   SignMask changed = 0;
@@ -52,6 +59,10 @@ Eigen::VectorXd signs_towards(const SignMasks& masks, SignMask generators, const
   Eigen::VectorXd signs = Eigen::VectorXd::Ones(y.size());
   for (std::size_t i = 0; i < masks.size(); ++i) signs[static_cast<Eigen::Index>(i)] = sign(i);
   return signs;
+}
+
+Eigen::VectorXd turned_towards(const SignMasks& masks, const Eigen::VectorXd& y0, const Eigen::VectorXd& y) {
+  return y0.cwiseProduct(signs_towards(masks, generators_of(masks), y0, y));
 }
 
 bool SignEquations::add(SignMask mask, bool changes) {

@@ -42,11 +42,17 @@ class SignMasks {
 /// All generators that change the sign of an unknown.
 SignMask generators_of(const SignMasks& masks);
 
+/// Of all unknowns the signs, 1 or −1, that an element of the group gives them.
+Eigen::VectorXd signs_by(const SignMasks& masks, SignMask element);
+
 /// The signs of y0, 1 or −1, by an element of the group that is made of these generators, that bring it near to y:
 /// generator by generator, lowest first, by the unknowns that no higher one changes. Coordinates beyond the masks keep
 /// their signs.
 Eigen::VectorXd signs_towards(const SignMasks& masks, SignMask generators, const Eigen::VectorXd& y0,
                               const Eigen::VectorXd& y);
+
+/// y0 with the signs by which all generators bring it near to y.
+Eigen::VectorXd turned_towards(const SignMasks& masks, const Eigen::VectorXd& y0, const Eigen::VectorXd& y);
 
 /// Linear equations modulo 2: which elements of a group give these unknowns these signs.
 class SignEquations {

@@ -158,7 +158,7 @@ class ElementStage {
       return !(apart > known.radius[i] + box.radius[i]);
     };
     if (!some_signs_fit(mirror, fits)) return std::nullopt;
-    return Box{turned_towards(known.mid, box.mid), box.radius};
+    return Box{turned_towards(mirror, box.mid, known.mid), box.radius};
   }
 
   Figure figure(const Eigen::VectorXd& x) const {
@@ -168,7 +168,8 @@ class ElementStage {
   ScanSolution solution(const Box& box) const {
     ScanSolution solution{figure(box.mid)};
     const ComplexValues x = system_.coordinates(solution.figure);
-    const Eigen::VectorXd drawn = real_parts(x), image = turned_towards(drawn, box.mid);
+    const Eigen::VectorXd drawn = real_parts(x),
+                          image = turned_towards(system_.equations().mirror, box.mid, drawn);
     std::vector<double> offsets;
     for (Eigen::Index i = 0; i < image.size(); ++i)
       offsets.push_back((std::abs(drawn[i] - image[i]) + box.radius[i]) * (1 + 4 * Form::epsilon));
@@ -181,12 +182,6 @@ class ElementStage {
                            const std::optional<Choice>& within) const {
     return {
         problem_, plan_.steps[k], given_[k], positions, cell, within, static_cast<int>(plan_.ranges.size())};
-  }
-
-  /// What leads to the same solution, near y.
-  Eigen::VectorXd turned_towards(const Eigen::VectorXd& y, const Eigen::VectorXd& x) const {
-    const SignMasks& mirror = system_.equations().mirror;
-    return x.cwiseProduct(signs_towards(mirror, generators_of(mirror), x, y));
   }
 
   const Form& of_unknown(const Positions& positions, int unknown) const {

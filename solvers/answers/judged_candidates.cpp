@@ -155,7 +155,7 @@ class CandidateJudge {
       if (is_usable(scene_, candidates[i]))
         places[i] = Judged{first + i, scene_.representative(candidates[i].figure), 0,
                            candidates[i].multiplicity, candidates[i].error};
-    find_conditions(places);
+    find_conditions(candidates, places);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (!places[i]) continue;
       settle(*places[i], candidates[i].figure);
@@ -164,14 +164,18 @@ class CandidateJudge {
   }
 
  private:
-  void find_conditions(std::span<std::optional<Judged>> places) const {
+  void find_conditions(std::span<const Candidate> candidates, std::span<std::optional<Judged>> places) const {
     std::vector<Judged*> judged;
     std::vector<const Figure*> figures;
-    for (std::optional<Judged>& place : places)
-      if (place) {
-        judged.push_back(&*place);
-        figures.push_back(&place->representative);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (!places[i]) continue;
+      if (candidates[i].condition) {
+        places[i]->condition = *candidates[i].condition;
+        continue;
       }
+      judged.push_back(&*places[i]);
+      figures.push_back(&places[i]->representative);
+    }
     const std::vector<double> conditions = points_ ? points_->conditions(figures) : std::vector<double>();
     for (std::size_t i = 0; i < judged.size(); ++i)
       judged[i]->condition = points_ ? conditions[i] : judge_.condition(*figures[i]);

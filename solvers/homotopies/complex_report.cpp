@@ -183,7 +183,7 @@ class ComplexReporter {
     missing_.not_isolated += !is_isolated;
     if (!is_isolated && !loose_end_) loose_end_ = distinct[i];
     if (!is_singular)
-      add_regular(figure);
+      add_regular(figure, facts.condition);
     else if (is_isolated)
       add_meeting(distinct[i], distinct.paths(i), figure);
     else
@@ -245,9 +245,9 @@ class ComplexReporter {
   }
 
   /// A simple one.
-  void add_regular(const Figure& figure) {
+  void add_regular(const Figure& figure, std::optional<double> condition) {
     regular_.push_back(report_.candidates.size());
-    report_.candidates.push_back({figure, 1});
+    report_.candidates.push_back({.figure = figure, .condition = condition});
   }
 
   /// Of complex ones those whose distances are not those of the file, in doubles; others that have neighbours, when all are
@@ -336,7 +336,7 @@ class ComplexReporter {
     if (!pair) return false;
     const std::array figures{figure_of((*pair)[0], next_to_real), figure_of((*pair)[1], next_to_real)};
     if (!are_told_apart(scene_, figures)) return false;
-    for (const Figure& figure : figures) add_regular(figure);
+    for (const Figure& figure : figures) add_regular(figure, std::nullopt);
     return true;
   }
 

@@ -76,13 +76,14 @@ SolveReport RestatedScene::carried_back(const SolveRequest& request, SolveReport
   const std::optional<FourSpheres> spheres = spheres_of(given_);
   const std::optional<LocalSpheres> local = spheres ? std::optional<LocalSpheres>(*spheres) : std::nullopt;
   const std::vector<DoubleDouble> squares = target_squares(given_);
-  for (auto& [figure, multiplicity, error] : report.candidates) {
+  for (Candidate& candidate : report.candidates) {
+    Figure& figure = candidate.figure;
     if (local) {
       const ComplexLine line = polished(*spheres, *local, local->local(complex_lines(figure).front()),
-                                        figure.is_real(), multiplicity, report.work);
+                                        figure.is_real(), candidate.multiplicity, report.work);
       figure = figure_of(complex_points(figure), {line}, figure.is_real());
     }
-    if (multiplicity == 1) error = proven_error(given_, squares, figure);
+    if (candidate.multiplicity == 1) candidate.error = proven_error(given_, squares, figure);
   }
   return report;
 }

@@ -308,7 +308,7 @@ class ReducedStrategy final : public Strategy {
     const PartScene core(request.scene.problem(), parts.front());
     SolveReport report = strategy(0).solve(request_for(request, parts, core));
     for (Candidate& candidate : report.candidates)
-      candidate.figure = in_whole(request.scene, core, candidate.figure);
+      candidate = {in_whole(request.scene, core, candidate.figure), candidate.multiplicity, candidate.error};
     return with_hung_points(request.scene, parts, std::move(report));
   }
 

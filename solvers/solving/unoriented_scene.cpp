@@ -55,8 +55,8 @@ SolveReport with_mirror_images(SolveReport report, const Scene& unoriented, cons
   report.candidates.reserve(2 * count);
   for (std::size_t i = 0; i < count; ++i) {
     Candidate& candidate = report.candidates[i];
-    candidate.figure = candidate.figure.scaled(larger);
-    candidate.error = std::ldexp(candidate.error, larger);
+    candidate = {candidate.figure.scaled(larger), candidate.multiplicity,
+                 std::ldexp(candidate.error, larger)};
     report.candidates.push_back(
         {mirror_image(candidate.figure, axis), candidate.multiplicity, candidate.error});
   }

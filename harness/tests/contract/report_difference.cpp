@@ -88,10 +88,11 @@ class Fields {
   }
 
   void add(const std::string& name, const Candidate& candidate) {
-    const auto& [figure, multiplicity, error] = candidate;
+    const auto& [figure, multiplicity, error, condition] = candidate;
     add(name, figure);
     add(name + ".multiplicity", multiplicity);
     add(name + ".error", error);
+    add(name + ".condition", condition);
   }
 
   void add(const std::string& name, const std::vector<std::array<int, 2>>& pairs) {

@@ -18,6 +18,7 @@
 #include "solvers/figures/residual_and_condition.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/numeric/rounding.hpp"
 #include "solvers/scanning/scan_plan.hpp"
 
 namespace gcs::contract {
@@ -147,6 +148,20 @@ void check_residuals(const Scene& scene, const SolveReport& report, Finder& find
   }
 }
 
+/// A stated one has as many digits as rounding leaves.
+void check_conditions(const Scene& scene, const SolveReport& report, Finder& finder) {
+  for (std::size_t i = 0; i < report.candidates.size(); ++i) {
+    const Candidate& candidate = report.candidates[i];
+    if (!candidate.condition) continue;
+    const double condition = jacobian_condition(scene, candidate.figure);
+    const double digits = 64 * unit_roundoff * condition;
+    finder.expect(
+        *candidate.condition == condition || std::abs(*candidate.condition / condition - 1) <= digits,
+        "condition", "candidate {} has a condition number of {:.3g}, not {:.3g}", i, condition,
+        *candidate.condition);
+  }
+}
+
 void check_duplicates(const Scene& scene, const SolveReport& report, Finder& finder) {
   std::vector<Figure> figures;
   for (const Candidate& candidate : report.candidates) figures.push_back(scene.in_frame(candidate.figure));
@@ -266,6 +281,7 @@ Violations check_report(const Scene& scene, const SolveReport& report) {
     return found;
   finder.append(found);
   check_residuals(scene, report, finder);
+  check_conditions(scene, report, finder);
   check_duplicates(scene, report, finder);
   for (const PathRecord& path : report.paths) check_alternation(path, finder);
   for (const FailedCheck& failed : assess(scene, report).failed_checks)

@@ -11,6 +11,7 @@
 #include "harness/instances/instance_lookup.hpp"
 #include "harness/tests/contract/spoiled_strategy.hpp"
 #include "harness/tests/contract/strategy_contract.hpp"
+#include "solvers/figures/residual_and_condition.hpp"
 
 using namespace gcs;
 using namespace gcs::contract;
@@ -99,6 +100,21 @@ void move_a_point(SolveReport& report, const Circumstances&) {
 TEST_CASE("a point out of its place is caught by its residual") {
   CHECK(caught_by_report(spoiled<mirror_a_coordinate>()).count("residual") == 1);
   CHECK(caught_by_report(spoiled<move_a_point>()).count("residual") == 1);
+}
+
+namespace {
+
+template <int percent>
+void state_a_condition(SolveReport& report, const Circumstances&) {
+  Candidate& candidate = report.candidates[0];
+  candidate.condition = jacobian_condition(octahedron(), candidate.figure) * percent / 100;
+}
+
+}  // namespace
+
+TEST_CASE("a condition number that is stated is that of the figure") {
+  CHECK(caught_by_report(spoiled<state_a_condition<100>>()).empty());
+  CHECK(caught_by_report(spoiled<state_a_condition<101>>()).count("condition") == 1);
 }
 
 namespace {

@@ -33,14 +33,19 @@ double figure_distance(const Figure& a, const Figure& b, double size) {
   return largest;
 }
 
+/// The scene's size, if that is shorter.
+double shortest_length(const Scene& scene) {
+  double shortest = scene.size();
+  for (const double length : scene.target_lengths()) shortest = std::min(shortest, length);
+  return shortest;
+}
+
 /// What a figure in double precision can reach: every coordinate is rounded to u·extent, so a distance is off
 /// by up to 2·√3·u·extent, divided by the shortest length as relative_residual does. A hundred such roundings
 /// are allowed; a corrector that stopped early leaves far more. Between complex points a short distance may
 /// be the difference of large squares: its error is larger by the extent over the length once more.
-double residual_limit(const Scene& scene, const Figure& representative) {
+double residual_limit(const Scene& scene, double shortest, const Figure& representative) {
   const double reach = std::max(scene.size(), extent(representative));
-  double shortest = scene.size();
-  for (const double length : scene.target_lengths()) shortest = std::min(shortest, length);
   const double stretch = reach / std::max(shortest, 1e-3 * scene.size());
   return 100 * 2 * std::sqrt(3.0) * unit_roundoff * stretch * (representative.is_real() ? 1 : stretch);
 }
@@ -91,13 +96,13 @@ class Assessor {
   }
 
   void check_residuals() {
-    for (std::size_t i = 0; i < judged_.size(); ++i) {
-      const AssessedSolution& solution = assessment_.solutions[solution_of_[i]];
-      if (!listed_.insert(solution_of_[i]).second) continue;
-      const double limit = residual_limit(scene_, solution.figure);
+    const double shortest = shortest_length(scene_);
+    for (std::size_t i = 0; i < assessment_.solutions.size(); ++i) {
+      const AssessedSolution& solution = assessment_.solutions[i];
+      const double limit = residual_limit(scene_, shortest, solution.figure);
       if (solution.residual <= limit) continue;
-      fail("residual", fmt::format("solution {} has a residual of {:.2g}, above {:.2g}", solution_of_[i],
-                                   solution.residual, limit));
+      fail("residual",
+           fmt::format("solution {} has a residual of {:.2g}, above {:.2g}", i, solution.residual, limit));
     }
   }
 
@@ -198,10 +203,10 @@ class Assessor {
   /// Doubles do not show what tells solutions apart next to a multiple one, or of a part that is smaller than the rounding of
   /// the whole.
   bool shows_all_parts() const {
-    double condition = 1, shortest = scene_.size();
+    double condition = 1;
     for (const Judged& judged : judged_) condition = std::max(condition, judged.condition);
-    for (const double length : scene_.target_lengths()) shortest = std::min(shortest, length);
-    return condition < singular_condition && shortest > merging_tolerance(condition) * scene_.size();
+    return condition < singular_condition &&
+           shortest_length(scene_) > merging_tolerance(condition) * scene_.size();
   }
 
   /// What is put together from different solutions of the parts is different. Where none are counted, those that doubles do
@@ -224,7 +229,6 @@ class Assessor {
   std::vector<Judged> judged_;     // their representatives are those of the list
   std::vector<int> judged_index_;  // by candidate: index in judged_, or −1
   std::vector<int> solution_of_;   // by judged candidate
-  std::set<int> listed_;           // solutions whose residual has been checked
   std::set<int> met_;              // judged candidates that a crossing names
 };
 

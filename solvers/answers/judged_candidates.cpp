@@ -45,10 +45,10 @@ std::vector<Figure> take_representatives(std::vector<Judged>& judged) {
 }
 
 ReflectionClasses classify(const Scene& scene, const std::vector<Judged>& judged,
-                           const std::vector<Figure>& figures) {
+                           const std::vector<Figure>& figures, int threads) {
   std::vector<SolutionAccuracy> accuracies;
   for (const Judged& candidate : judged) accuracies.push_back({candidate.condition, candidate.error});
-  return solution_classes(scene, figures, accuracies);
+  return solution_classes(scene, figures, accuracies, threads);
 }
 
 /// How two figures with as many elements stand to each other by their coordinates in units of `grain` of the scene's
@@ -70,6 +70,7 @@ class CutOrder {
  private:
   static int of_number(double a, double b, double unit) {
     constexpr double offset = 0.6180339887;
+    if (a == b) return 0;  // as all that the frame fixes is
     const double cut_a = std::floor(a / unit + offset), cut_b = std::floor(b / unit + offset);
     return (cut_a > cut_b) - (cut_a < cut_b);
   }
@@ -123,8 +124,8 @@ SignVerdict signs_of(const Scene& scene, const std::vector<StatedSign>& signs, c
 
 /// By proven errors where their condition numbers alone take some for the same.
 std::vector<int> classes_told_apart(const Scene& scene, const std::vector<Figure>& figures,
-                                    const ErrorsOf& errors_of, std::vector<Judged>& judged) {
-  ReflectionClasses classes = classify(scene, judged, figures);
+                                    const ErrorsOf& errors_of, int threads, std::vector<Judged>& judged) {
+  ReflectionClasses classes = classify(scene, judged, figures, threads);
   if (classes.count() == static_cast<int>(judged.size()) || !errors_of) return classes.class_of;
   const std::vector<double> errors = errors_of(figures);
   if (errors.empty()) return classes.class_of;
@@ -133,7 +134,7 @@ std::vector<int> classes_told_apart(const Scene& scene, const std::vector<Figure
     judged[i].error = std::min(judged[i].error, errors[i]);
     judged[i].signs = signs_of(scene, signs, judged[i], figures[i]);
   }
-  return classify(scene, judged, figures).class_of;
+  return classify(scene, judged, figures, threads).class_of;
 }
 
 /// Judges some candidates at a time, on any thread.
@@ -229,7 +230,7 @@ std::vector<std::optional<Judged>> judged_candidates(const Scene& scene, const F
 ListedSolutions list_solutions(const Scene& scene, const FigureJudge& judge, std::vector<Judged>& judged,
                                const ErrorsOf& errors_of, int threads) {
   std::vector<Figure> figures = take_representatives(judged);
-  const std::vector<int> class_of = classes_told_apart(scene, figures, errors_of, judged);
+  const std::vector<int> class_of = classes_told_apart(scene, figures, errors_of, threads, judged);
   std::vector<int> order;                           // the first candidate of each class
   std::vector<int> multiplicity(judged.size(), 0);  // by class
   for (int i = 0; i < static_cast<int>(judged.size()); ++i) {

@@ -11,6 +11,7 @@
 #include "solvers/figures/congruence.hpp"
 #include "solvers/model/complex_lines.hpp"
 #include "solvers/model/complex_points.hpp"
+#include "solvers/running/run_on_threads.hpp"
 
 namespace gcs {
 namespace {
@@ -137,9 +138,11 @@ bool equal(const Signature& a, const Signature& b, double tolerance) {
 /// Sums of every fourth number of a signature, from the first, second, third and fourth on.
 struct SignatureSums {
   std::array<double, 4> sums{};
-  double magnitude = 0;  ///< bounds all partial sums, to which rounding is relative
+  double magnitude = 0;     ///< bounds all partial sums, to which rounding is relative
+  std::size_t numbers = 0;  ///< of the signature
 
-  explicit SignatureSums(const Signature& signature) {
+  SignatureSums() = default;
+  explicit SignatureSums(const Signature& signature) : numbers(signature.size()) {
     for (std::size_t i = 0; i < signature.size(); ++i) {
       sums[i % 4] += signature[i];
       magnitude += std::abs(signature[i]);
@@ -147,6 +150,13 @@ struct SignatureSums {
   }
   double total() const { return std::accumulate(sums.begin(), sums.end(), 0.0); }
 };
+
+std::vector<SignatureSums> sums_of(const Scene& scene, std::span<const Figure> figures, int threads) {
+  std::vector<SignatureSums> sums(figures.size());
+  share_on_threads(figures.size(), threads,
+                   [&](std::size_t i) { sums[i] = SignatureSums(signature_of(scene, figures[i])); });
+  return sums;
+}
 
 /// How far apart sums may be of so many numbers that differ by the tolerance, or only in rounding of the last bits.
 double window(std::size_t numbers, double tolerance, double magnitude) {
@@ -168,12 +178,12 @@ class ClassIndex {
 
   /// The first class for which `equals` holds, of those whose sums may be equal, or −1.
   template <typename Equals>
-  int find(const Signature& signature, const SignatureSums& sums, double tolerance, Equals equals) const {
+  int find(const SignatureSums& sums, double tolerance, Equals equals) const {
     int found = -1;
     for (const auto& [bound, classes] : by_tolerance_) {
       const double either = std::max(tolerance, bound);
-      const double reach = window(signature.size(), either, sums.magnitude);
-      const double part_reach = window((signature.size() + 3) / 4, either, sums.magnitude);
+      const double reach = window(sums.numbers, either, sums.magnitude);
+      const double part_reach = window((sums.numbers + 3) / 4, either, sums.magnitude);
       const auto end = classes.upper_bound(sums.total() + reach);
       for (auto entry = classes.lower_bound(sums.total() - reach); entry != end; ++entry)
         if ((found < 0 || entry->second.number < found) &&
@@ -201,28 +211,31 @@ class ClassIndex {
 
 }  // namespace
 
-ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance) {
-  return reflection_classes(scene, figures, std::vector<ClassTolerance>(figures.size(), {tolerance}));
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance,
+                                     int threads) {
+  return reflection_classes(scene, figures, std::vector<ClassTolerance>(figures.size(), {tolerance}),
+                            threads);
 }
 
 ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures,
-                                     std::span<const ClassTolerance> tolerances) {
+                                     std::span<const ClassTolerance> tolerances, int threads) {
   ReflectionClasses classes;
   ClassIndex index;
+  const std::vector<SignatureSums> all_sums = sums_of(scene, figures, threads);
   for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
     const double tolerance = tolerances[i].distances * scene.size();
-    const Signature signature = signature_of(scene, figures[i]);
     const auto equals = [&](const ClassIndex::Member& member) {
       const int first = classes.first[member.number];
-      if (!equal(signature, signature_of(scene, figures[first]), std::max(tolerance, member.tolerance)))
+      if (!equal(signature_of(scene, figures[i]), signature_of(scene, figures[first]),
+                 std::max(tolerance, member.tolerance)))
         return false;
       const double places = std::max(tolerances[i].places, tolerances[first].places) * scene.size();
       return scene.is_anchored() || !std::isfinite(places) ||
              may_be_congruent(points_to_place(figures[i]), points_to_place(figures[first]), places);
     };
-    const SignatureSums sums(signature);
+    const SignatureSums& sums = all_sums[i];
     const bool finite = std::isfinite(sums.magnitude);  // else its sum has no place in an order
-    int found = finite ? index.find(signature, sums, tolerance, equals) : -1;
+    int found = finite ? index.find(sums, tolerance, equals) : -1;
     if (found < 0) {
       found = classes.count();
       classes.first.push_back(i);

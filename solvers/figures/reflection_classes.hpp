@@ -32,10 +32,11 @@ struct ClassTolerance {
 /// squared distances are compared, to tolerance · scene.size()². No complex figure equals a real one. A
 /// figure belongs to the first class whose first figure it equals; one that is not finite equals none. Time:
 /// n log n for n figures.
-ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance);
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance,
+                                     int threads = 1);
 /// The same with tolerances for every figure, of two the larger ones; and where distances are equal, the
 /// points must come to lie together (see may_be_congruent).
 ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures,
-                                     std::span<const ClassTolerance> tolerances);
+                                     std::span<const ClassTolerance> tolerances, int threads = 1);
 
 }  // namespace gcs

@@ -48,7 +48,7 @@ double merging_tolerance(double condition) {
 }
 
 ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
-                                   std::span<const SolutionAccuracy> accuracies) {
+                                   std::span<const SolutionAccuracy> accuracies, int threads) {
   if (scene.problem().is_general()) {
     std::vector<GeneralTolerance> tolerances;
     for (const SolutionAccuracy& accuracy : accuracies)
@@ -58,7 +58,7 @@ ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> r
   std::vector<ClassTolerance> tolerances;
   for (std::size_t i = 0; i < representatives.size(); ++i)
     tolerances.push_back(tolerance_of(scene, representatives[i], accuracies[i]));
-  return reflection_classes(scene, representatives, tolerances);
+  return reflection_classes(scene, representatives, tolerances, threads);
 }
 
 }  // namespace gcs

@@ -22,6 +22,6 @@ struct SolutionAccuracy {
 /// Solutions up to a rigid motion and a reflection. Every one has its own tolerance: one coarse tolerance for
 /// all would merge well-conditioned neighbours. Proven errors tell apart what condition numbers do not.
 ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> representatives,
-                                   std::span<const SolutionAccuracy> accuracies);
+                                   std::span<const SolutionAccuracy> accuracies, int threads = 1);
 
 }  // namespace gcs

@@ -294,7 +294,7 @@ class ComplexReporter {
         complex.push_back(&candidate);
         figures.push_back(std::move(candidate.figure));  // lent, as there may be many
       }
-    const ReflectionClasses alike = reflection_classes(scene_, figures, neighbourhood);
+    const ReflectionClasses alike = reflection_classes(scene_, figures, neighbourhood, means_.threads);
     std::vector<int> members(static_cast<std::size_t>(alike.count()), 0);
     for (const int one : alike.class_of) ++members[one];
     for (std::size_t i = 0; i < complex.size(); ++i) {

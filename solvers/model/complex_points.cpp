@@ -19,12 +19,12 @@ WideVector normalised(const WideVector& v) { return inverse_sqrt(bilinear_produc
 /// The bilinear square of a vector less the given square, rounded after the subtraction.
 Complex square_excess(const WideVector& v, DoubleDouble square) {
   DoubleDouble real = -square;
-  DoubleDouble imaginary{0, 0};
+  DoubleDouble half_imaginary{0, 0};
   for (const ComplexDoubleDouble& component : v) {
     real = real + component.re * component.re - component.im * component.im;
-    imaginary = imaginary + component.re * component.im + component.im * component.re;
+    half_imaginary = half_imaginary + component.re * component.im;
   }
-  return {real.value(), imaginary.value()};
+  return {real.value(), 2 * half_imaginary.value()};
 }
 
 /// From point b to point a.

@@ -49,7 +49,10 @@ JsonValue json_number(double value) {
 }
 
 JsonValue json_complex(const std::complex<double>& value) {
-  return json_array_of(std::array{value.real(), value.imag()}, json_number);
+  std::vector<JsonValue> parts(2);
+  parts[0] = json_number(value.real());
+  parts[1] = json_number(value.imag());
+  return json_array(std::move(parts));
 }
 
 JsonValue json_count(const Natural& count) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <array>
 #include <nlohmann/json.hpp>
 
 namespace gcs {
@@ -35,16 +35,18 @@ bool is_plain(const std::string& text) {
 /// Bytes that are no text, as names of folders may have them, become U+FFFD.
 void append_string(std::string& out, const std::string& text) {
   if (is_plain(text))
-    out += '"' + text + '"';
+    out.append(1, '"').append(text).append(1, '"');
   else
     out += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void append_number(std::string& out, const JsonValue& number) {
-  if (number.text.empty())
-    fmt::format_to(std::back_inserter(out), "{}", number.number);
-  else
+  if (number.text.empty()) {
+    std::array<char, 32> digits;  // the shortest text of a double takes 24 at most
+    out.append(digits.data(), fmt::format_to(digits.data(), "{}", number.number));
+  } else {
     out += number.text;
+  }
 }
 
 void append_text(std::string& out, const JsonValue& value, int indent, int depth) {

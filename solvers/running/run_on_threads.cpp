@@ -99,8 +99,13 @@ void Background::wait() {
 }
 
 void share_on_threads(std::size_t items, int threads, const std::function<void(std::size_t)>& function) {
+  const auto count = static_cast<int>(std::min(static_cast<std::size_t>(threads), items));
+  if (count <= 1) {
+    for (std::size_t i = 0; i < items; ++i) function(i);
+    return;
+  }
   std::atomic<std::size_t> next = 0;
-  run_on_threads(static_cast<int>(std::min(static_cast<std::size_t>(threads), items)), [&](int) {
+  run_on_threads(count, [&](int) {
     for (std::size_t i = next++; i < items; i = next++) function(i);
   });
 }

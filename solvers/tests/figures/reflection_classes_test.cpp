@@ -297,6 +297,7 @@ TEST_CASE("thousands of figures are classified") {
   const ReflectionClasses classes = gcs::reflection_classes(scene_of(3, 8, 0), figures, tolerance);
   CHECK(classes.count() == originals);
   CHECK(classes.class_of == expected);
+  CHECK(gcs::reflection_classes(scene_of(3, 8, 0), figures, tolerance, 4).class_of == expected);
 }
 
 TEST_CASE("classes are those that comparing every distance of every pair gives") {

@@ -42,13 +42,6 @@ double size_of(const Point& x) {
   return size;
 }
 
-/// The largest |a_i − b_i|.
-double distance(const Point& a, const Point& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 /// The point itself, and others around it in opposite pairs.
 std::vector<Point> starts_around(const Point& x) {
   std::mt19937_64 random(1);  // any directions will do
@@ -94,7 +87,7 @@ class Search {
     for (const Point& start : starts_around(point.x)) {
       if (stop_.stop_requested()) return;
       Visit visit = visit_from(start);
-      if (!(distance(visit.end, point.x) <= furthest * size_of(point.x))) continue;
+      if (!(largest_difference(visit.end, point.x) <= furthest * size_of(point.x))) continue;
       if (visit.simple) add_new(*visit.simple, found);
       if (visit.multiple) ++multiple_ends;
       if (visit.multiple && (!multiple || visit.multiple->is_real)) multiple = std::move(visit.multiple);
@@ -112,7 +105,8 @@ class Search {
   std::optional<MultipleSolution> meeting_at(const NearlySingular& point) const {
     if (point.solutions <= 2 || stop_.stop_requested()) return std::nullopt;
     const auto x = meeting_point(system_, point.x, point.solutions);
-    if (!x || !(distance(middle_of(*x), point.x) <= furthest * size_of(point.x))) return std::nullopt;
+    if (!x || !(largest_difference(middle_of(*x), point.x) <= furthest * size_of(point.x)))
+      return std::nullopt;
     std::optional<MultipleSolution> multiple = multiple_at(*x);
     if (multiple) multiple->multiplicity = point.solutions;
     return multiple;
@@ -172,7 +166,7 @@ class Search {
 
   static void add(MultipleSolution solution, std::vector<MultipleSolution>& list) {
     const auto known = std::find_if(list.begin(), list.end(), [&](const MultipleSolution& other) {
-      return distance(other.x, solution.x) <= same_multiple * size_of(other.x);
+      return largest_difference(other.x, solution.x) <= same_multiple * size_of(other.x);
     });
     if (known == list.end())
       list.push_back(std::move(solution));
@@ -186,6 +180,12 @@ class Search {
 };
 
 }  // namespace
+
+double largest_difference(const Point& a, const Point& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
 
 int NearSolutions::count() const {
   int sum = static_cast<int>(simple.size());

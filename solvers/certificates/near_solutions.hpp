@@ -42,6 +42,10 @@ struct NearSolutions {
   int count() const;
 };
 
+/// The largest |a_i − b_i|. Precondition: as many numbers.
+double largest_difference(const std::vector<std::complex<double>>& a,
+                          const std::vector<std::complex<double>>& b);
+
 /// The solutions next to these points, at most as many as they should be; where these are fewer than
 /// `expected`, all that are found. Precondition: unknowns are of order 1, coefficients real.
 NearSolutions solutions_near(const QuadraticSystem& system, const std::vector<NearlySingular>& points,

@@ -1,7 +1,6 @@
 #include "solvers/certificates/undecided_place.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -115,7 +114,7 @@ class Place {
     for (SignMask generator = 1; generator != 0 && generator <= generators; generator <<= 1U) {
       const Eigen::VectorXd signs = signs_by(system_.mirror, generator);
       const Certificate image = turned(images.front(), signs);
-      if (!(distance(image.enclosure.mid, images.front().enclosure.mid) <= one_place)) continue;
+      if (!(largest_difference(image.enclosure.mid, images.front().enclosure.mid) <= one_place)) continue;
       for (std::size_t i = 0, known = images.size(); i < known; ++i)
         images.push_back(turned(images[i], signs));
     }
@@ -124,7 +123,7 @@ class Place {
         return !coincidences({image.enclosure, zero.proof.enclosure}, no_mirror_).empty();
       };
       if (std::none_of(zeros.begin(), zeros.end(), may_be))
-        zeros.push_back({image, number, distance(image.enclosure.mid, x_)});
+        zeros.push_back({image, number, largest_difference(image.enclosure.mid, x_)});
     }
   }
 
@@ -137,12 +136,6 @@ class Place {
     for (std::size_t i = 0; i < proof.enclosure.mid.size(); ++i)
       proof.enclosure.mid[i] *= signs[static_cast<Eigen::Index>(i)];
     return proof;
-  }
-
-  static double distance(const Point& a, const Point& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-    return largest;
   }
 
   const QuadraticSystem& system_;

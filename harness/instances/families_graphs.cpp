@@ -17,16 +17,25 @@
 namespace gcs {
 namespace {
 
-/// Its number of realisations is that of OEIS A306420, which codes of 64 bits do not reach: found by Henneberg's steps
-/// to twelve points and back.
+/// Their numbers of realisations are those of OEIS A306420, which has no graph, and whose codes 64 bits do not hold: found by
+/// Henneberg's steps from twelve points.
 const GraphEdges most_of_thirteen{{7, 8}, {6, 9},  {5, 10}, {4, 8},  {4, 6},  {4, 5},   {3, 9}, {3, 7},
                                   {3, 5}, {2, 10}, {2, 8},  {2, 6},  {1, 10}, {1, 9},   {1, 7}, {0, 9},
                                   {0, 8}, {5, 11}, {0, 11}, {6, 11}, {0, 12}, {10, 12}, {7, 12}};
 
-/// Of so many points a graph with most realisations in the plane: Capco et al. 2018, table 1.
+const GraphEdges most_of_fourteen{{8, 9},  {7, 10}, {6, 11},  {5, 8},  {5, 7},  {4, 9},  {4, 7},
+                                  {4, 6},  {3, 10}, {3, 8},   {3, 6},  {2, 11}, {2, 9},  {2, 7},
+                                  {1, 11}, {1, 10}, {1, 8},   {0, 10}, {0, 9},  {5, 12}, {6, 12},
+                                  {0, 12}, {0, 13}, {11, 13}, {5, 13}};
+
+/// Of so many points a graph with most realisations in the plane: from six on Capco et al. 2018, table 1.
 GraphEdges graph_with_most(int points) {
   if (points == 13) return most_of_thirteen;
-  static const std::map<int, std::uint64_t> codes{{6, 7916},
+  if (points == 14) return most_of_fourteen;
+  static const std::map<int, std::uint64_t> codes{{3, 0b111},
+                                                  {4, 0b111110},
+                                                  {5, 0b1111111000},
+                                                  {6, 7916},
                                                   {7, 1269995},
                                                   {8, 170989214},
                                                   {9, 11177989553},
@@ -88,12 +97,13 @@ std::span<const InstanceFamily> graph_families() {
       {"laman-6", "the minimally rigid graphs of 6 points in the plane", numbers_from(1, 13), graph_text},
       {"laman-7", "those of 7 points", numbers_from(1, 70), graph_text},
       {"laman-8", "those of 8 points", numbers_from(1, 608), graph_text},
-      {"laman-most", "a graph of n points with most realisations in the plane", numbers_from(6, 13),
+      {"laman-most", "a graph of n points with most realisations in the plane", numbers_from(3, 14),
        graph_text},
       {"sphere-6", "those of 6 points on a sphere, a cone in space", numbers_from(1, 13), graph_text},
       {"sphere-7", "those of 7 points on a sphere", numbers_from(1, 70), graph_text},
+      {"sphere-8", "those of 8 points on a sphere", numbers_from(1, 608), graph_text},
       {"sphere-most", "the graph of n points with most realisations in the plane, on a sphere",
-       numbers_from(6, 10), graph_text}};
+       numbers_from(6, 12), graph_text}};
   return all;
 }
 

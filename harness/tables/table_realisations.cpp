@@ -133,7 +133,7 @@ const std::vector<std::string>& realisations_instances() {
   static const std::vector<std::string> ids = [] {
     std::vector<std::string> all;
     for (const char* name :
-         {"laman-most", "sphere-most", "laman-6", "laman-7", "laman-8", "sphere-6", "sphere-7"})
+         {"laman-most", "sphere-most", "laman-6", "laman-7", "laman-8", "sphere-6", "sphere-7", "sphere-8"})
       for (std::string& id : find_family(name)->members()) all.push_back(std::move(id));
     return all;
   }();

@@ -17,10 +17,11 @@ class Count(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (DONE, ""))
         return json.loads(done.stdout)
 
-    # Exact: Capco et al. 2018; of thirteen points OEIS A306420. Bounds: Bartzos, Emiris, Schicho 2020; for the disulfide bond, a ring of two
+    # Exact: Capco et al. 2018; the most of three to fourteen points OEIS A306420. Bounds: Bartzos, Emiris, Schicho 2020; for the disulfide bond, a ring of two
     # tetrahedra and four triangles, 2·2·16 by the bound 16 of a closed chain of six hinges.
     def test_literature(self):
-        exact = {"k33": 16, "prism": 24, "dodecagon": 6180, "laman-most@13": 15536}
+        most = (2, 4, 8, 24, 56, 136, 344, 880, 2288, 6180, 15536, 42780)
+        exact = {"k33": 16, "prism": 24, "dodecagon": 6180, **{f"laman-most@{n}": count for n, count in enumerate(most, 3)}}
         bound = {"octahedron": 16, "icosahedron": 54272, "dodecagon": 15360, "disulfide": 64}
         for instance, number in exact.items():
             self.assertEqual(self.counts(instance)["exact"]["fixed_frame"], number)

@@ -28,6 +28,12 @@ bool is_unsettled(const LegResult& result) {
 
 }  // namespace
 
+LegResult result_of(const LaneTracker& tracker, int lane, int unknowns) {
+  LegResult result{tracker.state(lane), ComplexVectorX(static_cast<std::size_t>(unknowns))};
+  tracker.read(lane, result.x.data());
+  return result;
+}
+
 LegStream::List::List(std::uint64_t its_number, std::vector<Leg> its_legs)
     : number(its_number),
       legs(std::move(its_legs)),
@@ -38,8 +44,11 @@ LegStream::List::List(std::uint64_t its_number, std::vector<Leg> its_legs)
 LegStream::Lanes::Lanes(std::unique_ptr<LaneTracker> made)
     : tracker(std::move(made)), places(static_cast<std::size_t>(tracker->lanes())) {}
 
-LegStream::LegStream(int unknowns, LaneTrackers trackers, LaneTrackers wide_trackers)
-    : unknowns_(unknowns), others_(static_cast<int>(trackers.size()) - 1) {
+LegStream::LegStream(int unknowns, LaneTrackers trackers, LaneTrackers wide_trackers,
+                     FollowReordered follow_reordered)
+    : unknowns_(unknowns),
+      follow_reordered_(std::move(follow_reordered)),
+      others_(static_cast<int>(trackers.size()) - 1) {
   for (std::size_t i = 0; i < trackers.size(); ++i)
     feeders_.push_back({Lanes(std::move(trackers[i])), Lanes(std::move(wide_trackers[i]))});
 }
@@ -187,6 +196,7 @@ Leg LegStream::leg_of(Place place) {
 LegStream::Way LegStream::next_way(Way way, const LegResult& result) {
   if (way == Way::doubles && (is_lost(result) || is_unsettled(result))) return Way::wide_from_there;
   if (way == Way::wide_from_there && is_lost(result)) return Way::wide_from_start;
+  if (way == Way::wide_from_start && result.state.end == LegEnd::too_small) return Way::reordered;
   return Way::done;
 }
 
@@ -200,23 +210,31 @@ void LegStream::step(Lanes& lanes) {
 void LegStream::take_result(Lanes& lanes, int lane) {
   const Place place = std::exchange(lanes.places[static_cast<std::size_t>(lane)], {});
   List& list = *place.list;
-  LegResult& result = list.results[place.leg];
-  LegState state = lanes.tracker->state(lane);
-  const LegWork work = work_of(state);
-  state.steps += result.state.steps;
-  state.rejected += result.state.rejected;
-  result.state = state;
-  result.x.resize(static_cast<std::size_t>(unknowns_));
-  lanes.tracker->read(lane, result.x.data());
-  Way& way = list.ways[place.leg];
-  way = next_way(way, result);
+  LegWork work = keep(place, result_of(*lanes.tracker, lane, unknowns_));
+  if (list.ways[place.leg] == Way::reordered) {
+    auto result = follow_reordered_(list.legs[place.leg], list.results[place.leg], gives_up_);
+    if (!result) return;
+    work += keep(place, *std::move(result));
+  }
   const std::scoped_lock lock(mutex_);
   list.work += work;
-  if (way != Way::done) return put(waiting_wide_, place);
+  if (list.ways[place.leg] != Way::done) return put(waiting_wide_, place);
   if (--list.open == 0) {
     ++done_;
     list_done_.notify_one();
   }
+}
+
+/// With what its earlier ways took. What this one did.
+LegWork LegStream::keep(Place place, LegResult result) {
+  LegResult& kept = place.list->results[place.leg];
+  const LegWork work = work_of(result.state);
+  result.state.steps += kept.state.steps;
+  result.state.rejected += kept.state.rejected;
+  kept = std::move(result);
+  Way& way = place.list->ways[place.leg];
+  way = next_way(way, kept);
+  return work;
 }
 
 void LegItems::add(NumberedItem item) {

@@ -1,16 +1,20 @@
 #pragma once
 /// Keeps the lanes of trackers full with the legs of one list after another: lanes that the last legs of a list leave empty
 /// take the first ones of the next. What doubles lose, or arrive at without settling it, goes on from there in arithmetic of
-/// twice the precision; where its place there does not tell the path, it is followed there from its start.
+/// twice the precision; where its place there does not tell the path, it is followed there from its start, at last with
+/// pivots that are large where it was lost: one order of elimination serves all paths, and some come where a pivot all but
+/// vanishes.
 
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,16 +28,24 @@ namespace gcs {
 /// One for each thread.
 using LaneTrackers = std::vector<std::unique_ptr<LaneTracker>>;
 
+/// What becomes of a leg with another order of elimination, after it was `lost`; nothing once `gives_up` says so.
+using FollowReordered = std::function<std::optional<LegResult>(const Leg& leg, const LegResult& lost,
+                                                               const std::atomic<bool>& gives_up)>;
+
 struct FollowedList {
   std::uint64_t number = 0;
   FollowedLegs legs;
 };
 
+/// Of the path that the lane held last.
+LegResult result_of(const LaneTracker& tracker, int lane, int unknowns);
+
 /// The caller's thread follows legs in advance() alone, the others whenever there are any.
 class LegStream {
  public:
   /// As many of the one kind as of the other, one of each for the caller's thread.
-  LegStream(int unknowns, LaneTrackers trackers, LaneTrackers wide_trackers);
+  LegStream(int unknowns, LaneTrackers trackers, LaneTrackers wide_trackers,
+            FollowReordered follow_reordered);
   ~LegStream() { give_up(); }
   LegStream(const LegStream&) = delete;
   LegStream& operator=(const LegStream&) = delete;
@@ -49,7 +61,7 @@ class LegStream {
 
  private:
   /// How a leg is followed next; a leg takes the ways in this order, and may leave out the last ones.
-  enum class Way { doubles, wide_from_there, wide_from_start, done };
+  enum class Way { doubles, wide_from_there, wide_from_start, reordered, done };
   struct List {
     List(std::uint64_t its_number, std::vector<Leg> its_legs);
 
@@ -90,12 +102,14 @@ class LegStream {
   Place next_leg(Waiting& waiting);
   void step(Lanes& lanes);
   void take_result(Lanes& lanes, int lane);
+  static LegWork keep(Place place, LegResult result);
   void put(Waiting& waiting, Place place);
   static Way next_way(Way way, const LegResult& result);
   static Leg leg_of(Place place);
   std::vector<FollowedList> done_lists();
 
   int unknowns_;
+  FollowReordered follow_reordered_;
   std::vector<Feeder> feeders_;
   Waiting waiting_, waiting_wide_;
   std::atomic<std::size_t> done_ = 0;  // lists

@@ -1,11 +1,13 @@
 #pragma once
 /// Follows any number of paths on any number of threads and processes, with the same bits for each whatever the others are.
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -33,6 +35,21 @@ struct TrackingSetup {
 /// Options for the arithmetic of twice the precision.
 TrackingOptions wide(TrackingOptions options);
 
+/// See FollowReordered.
+template <class System>
+std::optional<LegResult> follow_reordered(const System& system, const TrackingSetup& setup, const Leg& leg,
+                                          const LegResult& lost, const std::atomic<bool>& gives_up) {
+  const Elimination elimination =
+      order_elimination_at(system, parameters_at(*leg.route, lost.state.s), lost.x);
+  const auto tracker = make_wide_tracker(setup.set, system, elimination, wide(setup.options));
+  tracker->load(0, leg);
+  while (tracker->is_busy(0)) {
+    if (gives_up) return std::nullopt;
+    tracker->step();
+  }
+  return result_of(*tracker, 0, system.unknowns);
+}
+
 /// Follows legs of `system`, of squares or of monomials; it and `elimination` are referred to.
 template <class System>
 std::unique_ptr<LegStream> make_leg_stream(const System& system, const Elimination& elimination,
@@ -43,7 +60,12 @@ std::unique_ptr<LegStream> make_leg_stream(const System& system, const Eliminati
     trackers.push_back(setup.all_wide ? make_wide_tracker(setup.set, system, elimination, wide(setup.options))
                                       : make_lane_tracker(setup.set, system, elimination, setup.options));
   }
-  return std::make_unique<LegStream>(system.unknowns, std::move(trackers), std::move(wide_trackers));
+  const auto reordered = [&system, setup](const Leg& leg, const LegResult& lost,
+                                          const std::atomic<bool>& gives_up) {
+    return follow_reordered(system, setup, leg, lost, gives_up);
+  };
+  return std::make_unique<LegStream>(system.unknowns, std::move(trackers), std::move(wide_trackers),
+                                     reordered);
 }
 
 /// Of a crew's member here, where there is a crew.

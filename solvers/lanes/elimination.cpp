@@ -61,7 +61,8 @@ class PivotSearch {
       for (int j = 0; j < pattern_.cols(); ++j) {
         if (!column_is_open_[j] || !pattern_(i, j)) continue;
         const double ratio = ratios[j];
-        const double cost = ratio < least_ratio ? 1e9 / (ratio + 1e-9) : fill_of(i, j);
+        // At a singular sample there may be none.
+        const double cost = ratio >= least_ratio ? fill_of(i, j) : 1e9 / (std::max(0.0, ratio) + 1e-9);
         if (cost < best_cost || (cost == best_cost && ratio > best_ratio)) {
           best = {i, j};
           best_cost = cost;
@@ -159,6 +160,14 @@ Elimination ordered(Pattern pattern, std::vector<Eigen::MatrixXcd> samples) {
   return elimination;
 }
 
+std::vector<Eigen::MatrixXcd> at_random_points(const SquareSystem& system, std::mt19937_64& random) {
+  constexpr int samples = 6;
+  std::vector<ComplexVectorX> jacobians;
+  for (int i = 0; i < samples; ++i)
+    jacobians.push_back(jacobian_at(system, random_complex_vector(system.unknowns, random)));
+  return matrices(system.unknowns, jacobians);
+}
+
 }  // namespace
 
 Elimination::Elimination() = default;
@@ -179,13 +188,20 @@ Elimination order_elimination(const MonomialSystem& system, const std::vector<Co
 }
 
 Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random) {
-  constexpr int samples = 6;
-  std::vector<ComplexVectorX> jacobians;
-  for (int i = 0; i < samples; ++i)
-    jacobians.push_back(jacobian_at(system, random_complex_vector(system.unknowns, random)));
-  std::vector<Eigen::MatrixXcd> matrices_there = matrices(system.unknowns, jacobians);
-  Pattern pattern = pattern_of(matrices_there);
-  return ordered(std::move(pattern), std::move(matrices_there));
+  std::vector<Eigen::MatrixXcd> samples = at_random_points(system, random);
+  Pattern pattern = pattern_of(samples);
+  return ordered(std::move(pattern), std::move(samples));
+}
+
+Elimination order_elimination_at(const SquareSystem& system, const ComplexVectorX&, const ComplexVectorX& x) {
+  std::mt19937_64 random(1);  // any points show where there are entries
+  return ordered(pattern_of(at_random_points(system, random)),
+                 matrices(system.unknowns, {jacobian_at(system, x)}));
+}
+
+Elimination order_elimination_at(const MonomialSystem& system, const ComplexVectorX& parameters,
+                                 const ComplexVectorX& x) {
+  return order_elimination(system, {jacobian_at(system, parameters, x)});
 }
 
 }  // namespace gcs

@@ -59,4 +59,10 @@ Elimination order_elimination(const MonomialSystem& system, const std::vector<Co
 /// The samples are Jacobians at random points. Precondition: there they are regular.
 Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random);
 
+/// The only sample is the Jacobian at x, for these parameters; any order where it is singular.
+Elimination order_elimination_at(const SquareSystem& system, const ComplexVectorX& parameters,
+                                 const ComplexVectorX& x);
+Elimination order_elimination_at(const MonomialSystem& system, const ComplexVectorX& parameters,
+                                 const ComplexVectorX& x);
+
 }  // namespace gcs

@@ -22,6 +22,9 @@ struct Route {
   std::vector<double> rates{};  ///< one per parameter, or none
 };
 
+/// On its way, for 0 ≤ s ≤ 1.
+ComplexVectorX parameters_at(const Route& route, double s);
+
 struct TrackingOptions {
   static constexpr int highest_order = 40;
 

@@ -1,5 +1,7 @@
 #include "solvers/lanes/lane_trackers.hpp"
 
+#include <cmath>
+
 namespace gcs {
 namespace {
 
@@ -12,6 +14,15 @@ LaneTrackerFactories factories_of(InstructionSet set) {
 }
 
 }  // namespace
+
+ComplexVectorX parameters_at(const Route& route, double s) {
+  ComplexVectorX parameters(route.end.size());
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    for (int k = Route::degree; k >= 0; --k) parameters[j] = parameters[j] * s + route.coefficients[k][j];
+    if (!route.rates.empty()) parameters[j] *= std::exp(route.rates[j] * (s - 1));
+  }
+  return parameters;
+}
 
 std::string_view name(InstructionSet set) {
   switch (set) {

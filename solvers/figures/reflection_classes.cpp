@@ -224,10 +224,11 @@ ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure>
   const std::vector<SignatureSums> all_sums = sums_of(scene, figures, threads);
   for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
     const double tolerance = tolerances[i].distances * scene.size();
+    Signature signature;  // once a class may be the figure's
     const auto equals = [&](const ClassIndex::Member& member) {
       const int first = classes.first[member.number];
-      if (!equal(signature_of(scene, figures[i]), signature_of(scene, figures[first]),
-                 std::max(tolerance, member.tolerance)))
+      if (signature.empty()) signature = signature_of(scene, figures[i]);
+      if (!equal(signature, signature_of(scene, figures[first]), std::max(tolerance, member.tolerance)))
         return false;
       const double places = std::max(tolerances[i].places, tolerances[first].places) * scene.size();
       return scene.is_anchored() || !std::isfinite(places) ||

@@ -78,8 +78,8 @@ struct Candidate {
   /// Proven: no point is further from its place in a solution, up to a motion, in the scene's unit. Infinite
   /// where nothing is proven.
   double error = std::numeric_limits<double>::infinity();
-  std::optional<double>
-      condition{};  ///< jacobian_condition of the scene at the figure, if the strategy knows it
+  /// jacobian_condition of the scene at the figure, if the strategy knows it.
+  std::optional<double> condition{};
 };
 
 /// The path met t = 1 at candidates[candidate], going in the direction of growing t (+1) or falling t (−1).

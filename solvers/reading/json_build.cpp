@@ -1,6 +1,5 @@
 #include "solvers/reading/json_build.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace gcs {

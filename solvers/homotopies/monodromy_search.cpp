@@ -46,6 +46,11 @@ bool is_homogeneous(const SquareSystem& system) {
 /// While the ends of one are sorted in, legs of the others are followed.
 constexpr std::size_t blocks_at_once = 2;
 
+/// Two arcs lead to nearly all solutions, a third to most of the rest. What is missing then has its branch points far from
+/// where arcs of the usual bend run: further ones are longer, and seldom followed from every solution.
+constexpr int near_arcs = 3;
+constexpr double far_bend = 10;
+
 /// Solutions may fall into blocks, the more of them the more solutions there are, that single arcs do not leave.
 int first_arcs(const MonodromyOptions& options, const std::optional<std::uint64_t>& count) {
   const int arcs = count ? 2 + static_cast<int>(std::bit_width(*count)) / 3 : 0;
@@ -224,7 +229,10 @@ class Search {
   void add_arc() {
     const std::complex<double> gamma =
         family_.is_homogeneous ? random_turn(0, 2 * std::numbers::pi, random_) : 1.0;
-    const ComplexVectorX first = random_bend(), second = options_.has_two_bends ? random_bend() : first;
+    const bool is_far = arcs() >= near_arcs;
+    const double size = is_far ? far_bend * options_.bend : options_.bend;
+    const ComplexVectorX first = random_bend(size),
+                         second = is_far || options_.has_two_bends ? random_bend(size) : first;
     gammas_.push_back(gamma);
     yields_.emplace_back();
     routes_.push_back(route(nodes_[0].squares, scaled(nodes_[1].squares, gamma * gamma), first, second));
@@ -235,11 +243,12 @@ class Search {
     }
   }
 
-  ComplexVectorX random_bend() {
+  /// `relative`: to the lengths.
+  ComplexVectorX random_bend(double relative) {
     ComplexVectorX bend = random_complex_vector(static_cast<int>(family_.is_free.size()), random_);
     for (std::size_t e = 0; e < bend.size(); ++e) {
       const double size = std::sqrt(std::abs(nodes_[0].squares[e]) * std::abs(nodes_[1].squares[e]));
-      bend[e] *= family_.is_free[e] ? options_.bend * size : 0;
+      bend[e] *= family_.is_free[e] ? relative * size : 0;
     }
     return bend;
   }

@@ -13,7 +13,7 @@
 /// by s(1 − s)B with a random B: straight ones of one pair of nodes lie in a plane, and group the branch
 /// points in sectors of it, of which a few solutions may see no single one. The bend is B(s) = B, or
 /// (1 − s)B + sC with two random ones: large ones go out in one direction and come back in another, so that solutions
-/// that are far larger than the others meet branch points too.
+/// that are far larger than the others meet branch points too. So do all arcs beyond the third, which bend ten times as far.
 ///
 /// Where distances are all there is, A_0 is real, so that the conjugate of each solution is known with it: two arcs then reach
 /// nearly all, along two legs for each. In the plane it is that of a real placement; in space one coordinate of each point
@@ -60,9 +60,9 @@ HomotopyFamily all_lengths(const SquareSystem& system, SignMasks signs);
 struct MonodromyOptions {
   /// Between the nodes, more for a large count; one more whenever the others find nothing new.
   int first_arcs = 3;
-  int arcs = 12;    ///< at most
-  double bend = 3;  ///< |B| over |A|
-  bool has_two_bends = false;
+  int arcs = 12;               ///< at most
+  double bend = 3;             ///< |B| over |A|, of the first three
+  bool has_two_bends = false;  ///< those, too
 };
 
 /// How a search ended.

@@ -178,6 +178,34 @@ TEST_CASE("a search that meets the count stops, and one that finds more is incon
   CHECK(inconsistent > 0);
 }
 
+TEST_CASE("solutions that meet far from the lengths of all members are found") {
+  // A point at squared distances A and B, both about 1, from (0, 0) and (3, 0). The two solutions meet where the triangle is
+  // flat: √A + √B = 3.
+  constexpr double apart = 3;
+  SquareSystem system;
+  system.unknowns = 2;
+  system.add_equation({{0, -1, 0}, {1, -1, 0}}, {}, 0);
+  system.add_equation({{0, -1, apart}, {1, -1, 0}}, {}, 0);
+  const auto random_point = [](std::mt19937_64& random) {
+    ComplexVectorX squares = random_complex_vector(2, random);
+    for (std::complex<double>& square : squares) square = 1.0 + 0.1 * square;
+    const std::complex<double> x = (squares[0] - squares[1] + apart * apart) / (2 * apart);
+    return ComplexVectorX{x, std::sqrt(squares[0] - x * x)};
+  };
+  const HomotopyFamily family = square_family(system, {-1, -1}, {true, true}, random_point);
+  MonodromyOptions options;
+  options.arcs = 60;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    std::mt19937_64 random(seed);
+    const Elimination elimination = order_elimination(system, random);
+    LegTracking tracking(system, elimination, {{}, widest_instruction_set(), 1});
+    WorkCounters work;
+    const GenericSolutions found = search_by_monodromy(
+        family, tracking, {2, nullptr}, options, random, never, [](int) {}, work);
+    CHECK(found.end == SearchEnd::complete);
+  }
+}
+
 TEST_CASE("the solutions found solve the equations and are distinct") {
   Setting setting(samples::octahedron());
   const GenericSolutions generic = setting.search(std::nullopt);

@@ -7,6 +7,10 @@
 #include <new>
 #include <utility>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "solvers/answers/certify.hpp"
 #include "solvers/certificates/scene_equations.hpp"
 #include "solvers/counting/scene_analysis.hpp"
@@ -55,6 +59,16 @@ const std::optional<Natural>& largest_total(const SolutionTotals& totals) {
   return totals.complex ? totals.complex : totals.real;
 }
 
+/// Of so many candidates what a strategy leaves behind is worth the look through all that was freed.
+constexpr std::size_t many = 4096;
+
+/// glibc keeps what was freed in small pieces, of which larger ones cannot be made.
+void return_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 class Solve {
  public:
   Solve(const Scene& scene, const SolveSettings& settings, const SolveSurroundings& surroundings)
@@ -83,6 +97,8 @@ class Solve {
     SolveReport report = ask(*strategy, plain ? request.on(*plain) : request);
     if (plain) report = with_mirror_images(std::move(report), *plain, scene_);
     strategy.reset();  // with what it prepared, which may be as large as its report
+    if (!settings_.certify) report.generic_member.reset();  // likewise
+    if (report.candidates.size() >= many) return_freed_memory();
     enter(SolveStage::assessing);
     const std::optional<GenericMember> generic = std::move(report.generic_member);
     const std::size_t candidates = report.candidates.size();

@@ -43,8 +43,9 @@ bool is_homogeneous(const SquareSystem& system) {
          std::all_of(system.given.begin(), system.given.end(), [](double given) { return given == 0; });
 }
 
-/// While the ends of one are sorted in, legs of the others are followed.
-constexpr std::size_t blocks_at_once = 2;
+/// While the ends of the first are sorted in, or the last of its legs is waited for, legs of the others are followed: one that
+/// doubles cannot follow takes as long as many others.
+constexpr std::size_t blocks_at_once = 8;
 
 /// Two arcs lead to nearly all solutions, a third to most of the rest. What is missing then has its branch points far from
 /// where arcs of the usual bend run: further ones are longer, and seldom followed from every solution.
@@ -89,7 +90,7 @@ class Search {
   GenericSolutions run(LegTracking& tracking, const std::function<bool()>& stopped,
                        const std::function<void(int)>& progress, WorkCounters& work) {
     while (!is_over() && !stopped()) {
-      while (followed_.size() < blocks_at_once && hand_out(tracking)) continue;
+      while (under_way_ < legs_at_once() && hand_out(tracking)) continue;
       if (followed_.empty()) {
         if (is_quiet_and_done()) break;
         add_arc();
@@ -140,7 +141,12 @@ class Search {
   /// handed out when the last solution is found are followed in vain, and those before know less of what is new.
   std::size_t legs_at_once() const {
     constexpr std::size_t fewest = 8;  // the lanes of one thread
-    return std::max<std::size_t>(size() / 32, fewest) / blocks_at_once;
+    return std::max<std::size_t>(size() / 32, fewest);
+  }
+
+  std::size_t legs_of_block() const {
+    constexpr std::size_t fewest = 4;
+    return std::max(legs_at_once() / blocks_at_once, fewest);
   }
 
   /// The next legs to follow, at most `most`, along the first arcs of which something new is to be expected. None, where the
@@ -176,7 +182,7 @@ class Search {
 
   /// False where there is nothing to follow.
   bool hand_out(LegTracking& tracking) {
-    std::vector<Task> tasks = next_tasks(legs_at_once());
+    std::vector<Task> tasks = next_tasks(legs_of_block());
     if (tasks.empty()) return false;
     std::vector<ComplexVectorX> starts;
     for (const Task& task : tasks) starts.push_back(start_of(task));
@@ -185,6 +191,7 @@ class Search {
       legs.push_back({starts[i].data(), &routes_[2 * tasks[i].arc + tasks[i].node]});
     tracking.add(legs);
     found_.legs += static_cast<std::int64_t>(tasks.size());
+    under_way_ += tasks.size();
     followed_.push_back(std::move(tasks));
     return true;
   }
@@ -193,6 +200,7 @@ class Search {
   void sort_in(const std::vector<LegResult>& results) {
     const std::vector<Task> tasks = std::move(followed_.front());
     followed_.pop_front();
+    under_way_ -= tasks.size();
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       if (results[i].state.end == LegEnd::arrived)
         arrive(tasks[i], results[i].x, results[i].state.last_correction);
@@ -307,6 +315,7 @@ class Search {
   std::vector<Yield> yields_;               // of each arc
   std::vector<Route> routes_;               // of each arc: from node 0, then from node 1
   std::deque<std::vector<Task>> followed_;  // in the order in which they were handed out
+  std::size_t under_way_ = 0;               // of these
   bool consistent_ = true;
   GenericSolutions found_;  ///< but for the lengths, solutions and arcs
 };

@@ -90,7 +90,7 @@ class Search {
   GenericSolutions run(LegTracking& tracking, const std::function<bool()>& stopped,
                        const std::function<void(int)>& progress, WorkCounters& work) {
     while (!is_over() && !stopped()) {
-      while (under_way_ < legs_at_once() && hand_out(tracking)) continue;
+      while (legs_under_way() < legs_at_once() && hand_out(tracking)) continue;
       if (followed_.empty()) {
         if (is_quiet_and_done()) break;
         add_arc();
@@ -144,6 +144,12 @@ class Search {
     return std::max<std::size_t>(size() / 32, fewest);
   }
 
+  std::size_t legs_under_way() const {
+    std::size_t legs = 0;
+    for (const std::vector<Task>& tasks : followed_) legs += tasks.size();
+    return legs;
+  }
+
   std::size_t legs_of_block() const {
     constexpr std::size_t fewest = 4;
     return std::max(legs_at_once() / blocks_at_once, fewest);
@@ -191,7 +197,6 @@ class Search {
       legs.push_back({starts[i].data(), &routes_[2 * tasks[i].arc + tasks[i].node]});
     tracking.add(legs);
     found_.legs += static_cast<std::int64_t>(tasks.size());
-    under_way_ += tasks.size();
     followed_.push_back(std::move(tasks));
     return true;
   }
@@ -200,7 +205,6 @@ class Search {
   void sort_in(const std::vector<LegResult>& results) {
     const std::vector<Task> tasks = std::move(followed_.front());
     followed_.pop_front();
-    under_way_ -= tasks.size();
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       if (results[i].state.end == LegEnd::arrived)
         arrive(tasks[i], results[i].x, results[i].state.last_correction);
@@ -315,7 +319,6 @@ class Search {
   std::vector<Yield> yields_;               // of each arc
   std::vector<Route> routes_;               // of each arc: from node 0, then from node 1
   std::deque<std::vector<Task>> followed_;  // in the order in which they were handed out
-  std::size_t under_way_ = 0;               // of these
   bool consistent_ = true;
   GenericSolutions found_;  ///< but for the lengths, solutions and arcs
 };

@@ -34,14 +34,27 @@ class PivotSearch {
       : pattern_(std::move(pattern)),
         samples_(std::move(samples)),
         row_is_open_(static_cast<std::size_t>(pattern_.rows()), true),
-        column_is_open_(static_cast<std::size_t>(pattern_.cols()), true) {}
+        column_is_open_(static_cast<std::size_t>(pattern_.cols()), true) {
+    for (int k = 0; k < pattern_.rows(); ++k) {
+      in_row_.push_back(static_cast<int>(pattern_.row(k).count()));
+      in_column_.push_back(static_cast<int>(pattern_.col(k).count()));
+      ratios_.push_back(smallest_ratios(k));
+    }
+  }
 
   /// Row and column of the next pivot, which is then eliminated.
   std::array<int, 2> next() {
     const auto [row, column] = choose();
     row_is_open_[row] = column_is_open_[column] = false;
+    for (int k = 0; k < pattern_.rows(); ++k) {
+      in_column_[k] -= pattern_(row, k);
+      in_row_[k] -= pattern_(k, column);
+    }
     for (int i = 0; i < pattern_.rows(); ++i)
-      if (row_is_open_[i] && pattern_(i, column)) eliminate(i, row, column);
+      if (row_is_open_[i] && pattern_(i, column)) {
+        eliminate(i, row, column);
+        ratios_[i] = smallest_ratios(i);
+      }
     return {row, column};
   }
 
@@ -57,10 +70,9 @@ class PivotSearch {
     double best_cost = std::numeric_limits<double>::infinity(), best_ratio = 0;
     for (int i = 0; i < pattern_.rows(); ++i) {
       if (!row_is_open_[i]) continue;
-      const Eigen::ArrayXd ratios = smallest_ratios(i);
       for (int j = 0; j < pattern_.cols(); ++j) {
         if (!column_is_open_[j] || !pattern_(i, j)) continue;
-        const double ratio = ratios[j];
+        const double ratio = ratios_[i][j];
         // At a singular sample there may be none.
         const double cost = ratio >= least_ratio ? fill_of(i, j) : 1e9 / (std::max(0.0, ratio) + 1e-9);
         if (cost < best_cost || (cost == best_cost && ratio > best_ratio)) {
@@ -75,12 +87,7 @@ class PivotSearch {
 
   /// Markowitz's count for a pivot: multiplications of its step.
   double fill_of(int row, int column) const {
-    int in_row = -1, in_column = -1;
-    for (int k = 0; k < pattern_.rows(); ++k) {
-      in_row += column_is_open_[k] && pattern_(row, k);
-      in_column += row_is_open_[k] && pattern_(k, column);
-    }
-    return static_cast<double>(in_row) * in_column;
+    return static_cast<double>(in_row_[row] - 1) * (in_column_[column] - 1);
   }
 
   /// Of each open column |pivot| over the largest open entry of the row, at the worst sample.
@@ -102,14 +109,20 @@ class PivotSearch {
       for (int k = 0; k < sample.cols(); ++k)
         if (column_is_open_[k]) sample(i, k) -= factor * sample(row, k);
     }
-    for (int k = 0; k < pattern_.cols(); ++k)
-      if (column_is_open_[k] && pattern_(row, k)) pattern_(i, k) = true;
+    for (int k = 0; k < pattern_.cols(); ++k) {
+      if (!column_is_open_[k] || !pattern_(row, k) || pattern_(i, k)) continue;
+      pattern_(i, k) = true;
+      ++in_row_[i];
+      ++in_column_[k];
+    }
   }
 
   Pattern pattern_;
   std::vector<Eigen::MatrixXcd> samples_;
   std::vector<bool> row_is_open_;
   std::vector<bool> column_is_open_;
+  std::vector<Eigen::ArrayXd> ratios_;   ///< of all rows
+  std::vector<int> in_row_, in_column_;  ///< entries in open columns of a row, in open rows of a column
 };
 
 /// Number of each entry of the filled pattern, −1 elsewhere.

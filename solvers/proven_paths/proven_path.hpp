@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "solvers/numeric/arc_series.hpp"
 #include "solvers/proven_paths/tube_crossings.hpp"
+#include "solvers/tracking/arc_series.hpp"
 
 namespace gcs {
 

@@ -11,10 +11,10 @@
 #include <span>
 #include <vector>
 
-#include "solvers/numeric/arc_series.hpp"
 #include "solvers/proven_paths/path_data.hpp"
 #include "solvers/proven_paths/path_equations.hpp"
 #include "solvers/proven_paths/polynomial_length.hpp"
+#include "solvers/tracking/arc_series.hpp"
 
 namespace gcs {
 

@@ -91,17 +91,18 @@ void LengthSeries::known(int n, Eigen::Ref<Eigen::VectorXd> result) {
 }
 
 EdgeSeries::EdgeSeries(Eigen::Index edges, int dimension, int order)
-    : dimension_(dimension), differences_(edges * dimension, order + 1), products_(edges * dimension) {}
+    : dimension_(dimension),
+      order_(order),
+      differences_(edges * dimension, order + 1),
+      products_(edges * dimension) {}
 
 void EdgeSeries::resize(Eigen::Index edges) {
-  differences_.resize(edges * dimension_, differences_.cols());
+  differences_ = AlignedColumns(edges * dimension_, order_ + 1);
   products_.resize(edges * dimension_);
 }
 
 void EdgeSeries::half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result) {
-  products_.setZero();
-  for (int i = 1; 2 * i < n; ++i) products_.array() += difference(i).array() * difference(n - i).array();
-  if (n % 2 == 0) products_.array() += 0.5 * difference(n / 2).array().square();
+  kernels_.half_convolution(differences_.from(0), 1, n, products_.data());
   const Eigen::Index m = edges();
   result = products_.head(m) + products_.segment(m, m);
   if (dimension_ == 3) result += products_.tail(m);

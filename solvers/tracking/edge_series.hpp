@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "solvers/lanes/column_kernels.hpp"
 #include "solvers/model/interpolation.hpp"
 
 namespace gcs {
@@ -72,15 +73,16 @@ class EdgeSeries {
   void resize(Eigen::Index edges);
   Eigen::Index edges() const { return products_.size() / dimension_; }
   /// The n-th coefficients of (p_a − p_b): entry axis · edges + edge.
-  auto difference(int n) { return differences_.col(n); }
-  auto difference(int n) const { return differences_.col(n); }
+  auto difference(int n) { return Eigen::Map<Eigen::VectorXd>(differences_.column(n), products_.size()); }
   /// ½ Σ_{i=1}^{n−1} d_i·d_{n−i} for every edge.
   void half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result);
 
  private:
   int dimension_;
-  Eigen::MatrixXd differences_;
+  int order_;
+  AlignedColumns differences_;
   Eigen::VectorXd products_;
+  ColumnKernels kernels_ = column_kernels();
 };
 
 }  // namespace gcs

@@ -5,8 +5,8 @@
 #include <concepts>
 #include <utility>
 
-#include "solvers/numeric/arc_series.hpp"
 #include "solvers/running/work.hpp"
+#include "solvers/tracking/arc_series.hpp"
 #include "solvers/tracking/corrector.hpp"
 
 namespace gcs {

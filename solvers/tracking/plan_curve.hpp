@@ -14,8 +14,8 @@
 #include "solvers/construction/exchange.hpp"
 #include "solvers/construction/plan_sweep.hpp"
 #include "solvers/construction/plan_use.hpp"
-#include "solvers/numeric/arc_series.hpp"
 #include "solvers/running/work.hpp"
+#include "solvers/tracking/arc_series.hpp"
 #include "solvers/tracking/edge_series.hpp"
 
 namespace gcs {

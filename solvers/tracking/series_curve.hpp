@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <concepts>
 
-#include "solvers/numeric/arc_series.hpp"
 #include "solvers/running/work.hpp"
+#include "solvers/tracking/arc_series.hpp"
 
 namespace gcs {
 

@@ -35,8 +35,8 @@
 #include <limits>
 #include <utility>
 
-#include "solvers/numeric/arc_series.hpp"
 #include "solvers/numeric/polynomial_roots.hpp"
+#include "solvers/tracking/arc_series.hpp"
 #include "solvers/tracking/corrector.hpp"
 #include "solvers/tracking/series_curve.hpp"
 #include "solvers/tracking/tracked_path.hpp"

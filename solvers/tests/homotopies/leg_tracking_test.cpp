@@ -6,6 +6,7 @@
 #include <span>
 
 #include "solvers/model/distance_system.hpp"
+#include "solvers/tests/available_sets.hpp"
 #include "solvers/tests/sample_problems.hpp"
 #include "solvers/tests/sanitized.hpp"
 
@@ -297,9 +298,7 @@ TEST_CASE("the bits of a leg depend on no instruction set, thread or neighbour")
     std::vector<ComplexVectorX> expected;
     for (const Leg& leg : task.legs())
       expected.push_back(alone.follow(std::span(&leg, 1), never, work).front().x);
-    for (const InstructionSet set :
-         {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
-      if (!is_available(set)) continue;
+    for (const InstructionSet set : samples::available_sets()) {
       for (const int threads : {1, 2, 3}) {
         LegTracking tracking(system, elimination, {{}, set, threads, nullptr, all_wide});
         const std::vector<LegResult> results = tracking.follow(task.legs(), never, work);

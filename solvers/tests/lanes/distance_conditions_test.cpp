@@ -2,7 +2,6 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
@@ -10,11 +9,11 @@
 #include <random>
 #include <vector>
 
+#include "solvers/tests/available_sets.hpp"
+
 using namespace gcs;
 
 namespace {
-
-constexpr std::array all_sets{InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512};
 
 /// Points in the plane, the first at rest and the second on an axis, and random pairs of them.
 DifferenceMatrix random_matrix(int points, int rows, std::mt19937_64& random) {
@@ -97,8 +96,7 @@ TEST_CASE("condition numbers in lanes are those of singular values, for all inst
       else
         CHECK(conditions[i] > 1e8);
     }
-    for (const InstructionSet set : all_sets) {
-      if (!is_available(set)) continue;
+    for (const InstructionSet set : samples::available_sets()) {
       CHECK(conditions_of(matrix, figures, set) == conditions);
       CHECK(conditions_of(matrix, {figures[4]}, set).front() == conditions[4]);
     }
@@ -112,8 +110,7 @@ TEST_CASE("figures without a row, and such that are no numbers, have no finite c
   const double regular = conditions_of(matrix, figures, InstructionSet::portable)[1];
   std::fill(figures[0].real.begin(), figures[0].real.end(), 1.0);
   figures[2].imaginary[7] = std::numeric_limits<double>::quiet_NaN();
-  for (const InstructionSet set : all_sets) {
-    if (!is_available(set)) continue;
+  for (const InstructionSet set : samples::available_sets()) {
     const std::vector<double> conditions = conditions_of(matrix, figures, set);
     CHECK(std::isinf(conditions[0]));
     CHECK(conditions[1] == regular);

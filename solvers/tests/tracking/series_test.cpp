@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "solvers/numeric/arc_series.hpp"
 #include "solvers/tests/random_numbers.hpp"
+#include "solvers/tracking/arc_series.hpp"
 #include "solvers/tracking/corrector.hpp"
 #include "solvers/tracking/edge_series.hpp"
 

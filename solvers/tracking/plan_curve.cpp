@@ -237,15 +237,13 @@ bool PlanCurve::start(int orientation, ArcSeries& series) {
   return true;
 }
 
-double PlanCurve::move_size(const Eigen::VectorXd& change) const { return (sensitivity_ * change).norm(); }
-
 double PlanCurve::moved_by_rounding(double size) {
   for (Eigen::Index r = 0; r < residual_.size(); ++r) {
     const int c = plan_.removed()[static_cast<std::size_t>(r)];
     residual_[r] =
         rounding_of_equation(r, std::numbers::sqrt2 * lengths_.paths()[c].value(parameters_[0]), size);
   }
-  return move_size(bordered_inverse_.leftCols(residual_.size()) * residual_);
+  return (sensitivity_ * (bordered_inverse_.leftCols(residual_.size()) * residual_)).norm();
 }
 
 bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcSeries& series, bool is_wide) {
@@ -254,9 +252,8 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
   if (too_near()) return false;
   if (!maintain(y[coordinates_ - 1], tangent)) return false;
   CorrectorTest test(options_.tolerance, is_wide);
-  for (bool first = true, settled = false;; first = false) {
+  for (bool first = true, settled = false; !settled; first = false) {
     if (!evaluate()) return false;
-    if (settled) break;
     if (first) {
       differentiate();
       border_and_invert(tangent);
@@ -268,12 +265,15 @@ bool PlanCurve::advance(Eigen::VectorXd& y, const Eigen::VectorXd& tangent, ArcS
       residual(residual_);
     change_.noalias() = bordered_inverse_.leftCols(residual_.size()) * residual_;
     parameters_ -= change_;
+    move_.noalias() = sensitivity_ * change_;
     ++work_.newton_iterations;
-    const CorrectorTest::Verdict verdict = test.judge(move_size(change_), y.norm());
+    const CorrectorTest::Verdict verdict = test.judge(move_.norm(), y.norm());
     if (verdict == CorrectorTest::Verdict::refuse) return false;
     if (verdict == CorrectorTest::Verdict::stalled) test.widen();
     settled = verdict == CorrectorTest::Verdict::settled;
   }
+  // What the last change leaves out of its derivative is below the rounding, as the iteration would go on to show.
+  points_.topRows(dimension_) -= Eigen::Map<const Eigen::MatrixXd>(move_.data(), dimension_, point_count_);
   if (test.is_wide() && !CorrectorTest::are_arcs_apart(moved_by_rounding(y.norm()), y.norm())) return false;
   if (test.matrix_is_stale()) {
     differentiate();

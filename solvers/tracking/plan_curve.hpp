@@ -79,7 +79,6 @@ class PlanCurve {
   void set_differences(int n, const ArcSeries& series);
   void solve_order(int n, ArcSeries& series);
   double moved_by_rounding(double size);
-  double move_size(const Eigen::VectorXd& change) const;
   double pull(int c, const double* move) const;
   double slope(int c) const;
   Eigen::Index row(int point, int axis) const { return static_cast<Eigen::Index>(dimension_) * point + axis; }
@@ -107,6 +106,7 @@ class PlanCurve {
   int side_of_s_ = 0;
   int accepted_side_ = 0;  ///< at the last accepted point
   Eigen::VectorXd right_side_, change_, residual_;
+  Eigen::VectorXd move_;                         ///< of all coordinates and t by the last change
   Eigen::VectorXd constant_, half_convolution_;  ///< per edge
   WorkCounters work_;
   double driving_sum_ = 0;

@@ -206,6 +206,11 @@ Elimination order_elimination(const SquareSystem& system, std::mt19937_64& rando
   return ordered(std::move(pattern), std::move(samples));
 }
 
+Elimination order_elimination(int n, const double* pattern, const double* sample) {
+  const Eigen::Map<const Eigen::MatrixXd> entries(pattern, n, n), matrix(sample, n, n);
+  return ordered((entries.array() != 0).matrix(), {matrix.cast<std::complex<double>>()});
+}
+
 Elimination order_elimination_at(const SquareSystem& system, const ComplexVectorX&, const ComplexVectorX& x) {
   std::mt19937_64 random(1);  // any points show where there are entries
   return ordered(pattern_of(at_random_points(system, random)),

@@ -59,6 +59,9 @@ Elimination order_elimination(const MonomialSystem& system, const std::vector<Co
 /// The samples are Jacobians at random points. Precondition: there they are regular.
 Elimination order_elimination(const SquareSystem& system, std::mt19937_64& random);
 
+/// Of n × n matrices, column by column, whose entries are 0 where those of `pattern` are; `sample` is the only one.
+Elimination order_elimination(int n, const double* pattern, const double* sample);
+
 /// The only sample is the Jacobian at x, for these parameters; any order where it is singular.
 Elimination order_elimination_at(const SquareSystem& system, const ComplexVectorX& parameters,
                                  const ComplexVectorX& x);

@@ -1,6 +1,7 @@
 #pragma once
 /// S in full space, R^m × R, as the series tracker wants it ([I] §2.2, in squared lengths).
 
+#include "solvers/lanes/sparse_inverse.hpp"
 #include "solvers/model/distance_system.hpp"
 #include "solvers/tracking/edge_series.hpp"
 #include "solvers/tracking/implicit_curve.hpp"
@@ -23,6 +24,9 @@ class DistanceFamily {
   void known(int n, Eigen::Ref<Eigen::VectorXd> result);
   double shortest_length(double t) const { return lengths_.shortest(t); }
 
+  /// 1 where [dF/dx, dF/dt; tangent] may have an entry that is not 0.
+  Eigen::MatrixXd bordered_pattern() const;
+
   /// In the frame.
   Figure figure(const Eigen::VectorXd& y) const { return system_.figure(y.head(unknowns())); }
 
@@ -32,21 +36,33 @@ class DistanceFamily {
   EdgeSeries edges_;
   Figure sketch_;
   Eigen::Matrix3Xd points_;
-  Eigen::Matrix3Xd moving_;  ///< one coefficient as a figure: zero where the frame fixes a coordinate
+  /// The difference of two coordinates, by axis and edge: numbers of unknowns, then of coordinates that the frame fixes.
+  struct Difference {
+    int minuend = 0;
+    int subtrahend = 0;
+    int equation = 0;
+  };
+  std::vector<Difference> differences_;
+  Eigen::VectorXd coordinates_;  ///< unknowns and fixed ones
+  Eigen::VectorXd moving_;       ///< one coefficient of both: 0 for fixed ones
   Eigen::VectorXd half_convolution_;
 };
 
-class DistanceCurve : public ImplicitCurve<DistanceFamily> {
+class DistanceCurve : public ImplicitCurve<DistanceFamily, SparseInverse> {
  public:
   /// In the scene's frame. Precondition: the scene has a sketch and no lines.
   DistanceCurve(const Scene& scene, int order, double tolerance)
       : DistanceCurve(scene, scene.reference(), order, tolerance) {}
   /// In another one.
   DistanceCurve(const Scene& scene, const Reference& reference, int order, double tolerance)
-      : ImplicitCurve(DistanceFamily(scene, reference, order), tolerance) {}
+      : DistanceCurve(DistanceFamily(scene, reference, order), tolerance) {}
 
   /// The figure of a tracker's point, in the frame.
   Figure figure(const Eigen::VectorXd& y) const { return family().figure(y); }
+
+ private:
+  DistanceCurve(const DistanceFamily& family, double tolerance)
+      : ImplicitCurve(family, tolerance, SparseInverse(family.bordered_pattern())) {}
 };
 
 }  // namespace gcs

@@ -28,7 +28,7 @@ concept EquationFamily = requires(F family, const F& known, double t, int n, con
   family.residual(y, f);
   /// The same, right but for the last rounding also where it is small.
   family.wide_residual(y, f);
-  /// [dF/dx, dF/dt] at y into the first rows.
+  /// [dF/dx, dF/dt] at y into the first rows; others may be set to 0.
   family.jacobian(y, matrix);
   /// Of series in s whose coefficients are about to be set: t at s = 0, after the Jacobian was asked for there.
   family.start_series(t);
@@ -40,14 +40,26 @@ concept EquationFamily = requires(F family, const F& known, double t, int n, con
   { known.shortest_length(t) } -> std::same_as<double>;
 };
 
-template <EquationFamily Family>
+/// Dense matrices, factorised with the largest pivot of each column.
+class PivotedFactors {
+ public:
+  void compute(const Eigen::MatrixXd& matrix) { lu_.compute(matrix); }
+  int determinant_sign() const { return gcs::determinant_sign(lu_); }
+  void apply(const Eigen::VectorXd& right, Eigen::VectorXd& result) const { result = lu_.solve(right); }
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+};
+
+/// `Inverse`: how the bordered matrix [F_x, F_t; tangent] is inverted; SparseInverse where equations have few unknowns.
+template <EquationFamily Family, class Inverse = PivotedFactors>
 class ImplicitCurve {
  public:
-  ImplicitCurve(Family family, double tolerance)
+  ImplicitCurve(Family family, double tolerance, Inverse inverse = {})
       : family_(std::move(family)),
         tolerance_(tolerance),
         bordered_(coordinates(), coordinates()),
-        lu_(coordinates()),
+        inverse_(std::move(inverse)),
         right_side_(coordinates()),
         correction_(coordinates()) {}
 
@@ -63,7 +75,7 @@ class ImplicitCurve {
     Eigen::VectorXd tangent = full.kernel().col(0).normalized();
     if (tangent[m] * orientation < 0) tangent = -tangent;
     factorise(y, tangent);
-    side_ = determinant_sign(lu_);
+    side_ = inverse_.determinant_sign();
     expand(y, series);
     return true;
   }
@@ -73,10 +85,10 @@ class ImplicitCurve {
     right_side_[m] = 0;
     residual(y, right_side_.head(m), is_wide);
     factorise(y, tangent);
-    if (determinant_sign(lu_) != side_) return false;
+    if (inverse_.determinant_sign() != side_) return false;
     CorrectorTest test(tolerance_, is_wide);
     while (true) {
-      correction_ = lu_.solve(right_side_);
+      inverse_.apply(right_side_, correction_);
       y -= correction_;
       ++work_.newton_iterations;
       const CorrectorTest::Verdict verdict = test.judge(correction_.norm(), y.norm());
@@ -124,14 +136,14 @@ class ImplicitCurve {
     for (Eigen::Index i = 0; i < m; ++i)
       right_side_[i] = rounding_of_equation(i, bordered_.row(i).norm(), size);
     right_side_[m] = 0;
-    correction_ = lu_.solve(right_side_);
+    inverse_.apply(right_side_, correction_);
     return correction_.norm();
   }
 
   void factorise(const Eigen::VectorXd& y, const Eigen::VectorXd& last_row) {
     jacobian(y);
     bordered_.bottomRows<1>() = last_row.transpose();
-    lu_.compute(bordered_);
+    inverse_.compute(bordered_);
     ++work_.factorisations;
   }
 
@@ -143,14 +155,14 @@ class ImplicitCurve {
     series.coefficient(0) = y;
     right_side_.setZero();
     right_side_[m] = 1;
-    correction_ = lu_.solve(right_side_);
+    inverse_.apply(right_side_, correction_);
     correction_ /= correction_.norm();
     series.coefficient(1) = correction_;
     family_.set(1, correction_);
     for (int n = 2; n <= series.order(); ++n) {
       family_.known(n, right_side_.head(m));
       right_side_[m] = series.arc_length_term(n);
-      correction_ = lu_.solve(right_side_);
+      inverse_.apply(right_side_, correction_);
       series.coefficient(n) = correction_;
       if (n < series.order()) family_.set(n, correction_);
     }
@@ -159,7 +171,7 @@ class ImplicitCurve {
   Family family_;
   double tolerance_;
   Eigen::MatrixXd bordered_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Inverse inverse_;
   int side_ = 0;  ///< the sign of the bordered matrix's determinant, on all of the curve
   Eigen::VectorXd right_side_, correction_;
   WorkCounters work_;

@@ -1,8 +1,8 @@
 #pragma once
 /// The fast tracker of S: one Taylor polynomial in arc length per step.
 ///
-/// Predictor. The equations are quadratic, so the Taylor coefficients of the curve cost one factorisation and
-/// one pair of triangular solves each. The arc length parameter has no singularity at folds of t, and on a
+/// Predictor. The equations are quadratic, so the Taylor coefficients of the curve cost one factorisation and one
+/// solution with it each. The arc length parameter has no singularity at folds of t, and on a
 /// circle it has none at all, which is why steps are long. The step is that at which the last two terms fall
 /// below the tolerance, and no more than a part of the radius of convergence that the last ratios of
 /// coefficients show: where two arcs nearly cross, the singularity between them is so weak that its terms are

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "solvers/lanes/lane_trackers.hpp"
+#include "solvers/lanes/instruction_set.hpp"
 #include "source_commit.hpp"
 
 namespace gcs {

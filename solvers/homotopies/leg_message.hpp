@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solvers/homotopies/leg_block.hpp"
-#include "solvers/lanes/lane_trackers.hpp"
+#include "solvers/lanes/instruction_set.hpp"
 
 namespace gcs {
 

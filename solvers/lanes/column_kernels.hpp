@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "solvers/lanes/lane_trackers.hpp"
-
 namespace gcs {
 
 /// Columns of so many rows, one after the other at distances of `stride` ≥ rows.
@@ -62,14 +60,5 @@ struct ColumnKernels {
   void (*substitute)(double* columns, std::ptrdiff_t stride, const ColumnStep* steps, std::ptrdiff_t count,
                      const int* sources, const double* factors);
 };
-
-/// Precondition: the instruction set is available.
-ColumnKernels column_kernels(InstructionSet set = widest_instruction_set());
-
-ColumnKernels portable_column_kernels();
-#ifdef GCS_X86
-ColumnKernels avx2_column_kernels();
-ColumnKernels avx512_column_kernels();
-#endif
 
 }  // namespace gcs

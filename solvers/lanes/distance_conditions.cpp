@@ -3,21 +3,10 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/lanes/lane_functions.hpp"
 #include "solvers/model/distance_system.hpp"
 
 namespace gcs {
-namespace {
-
-ConditionFunction function_of(InstructionSet set) {
-#ifdef GCS_X86
-  if (set == InstructionSet::avx512) return avx512_conditions();
-  if (set == InstructionSet::avx2) return avx2_conditions();
-#endif
-  static_cast<void>(set);
-  return portable_conditions();
-}
-
-}  // namespace
 
 DifferenceMatrix difference_matrix(const DistanceSystem& system) {
   DifferenceMatrix matrix{system.equations(), system.unknowns(), {}};
@@ -37,7 +26,7 @@ DifferenceMatrix difference_matrix(const DistanceSystem& system) {
 std::vector<double> normalised_conditions(const DifferenceMatrix& matrix,
                                           std::span<const PointCoordinates> figures, InstructionSet set) {
   std::vector<double> conditions(figures.size());
-  function_of(set)(matrix, figures, conditions.data());
+  lane_functions(set).conditions(matrix, figures, conditions.data());
   for (double& condition : conditions)
     if (std::isnan(condition)) condition = std::numeric_limits<double>::infinity();
   return conditions;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "solvers/lanes/lane_trackers.hpp"
+#include "solvers/lanes/instruction_set.hpp"
 
 namespace gcs {
 
@@ -39,13 +39,5 @@ struct PointCoordinates {
 std::vector<double> normalised_conditions(const DifferenceMatrix& matrix,
                                           std::span<const PointCoordinates> figures,
                                           InstructionSet set = widest_instruction_set());
-
-/// Writes one number for each figure; each is compiled for its own instruction set.
-using ConditionFunction = void (*)(const DifferenceMatrix&, std::span<const PointCoordinates>, double*);
-ConditionFunction portable_conditions();
-#ifdef GCS_X86
-ConditionFunction avx2_conditions();
-ConditionFunction avx512_conditions();
-#endif
 
 }  // namespace gcs

@@ -1,8 +1,8 @@
 #pragma once
 /// The trackers of one instruction set, for both kinds of systems and both precisions.
 
+#include "solvers/lanes/lane_functions.hpp"
 #include "solvers/lanes/lane_kernel.hpp"
-#include "solvers/lanes/lane_trackers.hpp"
 #include "solvers/lanes/monomial_lanes.hpp"
 #include "solvers/lanes/square_lanes.hpp"
 

@@ -3,11 +3,12 @@
 #include "solvers/lanes/lane_columns.hpp"
 #include "solvers/lanes/lane_conditions.hpp"
 #include "solvers/lanes/lane_factories.hpp"
+#include "solvers/lanes/lane_functions.hpp"
 
 namespace gcs {
 
-LaneTrackerFactories avx2_lane_trackers() { return avx2_lanes::factories(); }
-ConditionFunction avx2_conditions() { return avx2_lanes::conditions_of; }
-ColumnKernels avx2_column_kernels() { return avx2_lanes::column_kernels(); }
+LaneFunctions avx2_lane_functions() {
+  return {avx2_lanes::factories(), avx2_lanes::conditions_of, avx2_lanes::column_kernels()};
+}
 
 }  // namespace gcs

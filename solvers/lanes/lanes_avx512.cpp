@@ -3,11 +3,12 @@
 #include "solvers/lanes/lane_columns.hpp"
 #include "solvers/lanes/lane_conditions.hpp"
 #include "solvers/lanes/lane_factories.hpp"
+#include "solvers/lanes/lane_functions.hpp"
 
 namespace gcs {
 
-LaneTrackerFactories avx512_lane_trackers() { return avx512_lanes::factories(); }
-ConditionFunction avx512_conditions() { return avx512_lanes::conditions_of; }
-ColumnKernels avx512_column_kernels() { return avx512_lanes::column_kernels(); }
+LaneFunctions avx512_lane_functions() {
+  return {avx512_lanes::factories(), avx512_lanes::conditions_of, avx512_lanes::column_kernels()};
+}
 
 }  // namespace gcs

@@ -3,11 +3,12 @@
 #include "solvers/lanes/lane_columns.hpp"
 #include "solvers/lanes/lane_conditions.hpp"
 #include "solvers/lanes/lane_factories.hpp"
+#include "solvers/lanes/lane_functions.hpp"
 
 namespace gcs {
 
-LaneTrackerFactories portable_lane_trackers() { return portable_lanes::factories(); }
-ConditionFunction portable_conditions() { return portable_lanes::conditions_of; }
-ColumnKernels portable_column_kernels() { return portable_lanes::column_kernels(); }
+LaneFunctions portable_lane_functions() {
+  return {portable_lanes::factories(), portable_lanes::conditions_of, portable_lanes::column_kernels()};
+}
 
 }  // namespace gcs

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "solvers/lanes/lane_functions.hpp"
+
 namespace gcs {
 namespace {
 
@@ -37,7 +39,7 @@ int sign_of(const std::vector<int>& order) {
 
 SparseInverse::SparseInverse(Eigen::MatrixXd pattern, InstructionSet set)
     : n_(static_cast<int>(pattern.rows())),
-      kernels_(column_kernels(set)),
+      kernels_(lane_functions(set).columns),
       pattern_(std::move(pattern)),
       inverse_pivots_(static_cast<std::size_t>(n_)),
       inverse_(n_, n_),

@@ -9,6 +9,7 @@
 
 #include "solvers/lanes/column_kernels.hpp"
 #include "solvers/lanes/elimination.hpp"
+#include "solvers/lanes/instruction_set.hpp"
 
 namespace gcs {
 

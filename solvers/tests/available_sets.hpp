@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solvers/lanes/lane_trackers.hpp"
+#include "solvers/lanes/instruction_set.hpp"
 
 namespace gcs::samples {
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "solvers/lanes/column_kernels.hpp"
+#include "solvers/lanes/lane_functions.hpp"
 
 namespace gcs {
 
@@ -84,7 +85,7 @@ class ArcSeries {
     return {coefficients_.col(n).data(), coefficients_.rows(), coefficients_.rows()};
   }
 
-  ColumnKernels kernels_ = column_kernels();
+  ColumnKernels kernels_ = lane_functions().columns;
   Eigen::MatrixXd coefficients_;
   Eigen::VectorXd ones_, exponents_;
   AlignedColumns rates_;  ///< n·c_n

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solvers/lanes/column_kernels.hpp"
+#include "solvers/lanes/lane_functions.hpp"
 #include "solvers/model/interpolation.hpp"
 
 namespace gcs {
@@ -82,7 +83,7 @@ class EdgeSeries {
   int order_;
   AlignedColumns differences_;
   Eigen::VectorXd products_;
-  ColumnKernels kernels_ = column_kernels();
+  ColumnKernels kernels_ = lane_functions().columns;
 };
 
 }  // namespace gcs

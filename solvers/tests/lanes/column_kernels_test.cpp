@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "solvers/lanes/lane_functions.hpp"
 #include "solvers/tests/available_sets.hpp"
 
 using namespace gcs;
@@ -35,7 +36,7 @@ Eigen::VectorXd written(Eigen::Index rows, const Write& write) {
   Eigen::VectorXd first;
   for (const InstructionSet set : samples::available_sets()) {
     Eigen::VectorXd result = Eigen::VectorXd::Constant(rows + 8, untouched);
-    write(column_kernels(set), result.data());
+    write(lane_functions(set).columns, result.data());
     CHECK(result.tail(8) == Eigen::VectorXd::Constant(8, untouched));
     if (first.size() == 0) first = result.head(rows);
     CHECK(first == result.head(rows));
@@ -111,8 +112,8 @@ TEST_CASE("columns are substituted one after the other") {
     }
     for (const InstructionSet set : samples::available_sets()) {
       AlignedColumns columns = sample.columns;
-      column_kernels(set).substitute(columns.column(0), columns.stride(), steps.data(), std::ssize(steps),
-                                     sources.data(), factors.data());
+      lane_functions(set).columns.substitute(columns.column(0), columns.stride(), steps.data(),
+                                             std::ssize(steps), sources.data(), factors.data());
       for (Eigen::Index j = 0; j < 4; ++j)
         for (Eigen::Index i = 0; i < rows; ++i) CHECK(columns.column(j)[i] == slow(i, j));
     }

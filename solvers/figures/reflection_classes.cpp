@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "solvers/figures/congruence.hpp"
 #include "solvers/model/complex_lines.hpp"
@@ -151,10 +152,10 @@ struct SignatureSums {
   double total() const { return std::accumulate(sums.begin(), sums.end(), 0.0); }
 };
 
-std::vector<SignatureSums> sums_of(const Scene& scene, std::span<const Figure> figures, int threads) {
+std::vector<SignatureSums> sums_of(const Scene& scene, std::span<const Figure* const> figures, int threads) {
   std::vector<SignatureSums> sums(figures.size());
   share_on_threads(figures.size(), threads,
-                   [&](std::size_t i) { sums[i] = SignatureSums(signature_of(scene, figures[i])); });
+                   [&](std::size_t i) { sums[i] = SignatureSums(signature_of(scene, *figures[i])); });
   return sums;
 }
 
@@ -164,37 +165,38 @@ double window(std::size_t numbers, double tolerance, double magnitude) {
   return static_cast<double>(numbers) * (tolerance + rounding);
 }
 
-/// The classes found so far, ordered by the sum of the first figure's signature: equal figures have close
-/// sums. Classes of different tolerance, to a factor of ten, are kept apart, so that coarse ones do not widen
+/// The first figures of the classes found so far, ordered by the sums of their signatures: equal figures have close
+/// sums. Those of different tolerance, to a factor of ten, are kept apart, so that coarse ones do not widen
 /// the search for all. Signatures are many times as long as figures, so they are made again, where all four sums
 /// are close: of a million figures, hundreds have a total as close.
 class ClassIndex {
  public:
-  struct Member {
-    int number = 0;  ///< of the class
-    double tolerance = 0;
-    std::array<double, 4> sums{};
-  };
+  /// Of all figures.
+  explicit ClassIndex(std::vector<SignatureSums> sums) : sums_(std::move(sums)) {}
 
-  /// The first class for which `equals` holds, of those whose sums may be equal, or −1.
+  /// Whether a figure's sums are numbers: else they have no place in an order.
+  bool is_ordered(int figure) const { return std::isfinite(sums_[figure].magnitude); }
+
+  /// The first one for which `equals` holds, of those whose sums may be equal, or −1.
   template <typename Equals>
-  int find(const SignatureSums& sums, double tolerance, Equals equals) const {
+  int find(int figure, double tolerance, Equals equals) const {
     int found = -1;
-    for (const auto& [bound, classes] : by_tolerance_) {
+    const SignatureSums& sums = sums_[figure];
+    for (const auto& [bound, firsts] : by_tolerance_) {
       const double either = std::max(tolerance, bound);
       const double reach = window(sums.numbers, either, sums.magnitude);
       const double part_reach = window((sums.numbers + 3) / 4, either, sums.magnitude);
-      const auto end = classes.upper_bound(sums.total() + reach);
-      for (auto entry = classes.lower_bound(sums.total() - reach); entry != end; ++entry)
-        if ((found < 0 || entry->second.number < found) &&
-            are_close(sums.sums, entry->second.sums, part_reach) && equals(entry->second))
-          found = entry->second.number;
+      const auto end = firsts.upper_bound(sums.total() + reach);
+      for (auto entry = firsts.lower_bound(sums.total() - reach); entry != end; ++entry)
+        if ((found < 0 || entry->second < found) &&
+            are_close(sums.sums, sums_[entry->second].sums, part_reach) && equals(entry->second))
+          found = entry->second;
     }
     return found;
   }
 
-  void add(const SignatureSums& sums, int number, double tolerance) {
-    by_tolerance_[next_power_of_ten(tolerance)].emplace(sums.total(), Member{number, tolerance, sums.sums});
+  void add(int figure, double tolerance) {
+    by_tolerance_[next_power_of_ten(tolerance)].emplace(sums_[figure].total(), figure);
   }
 
  private:
@@ -206,43 +208,39 @@ class ClassIndex {
     return tolerance > 0 ? std::max(tolerance, std::pow(10, std::ceil(std::log10(tolerance)))) : 0;
   }
 
-  std::map<double, std::multimap<double, Member>> by_tolerance_;
+  std::vector<SignatureSums> sums_;
+  std::map<double, std::multimap<double, int>> by_tolerance_;
 };
 
 }  // namespace
 
 ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures, double tolerance,
                                      int threads) {
-  return reflection_classes(scene, figures, std::vector<ClassTolerance>(figures.size(), {tolerance}),
-                            threads);
+  std::vector<const Figure*> all;
+  for (const Figure& figure : figures) all.push_back(&figure);
+  return reflection_classes(scene, all, std::vector<ClassTolerance>(all.size(), {tolerance}), threads);
 }
 
-ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures,
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure* const> figures,
                                      std::span<const ClassTolerance> tolerances, int threads) {
   ReflectionClasses classes;
-  ClassIndex index;
-  const std::vector<SignatureSums> all_sums = sums_of(scene, figures, threads);
+  ClassIndex index(sums_of(scene, figures, threads));
   for (int i = 0; i < static_cast<int>(figures.size()); ++i) {
     const double tolerance = tolerances[i].distances * scene.size();
     Signature signature;  // once a class may be the figure's
-    const auto equals = [&](const ClassIndex::Member& member) {
-      const int first = classes.first[member.number];
-      if (signature.empty()) signature = signature_of(scene, figures[i]);
-      if (!equal(signature, signature_of(scene, figures[first]), std::max(tolerance, member.tolerance)))
-        return false;
+    const auto equals = [&](int first) {
+      const double either = std::max(tolerances[i].distances, tolerances[first].distances) * scene.size();
+      if (signature.empty()) signature = signature_of(scene, *figures[i]);
+      if (!equal(signature, signature_of(scene, *figures[first]), either)) return false;
       const double places = std::max(tolerances[i].places, tolerances[first].places) * scene.size();
       return scene.is_anchored() || !std::isfinite(places) ||
-             may_be_congruent(points_to_place(figures[i]), points_to_place(figures[first]), places);
+             may_be_congruent(points_to_place(*figures[i]), points_to_place(*figures[first]), places);
     };
-    const SignatureSums& sums = all_sums[i];
-    const bool finite = std::isfinite(sums.magnitude);  // else its sum has no place in an order
-    int found = finite ? index.find(sums, tolerance, equals) : -1;
-    if (found < 0) {
-      found = classes.count();
-      classes.first.push_back(i);
-      if (finite) index.add(sums, found, tolerance);
-    }
-    classes.class_of.push_back(found);
+    const int first = index.is_ordered(i) ? index.find(i, tolerance, equals) : -1;
+    classes.class_of.push_back(first < 0 ? classes.count() : classes.class_of[first]);
+    if (first >= 0) continue;
+    classes.first.push_back(i);
+    if (index.is_ordered(i)) index.add(i, tolerance);
   }
   return classes;
 }

@@ -36,7 +36,7 @@ ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure>
                                      int threads = 1);
 /// The same with tolerances for every figure, of two the larger ones; and where distances are equal, the
 /// points must come to lie together (see may_be_congruent).
-ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure> figures,
+ReflectionClasses reflection_classes(const Scene& scene, std::span<const Figure* const> figures,
                                      std::span<const ClassTolerance> tolerances, int threads = 1);
 
 }  // namespace gcs

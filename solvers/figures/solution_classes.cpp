@@ -55,10 +55,13 @@ ReflectionClasses solution_classes(const Scene& scene, std::span<const Figure> r
       tolerances.push_back({merging_tolerance(accuracy.condition), accuracy.error});
     return general_classes(scene, representatives, tolerances);
   }
+  std::vector<const Figure*> figures;
   std::vector<ClassTolerance> tolerances;
-  for (std::size_t i = 0; i < representatives.size(); ++i)
+  for (std::size_t i = 0; i < representatives.size(); ++i) {
+    figures.push_back(&representatives[i]);
     tolerances.push_back(tolerance_of(scene, representatives[i], accuracies[i]));
-  return reflection_classes(scene, representatives, tolerances, threads);
+  }
+  return reflection_classes(scene, figures, tolerances, threads);
 }
 
 }  // namespace gcs

@@ -286,22 +286,19 @@ class ComplexReporter {
   /// Of simple complex solutions that their distances alone may not tell apart. There are few.
   void prove_neighbours() {
     std::vector<Candidate*> complex;
-    std::vector<Figure> figures;
-    complex.reserve(report_.candidates.size());
-    figures.reserve(report_.candidates.size());
+    std::vector<const Figure*> figures;
     for (Candidate& candidate : report_.candidates)
       if (!candidate.figure.is_real() && candidate.multiplicity == 1 && !std::isfinite(candidate.error)) {
         complex.push_back(&candidate);
-        figures.push_back(std::move(candidate.figure));  // lent, as there may be many
+        figures.push_back(&candidate.figure);
       }
-    const ReflectionClasses alike = reflection_classes(scene_, figures, neighbourhood, means_.threads);
+    const std::vector<ClassTolerance> tolerances(figures.size(), {neighbourhood});
+    const ReflectionClasses alike = reflection_classes(scene_, figures, tolerances, means_.threads);
     std::vector<int> members(static_cast<std::size_t>(alike.count()), 0);
     for (const int one : alike.class_of) ++members[one];
-    for (std::size_t i = 0; i < complex.size(); ++i) {
-      complex[i]->figure = std::move(figures[i]);
+    for (std::size_t i = 0; i < complex.size(); ++i)
       if (members[alike.class_of[i]] > 1)
         complex[i]->error = proven_error(scene_, squares_, complex[i]->figure);
-    }
   }
 
   void add_multiple(const Figure& figure, int multiplicity) {

@@ -90,6 +90,14 @@ Figure nearly_flat(double first, double second) {
   return figure;
 }
 
+/// Classes where all figures have these tolerances.
+gcs::ReflectionClasses classes_within(const gcs::ClassTolerance& each, const Scene& scene,
+                                      const std::vector<Figure>& figures) {
+  std::vector<const Figure*> all;
+  for (const Figure& figure : figures) all.push_back(&figure);
+  return gcs::reflection_classes(scene, all, std::vector<gcs::ClassTolerance>(all.size(), each));
+}
+
 }  // namespace
 
 TEST_CASE("heights over a plane are compared themselves, and not by what distances feel of them") {
@@ -100,10 +108,8 @@ TEST_CASE("heights over a plane are compared themselves, and not by what distanc
     for (const bool is_mirrored : {false, true}) {
       const std::vector<Figure> figures{same, random.moved(same, is_mirrored), across,
                                         random.moved(across, is_mirrored)};
-      const std::vector<gcs::ClassTolerance> places(4, {1e-5, 1e-12});
-      CHECK(gcs::reflection_classes(scene, figures, places).class_of == std::vector<int>{0, 0, 1, 1});
-      const std::vector<gcs::ClassTolerance> distances(4, {1e-5});
-      if (z < 1e-3) CHECK(gcs::reflection_classes(scene, figures, distances).count() == 1);
+      CHECK(classes_within({1e-5, 1e-12}, scene, figures).class_of == std::vector<int>{0, 0, 1, 1});
+      if (z < 1e-3) CHECK(classes_within({1e-5}, scene, figures).count() == 1);
     }
   }
 }
@@ -120,9 +126,7 @@ TEST_CASE("figures on a line and noise in their places are one class") {
     for (double& x : noisy.points.reshaped()) x += 1e-13 * random.number();
     figures.push_back(noisy);
   }
-  CHECK(
-      gcs::reflection_classes(scene, figures, std::vector<gcs::ClassTolerance>(21, {1e-9, 1e-12})).count() ==
-      1);
+  CHECK(classes_within({1e-9, 1e-12}, scene, figures).count() == 1);
 }
 
 TEST_CASE("moved and mirrored figures are one class, others are not") {

@@ -1,6 +1,7 @@
 #include "solvers/model/distance_system.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -112,24 +113,33 @@ Refinement refine(const DistanceSystem& system, const std::vector<DoubleDouble>&
                   Eigen::VectorXd& x) {
   constexpr int max_iterations = 12;
   constexpr double ulp = std::numeric_limits<double>::epsilon();
+  // Factors are kept where the last correction was small beside the coordinates, and at most this part of the one before.
+  constexpr double small = 1e-6, good = 1e-3;
   const int m = system.equations();
   const Eigen::VectorXd start = x;
   Eigen::MatrixXd jacobian(m, system.unknowns());
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors;
   Eigen::VectorXd residual(m);
   Figure figure = system.figure(x);
   Refinement result;
   double previous = std::numeric_limits<double>::infinity();
-  while (result.iterations < max_iterations) {
+  for (bool are_good = false; result.iterations < max_iterations;) {
     system.place(x, figure.points);
     system.residual(figure.points, squares, residual);
-    system.jacobian(figure.points, jacobian);
-    const Eigen::VectorXd correction = jacobian.partialPivLu().solve(residual);
+    const bool are_new = !are_good;
+    if (are_new) {
+      system.jacobian(figure.points, jacobian);
+      factors.compute(jacobian);
+    }
+    const Eigen::VectorXd correction = factors.solve(residual);
     x -= correction;
     ++result.iterations;
     result.last_correction = correction.norm();
     if (!std::isfinite(result.last_correction)) break;
-    result.converged = result.last_correction <= 4 * ulp * x.cwiseAbs().maxCoeff();
-    if (result.converged || result.last_correction > previous / 2) break;
+    const double size = x.cwiseAbs().maxCoeff();
+    result.converged = result.last_correction <= 4 * ulp * size;
+    if (result.converged || (are_new && result.last_correction > previous / 2)) break;
+    are_good = result.last_correction <= std::min(small * size, good * previous);
     previous = result.last_correction;
   }
   // Rounding keeps an ill-conditioned solution from settling to the last bit; the size of its last correction

@@ -55,6 +55,8 @@ struct ColumnKernels {
   /// ½ Σ_i column i · column n − i, row by row, i from `first` to n − `first`.
   void (*half_convolution)(const DenseColumns& columns, std::ptrdiff_t first, std::ptrdiff_t n,
                            double* result);
+  /// Σ_j (column j)², row by row, over `count` columns.
+  void (*squares)(const DenseColumns& columns, std::ptrdiff_t count, double* result);
   /// All steps, in their order, on the columns themselves, of `stride` rows, a multiple of 8. Precondition: no column is its
   /// own source.
   void (*substitute)(double* columns, std::ptrdiff_t stride, const ColumnStep* steps, std::ptrdiff_t count,

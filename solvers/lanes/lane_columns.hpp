@@ -115,6 +115,16 @@ inline void half_convolution(const DenseColumns& columns, std::ptrdiff_t first, 
   });
 }
 
+inline void squares(const DenseColumns& columns, std::ptrdiff_t count, double* result) {
+  for_each_strip(columns.rows, [&](const auto& strip, auto vectors) {
+    Lanes sums[vectors] = {};
+    const double* column = columns.first;
+    for (std::ptrdiff_t j = 0; j < count; ++j, column += columns.stride)
+      for (int v = 0; v < vectors; ++v) sums[v] = sums[v] + strip.at(column, v) * strip.at(column, v);
+    for (int v = 0; v < vectors; ++v) strip.put(sums[v], result, v);
+  });
+}
+
 inline void substitute(double* columns, std::ptrdiff_t stride, const ColumnStep* steps, std::ptrdiff_t count,
                        const int* sources, const double* factors) {
   for_each_strip(stride, [&](const auto& strip, auto vectors) {
@@ -132,6 +142,6 @@ inline void substitute(double* columns, std::ptrdiff_t stride, const ColumnStep*
   });
 }
 
-inline ColumnKernels column_kernels() { return {combine, evaluate, half_convolution, substitute}; }
+inline ColumnKernels column_kernels() { return {combine, evaluate, half_convolution, squares, substitute}; }
 
 }  // namespace gcs::GCS_LANES

@@ -56,8 +56,8 @@ void SparseInverse::compute(const Eigen::MatrixXd& matrix) {
   for (const double inverse : inverse_pivots_)
     if (inverse < 0) determinant_sign_ = -determinant_sign_;
   invert(orders_.front());
-  matrix_norm_ = matrix.norm();
-  is_well_conditioned_ = matrix_norm_ * inverse_entries().norm() <= well_conditioned;
+  kernels_.squares(inverse_.from(0), n_, correction_.data());
+  is_well_conditioned_ = matrix_norm_ * std::sqrt(correction_.sum()) <= well_conditioned;
   if (!is_well_conditioned_) matrix_ = matrix;
 }
 
@@ -74,8 +74,7 @@ bool SparseInverse::find_order(const Eigen::MatrixXd& matrix) {
   return factorise(orders_.front(), matrix.data(), std::numeric_limits<double>::infinity());
 }
 
-void SparseInverse::apply(const Eigen::VectorXd& right, Eigen::VectorXd& result) {
-  result.resize(n_);
+void SparseInverse::apply(const Eigen::VectorXd& right, Eigen::Ref<Eigen::VectorXd> result) {
   kernels_.combine(inverse_.from(0), n_, right.data(), result.data());
   if (is_well_conditioned_) return;
   for (int i = 0; i < most_corrections; ++i)
@@ -83,7 +82,7 @@ void SparseInverse::apply(const Eigen::VectorXd& right, Eigen::VectorXd& result)
 }
 
 /// False where what is left is the rounding of the product.
-bool SparseInverse::correct(const Eigen::VectorXd& right, Eigen::VectorXd& result) {
+bool SparseInverse::correct(const Eigen::VectorXd& right, Eigen::Ref<Eigen::VectorXd> result) {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   left_ = right;
   left_.noalias() -= matrix_ * result;
@@ -133,6 +132,7 @@ bool SparseInverse::factorise(const Order& order, const double* matrix, double m
   const Elimination& elimination = order.elimination;
   entries_.assign(static_cast<std::size_t>(elimination.entries), 0.0);
   for (const Place& place : order.places) entries_[place.entry] = matrix[place.from];
+  matrix_norm_ = Eigen::Map<const Eigen::VectorXd>(entries_.data(), std::ssize(entries_)).norm();
   for (int k = 0; k < n_; ++k) {
     const Elimination::Step &step = elimination.steps[k], &next = elimination.steps[k + 1];
     const double inverse = 1 / entries_[step.pivot];

@@ -21,8 +21,8 @@ class SparseInverse {
   void compute(const Eigen::MatrixXd& matrix);
   /// 0 where the matrix is singular, and no product a number.
   int determinant_sign() const { return determinant_sign_; }
-  /// The inverse times `right`.
-  void apply(const Eigen::VectorXd& right, Eigen::VectorXd& result);
+  /// The inverse times `right`, each of n numbers.
+  void apply(const Eigen::VectorXd& right, Eigen::Ref<Eigen::VectorXd> result);
   /// How many orders had to be found.
   int orders_found() const { return orders_found_; }
 
@@ -51,7 +51,7 @@ class SparseInverse {
   bool find_order(const Eigen::MatrixXd& matrix);
   bool factorise(const Order& order, const double* matrix, double most);
   void invert(Order& order);
-  bool correct(const Eigen::VectorXd& right, Eigen::VectorXd& result);
+  bool correct(const Eigen::VectorXd& right, Eigen::Ref<Eigen::VectorXd> result);
   Eigen::Map<Eigen::VectorXd> inverse_entries() { return {inverse_.column(0), inverse_.stride() * n_}; }
 
   int n_;

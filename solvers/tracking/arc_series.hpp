@@ -66,10 +66,10 @@ class ArcSeries {
     const double noise = rounding * std::max(1.0, norm(0));
     double radius = 0;
     for (int n = order() - 1; n <= order(); ++n) {
-      const double size = norm(n);
-      const double ratio = std::sqrt(norm(n - 2) / size);
-      const bool shows = size * std::pow(ratio, n) > noise;
-      radius = std::max(radius, shows ? ratio : std::numeric_limits<double>::infinity());
+      const double size = norm(n), square = norm(n - 2) / size, ratio = std::sqrt(square);
+      double term = n % 2 == 0 ? size : size * ratio;  // there: size · ratio^n
+      for (int i = 0; i < n / 2; ++i) term *= square;
+      radius = std::max(radius, term > noise ? ratio : std::numeric_limits<double>::infinity());
     }
     return radius;
   }

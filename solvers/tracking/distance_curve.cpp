@@ -9,8 +9,7 @@ DistanceFamily::DistanceFamily(const Scene& scene, const Reference& reference, i
       lengths_(scene.length_paths(), order),
       edges_(system_.equations(), system_.dimension(), order),
       sketch_(scene.in_frame(*scene.sketch(), system_.reference())),
-      points_(sketch_.points),
-      half_convolution_(system_.equations()) {
+      points_(sketch_.points) {
   std::vector<double> fixed;
   Eigen::MatrixXi numbers(system_.dimension(), system_.point_count());
   for (int point = 0; point < system_.point_count(); ++point)
@@ -68,7 +67,7 @@ Eigen::MatrixXd DistanceFamily::bordered_pattern() const {
   return pattern;
 }
 
-void DistanceFamily::set(int n, const Eigen::VectorXd& coefficient) {
+void DistanceFamily::set(int n, const Eigen::Ref<const Eigen::VectorXd>& coefficient) {
   lengths_.set(n, coefficient[unknowns()]);
   moving_.head(unknowns()) = coefficient.head(unknowns());
   auto difference = edges_.difference(n);
@@ -78,8 +77,7 @@ void DistanceFamily::set(int n, const Eigen::VectorXd& coefficient) {
 
 void DistanceFamily::known(int n, Eigen::Ref<Eigen::VectorXd> result) {
   lengths_.known(n, result);
-  edges_.half_convolution(n, half_convolution_);
-  result -= half_convolution_;
+  edges_.subtract_half_convolution(n, result);
 }
 
 }  // namespace gcs

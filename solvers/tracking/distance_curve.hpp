@@ -20,7 +20,7 @@ class DistanceFamily {
   void wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
   void jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix);
   void start_series(double t) { lengths_.start(t); }
-  void set(int n, const Eigen::VectorXd& coefficient);
+  void set(int n, const Eigen::Ref<const Eigen::VectorXd>& coefficient);
   void known(int n, Eigen::Ref<Eigen::VectorXd> result);
   double shortest_length(double t) const { return lengths_.shortest(t); }
 
@@ -45,7 +45,6 @@ class DistanceFamily {
   std::vector<Difference> differences_;
   Eigen::VectorXd coordinates_;  ///< unknowns and fixed ones
   Eigen::VectorXd moving_;       ///< one coefficient of both: 0 for fixed ones
-  Eigen::VectorXd half_convolution_;
 };
 
 class DistanceCurve : public ImplicitCurve<DistanceFamily, SparseInverse> {

@@ -101,11 +101,13 @@ void EdgeSeries::resize(Eigen::Index edges) {
   products_.resize(edges * dimension_);
 }
 
-void EdgeSeries::half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result) {
+void EdgeSeries::subtract_half_convolution(int n, Eigen::Ref<Eigen::VectorXd> entries) {
   kernels_.half_convolution(differences_.from(0), 1, n, products_.data());
   const Eigen::Index m = edges();
-  result = products_.head(m) + products_.segment(m, m);
-  if (dimension_ == 3) result += products_.tail(m);
+  if (dimension_ == 3)
+    entries -= products_.head(m) + products_.segment(m, m) + products_.tail(m);
+  else
+    entries -= products_.head(m) + products_.tail(m);
 }
 
 }  // namespace gcs

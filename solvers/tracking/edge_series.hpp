@@ -75,8 +75,8 @@ class EdgeSeries {
   Eigen::Index edges() const { return products_.size() / dimension_; }
   /// The n-th coefficients of (p_a − p_b): entry axis · edges + edge.
   auto difference(int n) { return Eigen::Map<Eigen::VectorXd>(differences_.column(n), products_.size()); }
-  /// ½ Σ_{i=1}^{n−1} d_i·d_{n−i} for every edge.
-  void half_convolution(int n, Eigen::Ref<Eigen::VectorXd> result);
+  /// Takes ½ Σ_{i=1}^{n−1} d_i·d_{n−i} from the entry of every edge.
+  void subtract_half_convolution(int n, Eigen::Ref<Eigen::VectorXd> entries);
 
  private:
   int dimension_;

@@ -114,7 +114,7 @@ void GeneralFamily::jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix) 
 
 void GeneralFamily::start_series(double t) { series_of_values_.start(t); }
 
-void GeneralFamily::set(int n, const Eigen::VectorXd& coefficient) {
+void GeneralFamily::set(int n, const Eigen::Ref<const Eigen::VectorXd>& coefficient) {
   series_of_values_.set(n, coefficient[unknowns()]);
   for (Eigen::Index p = 0; p < left_.rows(); ++p) {
     const RealEquations::Product& product = equations_.products[static_cast<std::size_t>(p)];

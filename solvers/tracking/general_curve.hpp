@@ -36,7 +36,7 @@ class GeneralFamily {
   void wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
   void jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix);
   void start_series(double t);
-  void set(int n, const Eigen::VectorXd& coefficient);
+  void set(int n, const Eigen::Ref<const Eigen::VectorXd>& coefficient);
   void known(int n, Eigen::Ref<Eigen::VectorXd> result);
   double shortest_length(double t) const;
 

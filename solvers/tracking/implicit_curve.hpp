@@ -45,7 +45,9 @@ class PivotedFactors {
  public:
   void compute(const Eigen::MatrixXd& matrix) { lu_.compute(matrix); }
   int determinant_sign() const { return gcs::determinant_sign(lu_); }
-  void apply(const Eigen::VectorXd& right, Eigen::VectorXd& result) const { result = lu_.solve(right); }
+  void apply(const Eigen::VectorXd& right, Eigen::Ref<Eigen::VectorXd> result) const {
+    result = lu_.solve(right);
+  }
 
  private:
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
@@ -155,16 +157,13 @@ class ImplicitCurve {
     series.coefficient(0) = y;
     right_side_.setZero();
     right_side_[m] = 1;
-    inverse_.apply(right_side_, correction_);
-    correction_ /= correction_.norm();
-    series.coefficient(1) = correction_;
-    family_.set(1, correction_);
+    inverse_.apply(right_side_, series.coefficient(1));
+    series.coefficient(1) /= series.coefficient(1).norm();
     for (int n = 2; n <= series.order(); ++n) {
+      family_.set(n - 1, series.coefficient(n - 1));
       family_.known(n, right_side_.head(m));
       right_side_[m] = series.arc_length_term(n);
-      inverse_.apply(right_side_, correction_);
-      series.coefficient(n) = correction_;
-      if (n < series.order()) family_.set(n, correction_);
+      inverse_.apply(right_side_, series.coefficient(n));
     }
   }
 

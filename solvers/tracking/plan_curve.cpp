@@ -49,7 +49,6 @@ void PlanCurve::configure() {
   sensitivity_(coordinates_ - 1, 0) = 1;
   edges_.resize(static_cast<Eigen::Index>(ends_.size()) + d);
   constant_.setZero(edges_.edges());
-  half_convolution_.setZero(edges_.edges());
 }
 
 Figure PlanCurve::figure(const Eigen::VectorXd& y) const {
@@ -327,10 +326,9 @@ void PlanCurve::expand(const Eigen::VectorXd& y, ArcSeries& series) {
   series.coefficient(1) /= series.coefficient(1).norm();
   set_differences(1, series);
   for (int n = 2; n <= series.order(); ++n) {
-    edges_.half_convolution(n, half_convolution_);
     lengths_.known(n, constant_.head(static_cast<Eigen::Index>(ends_.size())));
     constant_.tail(plan_.driving_parameters()).setZero();
-    constant_ -= half_convolution_;
+    edges_.subtract_half_convolution(n, constant_);
     solve_order(n, series);
     if (n < series.order()) set_differences(n, series);
   }

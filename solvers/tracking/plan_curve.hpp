@@ -106,8 +106,8 @@ class PlanCurve {
   int side_of_s_ = 0;
   int accepted_side_ = 0;  ///< at the last accepted point
   Eigen::VectorXd right_side_, change_, residual_;
-  Eigen::VectorXd move_;                         ///< of all coordinates and t by the last change
-  Eigen::VectorXd constant_, half_convolution_;  ///< per edge
+  Eigen::VectorXd move_;      ///< of all coordinates and t by the last change
+  Eigen::VectorXd constant_;  ///< per edge
   WorkCounters work_;
   double driving_sum_ = 0;
 };

@@ -19,7 +19,7 @@ RealForm real_form(const LinearForm& form) {
 
 }  // namespace
 
-double RealForm::change(const Eigen::VectorXd& x) const {
+double RealForm::change(const Eigen::Ref<const Eigen::VectorXd>& x) const {
   double sum = 0;
   for (const auto& [unknown, coefficient] : terms) sum += coefficient * x[unknown];
   return sum;

@@ -18,7 +18,7 @@ struct RealForm {
   double constant = 0;
 
   /// What it changes by when x does.
-  double change(const Eigen::VectorXd& x) const;
+  double change(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   double at(const Eigen::VectorXd& x) const { return constant + change(x); }
   DoubleDouble wide_at(const Eigen::VectorXd& x) const;
   bool operator==(const RealForm&) const = default;

@@ -48,7 +48,8 @@ void ReleasedFamily::add_form(const RealForm& form) {
 }
 
 /// What the forms change by when the unknowns do.
-void ReleasedFamily::changes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> forms) const {
+void ReleasedFamily::changes(const Eigen::Ref<const Eigen::VectorXd>& y,
+                             Eigen::Ref<Eigen::VectorXd> forms) const {
   for (std::size_t form = 0; form + 1 < ends_.size(); ++form) {
     double sum = 0;
     for (std::size_t i = ends_[form]; i < ends_[form + 1]; ++i)
@@ -107,7 +108,9 @@ void ReleasedFamily::jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix)
   matrix(released_, unknowns_) = -scale_;
 }
 
-void ReleasedFamily::set(int n, const Eigen::VectorXd& coefficient) { changes(coefficient, series_.col(n)); }
+void ReleasedFamily::set(int n, const Eigen::Ref<const Eigen::VectorXd>& coefficient) {
+  changes(coefficient, series_.col(n));
+}
 
 void ReleasedFamily::known(int n, Eigen::Ref<Eigen::VectorXd> result) {
   convolution_.setZero(std::ssize(equation_of_));

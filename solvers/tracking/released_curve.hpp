@@ -32,7 +32,7 @@ class ReleasedFamily {
   void wide_residual(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> f);
   void jacobian(const Eigen::VectorXd& y, Eigen::MatrixXd& matrix);
   void start_series(double) {}
-  void set(int n, const Eigen::VectorXd& coefficient);
+  void set(int n, const Eigen::Ref<const Eigen::VectorXd>& coefficient);
   void known(int n, Eigen::Ref<Eigen::VectorXd> result);
   /// No value but t changes.
   double shortest_length(double) const { return 1; }
@@ -50,7 +50,7 @@ class ReleasedFamily {
   void add_form(const RealForm& form);
   void evaluate(const Eigen::VectorXd& y);
   DoubleDouble wide_form(Eigen::Index form, const Eigen::VectorXd& y) const;
-  void changes(const Eigen::VectorXd& y, Eigen::Ref<Eigen::VectorXd> forms) const;
+  void changes(const Eigen::Ref<const Eigen::VectorXd>& y, Eigen::Ref<Eigen::VectorXd> forms) const;
   Eigen::Index left(Eigen::Index product) const { return product; }
   Eigen::Index right(Eigen::Index product) const { return product < squares_ ? product : product + pairs(); }
   Eigen::Index pairs() const { return std::ssize(equation_of_) - squares_; }

@@ -97,6 +97,18 @@ TEST_CASE("a half convolution is half the double sum") {
   }
 }
 
+TEST_CASE("squares are summed row by row") {
+  std::mt19937_64 random(5);
+  for (const Eigen::Index rows : row_counts)
+    for (const Eigen::Index count : {0, 1, 7}) {
+      const Sample sample(rows, count, random);
+      const Eigen::VectorXd sums = written(rows, [&](const ColumnKernels& kernels, double* result) {
+        kernels.squares(sample.columns.from(0), count, result);
+      });
+      CHECK((sums - sample.matrix.rowwise().squaredNorm()).norm() <= 1e-14 * sample.matrix.squaredNorm());
+    }
+}
+
 TEST_CASE("columns are substituted one after the other") {
   std::mt19937_64 random(4);
   const std::vector<ColumnStep> steps{{2, 0, 2, 0.5}, {0, 2, 2, -3}, {3, 2, 5, 1}};

@@ -29,7 +29,7 @@ Eigen::MatrixXd random_matrix(const Eigen::MatrixXd& pattern, std::mt19937_64& r
 }
 
 Eigen::VectorXd applied(SparseInverse& inverse, const Eigen::VectorXd& right) {
-  Eigen::VectorXd result;
+  Eigen::VectorXd result(right.size());
   inverse.apply(right, result);
   return result;
 }

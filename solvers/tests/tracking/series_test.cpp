@@ -153,12 +153,13 @@ TEST_CASE("half convolutions are half the double sum over lower orders") {
       for (Eigen::Index i = 0; i < edges * dimension; ++i) series.difference(n)[i] = random.uniform(-1, 1);
     Eigen::VectorXd fast(edges);
     for (int n = 1; n <= order; ++n) {
-      series.half_convolution(n, fast);
+      fast.setOnes();
+      series.subtract_half_convolution(n, fast);
       for (Eigen::Index e = 0; e < edges; ++e) {
-        double slow = 0;
+        double slow = 1;
         for (int i = 1; i < n; ++i)
           for (int axis = 0; axis < dimension; ++axis)
-            slow += series.difference(i)[axis * edges + e] * series.difference(n - i)[axis * edges + e] / 2;
+            slow -= series.difference(i)[axis * edges + e] * series.difference(n - i)[axis * edges + e] / 2;
         CHECK(std::abs(fast[e] - slow) <= 1e-14);
       }
     }
@@ -170,9 +171,9 @@ TEST_CASE("edges can be added to an edge series") {
   series.resize(5);
   CHECK(series.edges() == 5);
   for (int n = 0; n <= 3; ++n) series.difference(n).setConstant(1);
-  Eigen::VectorXd result(5);
-  series.half_convolution(3, result);
-  CHECK(result == Eigen::VectorXd::Constant(5, 2));
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(5);
+  series.subtract_half_convolution(3, result);
+  CHECK(result == Eigen::VectorXd::Constant(5, -2));
 }
 
 TEST_CASE("the series of the half squared lengths are those of the composition") {

@@ -30,10 +30,10 @@ class LaneFactors {
   /// Of the entries that were filled in; a pivot that is 0 leaves factors that are no numbers.
   void factorise() {
     for (std::size_t k = 0; k < inverse_pivots_.size(); ++k) eliminate(k);
-    for (Term& term : lower_.terms) term.factor = entries_[term.entry];
+    for (std::size_t t = 0; t < lower_.terms.size(); ++t) lower_.factors[t] = entries_[lower_.terms[t].entry];
     for (const Row& row : upper_.rows)
       for (int t = row.first; t < row.last; ++t)
-        upper_.terms[t].factor = product(entries_[upper_.terms[t].entry], inverse_pivots_[row.unknown]);
+        upper_.factors[t] = product(entries_[upper_.terms[t].entry], inverse_pivots_[row.unknown]);
   }
 
   /// J z = right, in the order of elimination: right[k] belongs to the k-th equation, z[k] to the k-th
@@ -49,7 +49,6 @@ class LaneFactors {
   struct Term {
     int unknown = 0;
     int entry = 0;  ///< of the Jacobian, in whose place it comes about
-    Number factor{};
   };
   struct Row {
     int unknown = 0;          ///< with the 1 on the diagonal
@@ -59,6 +58,7 @@ class LaneFactors {
   struct Triangle {
     std::vector<Row> rows;
     std::vector<Term> terms;
+    std::vector<Number> factors;  ///< of the terms, without gaps: all are read for each solution
   };
 
   static Triangle lower_rows(const Elimination& elimination) {
@@ -86,15 +86,15 @@ class LaneFactors {
   static void append_row(int unknown, const std::vector<Term>& terms, Triangle& triangle) {
     const auto first = static_cast<int>(triangle.terms.size());
     triangle.terms.insert(triangle.terms.end(), terms.begin(), terms.end());
+    triangle.factors.resize(triangle.terms.size());
     triangle.rows.push_back({unknown, first, static_cast<int>(triangle.terms.size())});
   }
 
   static void substitute(const Triangle& triangle, std::vector<Number>& z) {
-    const Term* term = triangle.terms.data();
     for (const Row& row : triangle.rows) {
       Number sum = z[row.unknown];
-      for (const Term* last = triangle.terms.data() + row.last; term < last; ++term)
-        sum = fused_minus(term->factor, z[term->unknown], sum);
+      for (int t = row.first; t < row.last; ++t)
+        sum = fused_minus(triangle.factors[t], z[triangle.terms[t].unknown], sum);
       z[row.unknown] = sum;
     }
   }

@@ -21,18 +21,18 @@ double size_of(const BallMatrix& x) {
   return size;
 }
 
-/// A bound on the largest radius of a real or imaginary part.
-double radius_of(const BallMatrix& x) {
-  double radius = 0;
-  for (slong i = 0; i < x.rows(); ++i)
-    for (const arb_srcptr part : {acb_realref(x(i, 0)), acb_imagref(x(i, 0))})
-      radius = std::max(radius, mag_get_d(arb_radref(part)));
-  return radius;
-}
-
 void drop_radii(BallMatrix& x) { acb_mat_get_mid(x.get(), x.get()); }
 
 bool lies_inside(arb_srcptr inner, arb_srcptr outer) { return arb_contains_interior(outer, inner) != 0; }
+
+/// `in_reals`: all imaginary parts are 0.
+bool lies_inside(const BallMatrix& inner, const BallMatrix& outer, bool in_reals) {
+  for (slong i = 0; i < inner.rows(); ++i) {
+    if (!lies_inside(acb_realref(inner(i, 0)), acb_realref(outer(i, 0)))) return false;
+    if (!in_reals && !lies_inside(acb_imagref(inner(i, 0)), acb_imagref(outer(i, 0)))) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -184,31 +184,19 @@ std::optional<BallKrawczyk::Proof> BallKrawczyk::prove(const BallMatrix& x) cons
   if (!(radius > 0)) return std::nullopt;
   const BallMatrix f = value(x), box = box_around(x, radius);
   const bool in_reals = is_real_ && is_real(x);
-
   Proof proof{image(x, f, inverse, box), 0};
-  for (slong i = 0; i < unknowns_; ++i) {
-    const acb_srcptr inner = proof.solution(i, 0), outer = box(i, 0);
-    if (!lies_inside(acb_realref(inner), acb_realref(outer))) return std::nullopt;
-    if (!in_reals && !lies_inside(acb_imagref(inner), acb_imagref(outer))) return std::nullopt;
-  }
-  contract(proof.solution, x, f, inverse);
+  if (!lies_inside(proof.solution, box, in_reals)) return std::nullopt;
+
+  // Around a few of Newton's corrections there is one too, and so the same, enclosed as tightly as rounding allows.
   BallMatrix moved(unknowns_, 1);
+  acb_mat_mul(moved.get(), inverse.get(), f.get(), bits_);
+  const double near = std::max(4 * size_of(moved), std::ldexp(radius, static_cast<int>(-bits_)));
+  const BallMatrix near_box = box_around(x, near), near_image = image(x, f, inverse, near_box);
+  if (2 * near < radius && lies_inside(near_image, near_box, in_reals)) proof.solution = near_image;
+
   acb_mat_sub(moved.get(), proof.solution.get(), x.get(), bits_);
   proof.unique = (radius - size_of(moved)) * (1 - epsilon);
   return proof;
-}
-
-/// The box shrinks about as fast as its square, down to what rounding leaves. The image of a box is about x:
-/// the mean value theorem needs the Jacobian on the way from x to all of it.
-void BallKrawczyk::contract(BallMatrix& box, const BallMatrix& x, const BallMatrix& value,
-                            const BallMatrix& inverse) const {
-  while (true) {
-    BallMatrix hull(unknowns_, 1);
-    for (slong i = 0; i < unknowns_; ++i) acb_union(hull(i, 0), box(i, 0), x(i, 0), bits_);
-    const BallMatrix smaller = image(x, value, inverse, hull);
-    if (!(radius_of(smaller) < radius_of(box) / 2)) return;
-    box = smaller;
-  }
 }
 
 Enclosure enclosure_of(const BallKrawczyk::Proof& proof) {

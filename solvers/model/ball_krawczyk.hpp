@@ -73,8 +73,6 @@ class BallKrawczyk {
   /// x − inverse·f(x) + (1 − inverse·J(box))(box − x)
   BallMatrix image(const BallMatrix& x, const BallMatrix& value, const BallMatrix& inverse,
                    const BallMatrix& box) const;
-  void contract(BallMatrix& box, const BallMatrix& x, const BallMatrix& value,
-                const BallMatrix& inverse) const;
 
   int unknowns_;
   slong bits_;

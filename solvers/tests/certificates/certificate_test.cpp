@@ -3,6 +3,7 @@
 
 #include "solvers/certificates/certificate.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -114,6 +115,12 @@ bool holds(const Enclosure& enclosure, const Point& x) {
   return true;
 }
 
+double largest_radius(const Enclosure& enclosure) {
+  double largest = 0;
+  for (const std::complex<double>& radius : enclosure.radius) largest = std::max(largest, std::abs(radius));
+  return largest;
+}
+
 }  // namespace
 
 TEST_CASE("an enclosure holds the exact solution, in doubles and in balls") {
@@ -130,6 +137,9 @@ TEST_CASE("an enclosure holds the exact solution, in doubles and in balls") {
     REQUIRE(slow.is_proven);
     CHECK(holds(slow.enclosure, exact));
     CHECK(slow.bits >= 128);
+    CHECK(largest_radius(slow.enclosure) < 1e-30);
+    // Newton's correction is 0.
+    CHECK(largest_radius(certifier.certify(exact, 128).enclosure) < 1e-30);
     if (!fast.is_proven) continue;
     CHECK(holds(fast.enclosure, exact));
     CHECK(fast.realness == Realness::real);

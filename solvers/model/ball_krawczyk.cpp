@@ -160,7 +160,7 @@ BallMatrix BallKrawczyk::box_around(const BallMatrix& x, double radius) const {
   return box;
 }
 
-BallMatrix BallKrawczyk::image(const BallMatrix& x, const BallMatrix& value, const BallMatrix& inverse,
+BallMatrix BallKrawczyk::image(const BallMatrix& x, const BallMatrix& correction, const BallMatrix& inverse,
                                const BallMatrix& box) const {
   BallMatrix defect(unknowns_, unknowns_), offset(unknowns_, 1), result(unknowns_, 1);
   acb_mat_mul(defect.get(), inverse.get(), jacobian(box).get(), bits_);
@@ -168,8 +168,7 @@ BallMatrix BallKrawczyk::image(const BallMatrix& x, const BallMatrix& value, con
   for (slong i = 0; i < unknowns_; ++i) acb_add_si(defect(i, i), defect(i, i), 1, bits_);
   acb_mat_sub(offset.get(), box.get(), x.get(), bits_);
   acb_mat_mul(result.get(), defect.get(), offset.get(), bits_);
-  acb_mat_mul(offset.get(), inverse.get(), value.get(), bits_);
-  acb_mat_sub(result.get(), result.get(), offset.get(), bits_);
+  acb_mat_sub(result.get(), result.get(), correction.get(), bits_);
   acb_mat_add(result.get(), result.get(), x.get(), bits_);
   return result;
 }
@@ -182,18 +181,19 @@ std::optional<BallKrawczyk::Proof> BallKrawczyk::prove(const BallMatrix& x) cons
   // those of discs, and half of the rest is left for the rounding.
   const double radius = 1 / (8 * bend(inverse));
   if (!(radius > 0)) return std::nullopt;
-  const BallMatrix f = value(x), box = box_around(x, radius);
+  const BallMatrix box = box_around(x, radius);
   const bool in_reals = is_real_ && is_real(x);
-  Proof proof{image(x, f, inverse, box), 0};
+  BallMatrix correction(unknowns_, 1);
+  acb_mat_mul(correction.get(), inverse.get(), value(x).get(), bits_);
+  Proof proof{image(x, correction, inverse, box), 0};
   if (!lies_inside(proof.solution, box, in_reals)) return std::nullopt;
 
   // Around a few of Newton's corrections there is one too, and so the same, enclosed as tightly as rounding allows.
-  BallMatrix moved(unknowns_, 1);
-  acb_mat_mul(moved.get(), inverse.get(), f.get(), bits_);
-  const double near = std::max(4 * size_of(moved), std::ldexp(radius, static_cast<int>(-bits_)));
-  const BallMatrix near_box = box_around(x, near), near_image = image(x, f, inverse, near_box);
+  const double near = std::max(4 * size_of(correction), std::ldexp(radius, static_cast<int>(-bits_)));
+  const BallMatrix near_box = box_around(x, near), near_image = image(x, correction, inverse, near_box);
   if (2 * near < radius && lies_inside(near_image, near_box, in_reals)) proof.solution = near_image;
 
+  BallMatrix moved(unknowns_, 1);
   acb_mat_sub(moved.get(), proof.solution.get(), x.get(), bits_);
   proof.unique = (radius - size_of(moved)) * (1 - epsilon);
   return proof;

@@ -70,8 +70,8 @@ class BallKrawczyk {
   double bend(const BallMatrix& inverse) const;
   /// x ± radius; in the real part alone where the system and x are real.
   BallMatrix box_around(const BallMatrix& x, double radius) const;
-  /// x − inverse·f(x) + (1 − inverse·J(box))(box − x)
-  BallMatrix image(const BallMatrix& x, const BallMatrix& value, const BallMatrix& inverse,
+  /// x − correction + (1 − inverse·J(box))(box − x), the correction being inverse·f(x)
+  BallMatrix image(const BallMatrix& x, const BallMatrix& correction, const BallMatrix& inverse,
                    const BallMatrix& box) const;
 
   int unknowns_;

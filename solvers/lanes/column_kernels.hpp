@@ -14,14 +14,15 @@ struct DenseColumns {
   std::ptrdiff_t rows = 0;
 };
 
-/// Columns of numbers, 0 at first, at distances and places at which the widest vectors lie within lines of the cache.
+/// Columns of numbers, 0 at first, at distances and places at which the widest vectors lie within lines of the cache. A block
+/// behind the last, so that the place of a column exists also where there is none.
 class AlignedColumns {
  public:
   AlignedColumns() = default;
   AlignedColumns(std::ptrdiff_t rows, std::ptrdiff_t columns)
       : rows_(rows),
         blocks_((rows + block - 1) / block),
-        numbers_(static_cast<std::size_t>(blocks_ * columns)) {}
+        numbers_(static_cast<std::size_t>(blocks_ * columns + 1)) {}
 
   std::ptrdiff_t stride() const { return blocks_ * block; }
   double* column(std::ptrdiff_t j) { return numbers_[j * blocks_].numbers; }

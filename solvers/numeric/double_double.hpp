@@ -7,6 +7,7 @@
 namespace gcs {
 
 /// hi + lo with |lo| ≤ ulp(hi)/2; of doubles side by side for each of them. Overflow and underflow behave as for doubles.
+/// Operations are inlined always: arguments of two vectors of doubles would be passed in memory.
 template <class Real>
 struct Doubled {
   Real hi = {};
@@ -22,7 +23,7 @@ inline double fused(double a, double b, double c) { return std::fma(a, b, c); }
 
 /// a + b exactly.
 template <class Real>
-Doubled<Real> two_sum(Real a, Real b) {
+[[gnu::always_inline]] inline Doubled<Real> two_sum(Real a, Real b) {
   const Real s = a + b;
   const Real t = s - a;
   return {s, (a - (s - t)) + (b - t)};
@@ -30,18 +31,18 @@ Doubled<Real> two_sum(Real a, Real b) {
 
 /// a · b exactly unless the low part underflows.
 template <class Real>
-Doubled<Real> two_product(Real a, Real b) {
+[[gnu::always_inline]] inline Doubled<Real> two_product(Real a, Real b) {
   const Real p = a * b;
   return {p, fused(a, b, -p)};
 }
 
 template <class Real>
-Doubled<Real> operator-(Doubled<Real> a) {
+[[gnu::always_inline]] inline Doubled<Real> operator-(Doubled<Real> a) {
   return {-a.hi, -a.lo};
 }
 
 template <class Real>
-Doubled<Real> operator+(Doubled<Real> a, Doubled<Real> b) {
+[[gnu::always_inline]] inline Doubled<Real> operator+(Doubled<Real> a, Doubled<Real> b) {
   const Doubled<Real> s = two_sum(a.hi, b.hi);
   const Doubled<Real> t = two_sum(a.lo, b.lo);
   const Doubled<Real> u = two_sum<Real>(s.hi, s.lo + t.hi);
@@ -49,19 +50,19 @@ Doubled<Real> operator+(Doubled<Real> a, Doubled<Real> b) {
 }
 
 template <class Real>
-Doubled<Real> operator-(Doubled<Real> a, Doubled<Real> b) {
+[[gnu::always_inline]] inline Doubled<Real> operator-(Doubled<Real> a, Doubled<Real> b) {
   return a + -b;
 }
 
 template <class Real>
-Doubled<Real> operator*(Doubled<Real> a, Doubled<Real> b) {
+[[gnu::always_inline]] inline Doubled<Real> operator*(Doubled<Real> a, Doubled<Real> b) {
   const Doubled<Real> p = two_product(a.hi, b.hi);
   return two_sum<Real>(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
 /// The quotient by two corrections of the double one.
 template <class Real>
-Doubled<Real> operator/(Doubled<Real> a, Doubled<Real> b) {
+[[gnu::always_inline]] inline Doubled<Real> operator/(Doubled<Real> a, Doubled<Real> b) {
   const Real first = a.hi / b.hi;
   const Doubled<Real> rest = a - b * Doubled<Real>{first, {}};
   const Real second = rest.hi / b.hi;

@@ -104,10 +104,15 @@ class ListMaker {
     const bool are_simple = std::ranges::all_of(
         run.solutions, [](const AssessedSolution& solution) { return solution.multiplicity == 1; });
     list_.has_all_real = list_.has_all_real || (is_complete && are_simple && run.claim == Claim::all_real);
+    if (run.proofs && run.proofs->are_complete() && run.proofs->clusters == 0)
+      all_ = Natural(run.proofs->classes);
   }
 
   /// There are no more solutions than are proven.
-  bool has_all(const std::optional<Natural>& limit) const { return limit == Natural(list_.solutions.size()); }
+  bool has_all(const std::optional<Natural>& limit) const {
+    const Natural count(list_.solutions.size());
+    return limit == count || all_ == count;
+  }
 
   ReferenceList finish(const std::optional<Natural>& limit) {
     list_.has_all_complex = has_all(limit);
@@ -185,6 +190,8 @@ class ListMaker {
   std::vector<AxisSigns> images_;
   double size_;  ///< of the scene, in the file's unit
   std::vector<Figure> surrounded_;
+  /// So many there are, by what a run has proven, at infinity too.
+  std::optional<Natural> all_;
   ReferenceList list_;
 };
 
@@ -202,15 +209,17 @@ ReferenceList list_found_now(const Instance& instance, const Scene& scene, doubl
   RunLimits limits;
   limits.time_limit_s = limit_s;
   const std::optional<Natural> most = most_solutions(instance);
-  // Homotopies first: they know when nothing is missing, or that there is no end of it.
+  // Homotopies first: they know when nothing is missing, proven with their ends at infinity, or that there is no end of it.
+  const auto is_homotopy = [](const StrategyEntry* entry) {
+    return entry->name == "monodromy" || entry->name == "polyhedral";
+  };
   std::vector<const StrategyEntry*> order;
   for (const StrategyEntry& entry : all_strategies()) order.push_back(&entry);
-  std::stable_partition(order.begin(), order.end(), [](const StrategyEntry* entry) {
-    return entry->name == "monodromy" || entry->name == "polyhedral";
-  });
+  std::stable_partition(order.begin(), order.end(), is_homotopy);
   for (const StrategyEntry* entry : order) {
     if (interrupted() || maker.has_all(most)) break;
     progress.progress("reference, " + std::string(entry->name), -1);
+    limits.certify = is_homotopy(entry);
     const SolveRun run = run_strategy(*entry, {}, scene, limits);
     maker.take(run);
     if (run.status == RunStatus::infinite) break;  // no list has them all

@@ -34,9 +34,9 @@ std::optional<ReferenceList> shipped_reference(const Instance& instance, const S
 
 /// The shipped list or, where there is none, what is proven of what the strategies that can do the scene find
 /// with their defaults in `limit_s` seconds each, and of what lies next to multiple and ill-conditioned
-/// solutions. It holds all where the theoretical count is met, and all real ones where a scan with proof says
-/// so. S is followed with proof in the same time. Precondition: certificates reach the scene (see
-/// why_not_certified). Throws InputError as shipped_reference does.
+/// solutions. It holds all where the theoretical count is met, be it with proven solutions at infinity, and all real ones
+/// where a scan with proof says so. S is followed with proof in the same time. Precondition: certificates reach the
+/// scene (see why_not_certified). Throws InputError as shipped_reference does.
 ReferenceList reference_for(const Instance& instance, const Scene& scene, double limit_s, Monitor& progress);
 
 }  // namespace gcs

@@ -232,8 +232,11 @@ class Endgame {
     return std::move(ends_);
   }
 
-  /// How many have ended.
-  std::size_t ended() const { return approached_ - paths_.size(); }
+  /// Of the whole way. A path that does not simply arrive is halfway when it comes to the last tenth.
+  double done() const {
+    const std::size_t ended = approached_ - paths_.size();
+    return 0.5 * static_cast<double>(approached_ + ended) / static_cast<double>(ends_.size());
+  }
 
  private:
   std::vector<LegResult> follow(const std::vector<ActivePath*>& paths, Complex first, Complex last) {
@@ -454,9 +457,7 @@ std::vector<PathEnd> follow_to_end(LegTracking& tracking, const std::vector<Comp
                                    const std::function<bool()>& stopped,
                                    const std::function<void(double)>& progress, WorkCounters& work) {
   Endgame endgame(tracking, from, to, is_zero, stopped, work);
-  const auto report = [&] {
-    progress(static_cast<double>(endgame.ended()) / static_cast<double>(starts.size()));
-  };
+  const auto report = [&] { progress(endgame.done()); };
   progress(0);
   if (starts.empty()) return {};
   endgame.approach_ends(starts, report);

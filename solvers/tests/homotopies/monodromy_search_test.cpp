@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <functional>
 
 #include "solvers/counting/laman_graphs.hpp"
 #include "solvers/counting/theoretical_counts.hpp"
@@ -43,12 +44,13 @@ struct Setting {
         [](int) {}, work);
   }
 
-  std::vector<PathEnd> ends(const GenericSolutions& generic) {
+  std::vector<PathEnd> ends(
+      const GenericSolutions& generic, const std::function<void(double)>& progress = [](double) {}) {
     ComplexVectorX squares;
     for (const DoubleDouble& square : target_squares(scene)) squares.push_back(square.value());
     const auto is_zero = [&](const ComplexVectorX& x) { return is_zero_at(system, squares, x); };
-    return follow_to_end(
-        tracking, generic.solutions, generic.squares, squares, is_zero, never, [](double) {}, work);
+    return follow_to_end(tracking, generic.solutions, generic.squares, squares, is_zero, never, progress,
+                         work);
   }
 
   SolveReport report(const std::vector<PathEnd>& ends) {
@@ -275,9 +277,11 @@ TEST_CASE("a flat triangle is a singular end of winding number 2") {
   CHECK(flat.points(1, 2) == Approx(0).margin(1e-8));
 }
 
-TEST_CASE("lengths whose signed sum vanishes send paths to infinity") {
-  // theory.md names the octahedron's condition: the edges from 2 to 3, 3 to 5, 5 to 6 and 6 to 2 form a
-  // closed walk whose lengths are ±a23 ± a35 = ±a26 ± a56.
+namespace {
+
+/// theory.md names the octahedron's condition: the edges from 2 to 3, 3 to 5, 5 to 6 and 6 to 2 form a closed walk whose
+/// lengths are ±a23 ± a35 = ±a26 ± a56.
+ProblemStatement escaping_octahedron() {
   ProblemStatement problem = samples::octahedron();
   const auto length = [&](int a, int b) -> double& {
     for (DistanceConstraint& c : problem.constraints)
@@ -286,7 +290,13 @@ TEST_CASE("lengths whose signed sum vanishes send paths to infinity") {
     throw std::logic_error("no such edge");
   };
   length(1, 2) = length(1, 5) + length(4, 5) - length(2, 4);
-  Setting setting(problem);
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("lengths whose signed sum vanishes send paths to infinity") {
+  Setting setting(escaping_octahedron());
   const std::vector<PathEnd> ends = setting.ends(setting.search(8));
   CHECK(number_of(ends, PathEnd::Kind::at_infinity) > 0);
   CHECK(number_of(ends, PathEnd::Kind::at_infinity) + number_of(ends, PathEnd::Kind::regular) == 8);
@@ -297,6 +307,19 @@ TEST_CASE("lengths whose signed sum vanishes send paths to infinity") {
     CHECK((path.pole_order > 0) == escaped);
     CHECK(path.winding_number > 0);
   }
+}
+
+TEST_CASE("paths that do not simply arrive are halfway where they are walked around") {
+  Setting setting(escaping_octahedron());
+  std::vector<double> reports;
+  const std::vector<PathEnd> ends =
+      setting.ends(setting.search(8), [&](double done) { reports.push_back(done); });
+  REQUIRE(number_of(ends, PathEnd::Kind::at_infinity) > 0);
+  REQUIRE(reports.size() > 3);
+  CHECK(std::ranges::is_sorted(reports));
+  CHECK(reports[0] == 0);
+  CHECK(reports[1] == Approx(0.5 + 0.5 * number_of(ends, PathEnd::Kind::regular) / 8));
+  CHECK(reports.back() == 1);
 }
 
 TEST_CASE("a path that is lost, or that took another's end, makes the list incomplete") {
